@@ -1,0 +1,72 @@
+//! Directions on the upper hemisphere, the wave-vector change `q`, and the geometry factor.
+
+/// A vector in the local frame: x along scan columns, y up the image, z the outward normal.
+pub type Vec3 = [f64; 3];
+
+/// CIE XYZ, Y being luminous; 1/sr where it is a BRDF.
+pub type Xyz = [f64; 3];
+
+/// Unit vector from polar angles in degrees (theta from the normal, phi from +x towards +y).
+pub fn from_angles_deg(theta_deg: f64, phi_deg: f64) -> Vec3 {
+    let (sin_t, cos_t) = theta_deg.to_radians().sin_cos();
+    let (sin_p, cos_p) = phi_deg.to_radians().sin_cos();
+    [sin_t * cos_p, sin_t * sin_p, cos_t]
+}
+
+/// Scalar product.
+pub fn dot(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Vector scaled to unit length; the zero vector is returned unchanged.
+pub fn normalise(a: Vec3) -> Vec3 {
+    let length = dot(a, a).sqrt();
+    if length == 0.0 {
+        return a;
+    }
+    [a[0] / length, a[1] / length, a[2] / length]
+}
+
+/// `q = (u, v, w) = -wi - wo`; `w` lies in [-2, 0] for directions above the surface.
+pub fn wave_vector_change(wi: Vec3, wo: Vec3) -> Vec3 {
+    [-wi[0] - wo[0], -wi[1] - wo[1], -wi[2] - wo[2]]
+}
+
+/// Geometry factor `G = (1 + wi·wo)² / (cos_i cos_o)` of the scalar (Kirchhoff) reflection model,
+/// equal to `|q|⁴ / (4 cos_i cos_o)` (Stam 1999, eq. 9). Both cosines must be positive.
+pub fn geometry_factor(wi: Vec3, wo: Vec3) -> f64 {
+    let one_plus = 1.0 + dot(wi, wo);
+    one_plus * one_plus / (wi[2] * wo[2])
+}
+
+/// V-cavity shadowing and masking (Cook and Torrance 1982), in [0, 1].
+pub fn v_cavity_shadowing(wi: Vec3, wo: Vec3) -> f64 {
+    let m = normalise([wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]]);
+    let wo_m = dot(wo, m);
+    if wo_m <= 0.0 {
+        return 0.0;
+    }
+    let scale = 2.0 * m[2] / wo_m;
+    (scale * wo[2]).min(scale * wi[2]).clamp(0.0, 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn geometry_factor_equals_q_to_the_fourth() {
+        let wi = from_angles_deg(35.0, 20.0);
+        let wo = from_angles_deg(61.0, 250.0);
+        let q = wave_vector_change(wi, wo);
+        let expected = dot(q, q).powi(2) / (4.0 * wi[2] * wo[2]);
+        assert!((geometry_factor(wi, wo) / expected - 1.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn mirror_direction_has_no_lateral_change() {
+        let q = wave_vector_change(from_angles_deg(40.0, 10.0), from_angles_deg(40.0, 190.0));
+        assert!(q[0].abs() < 1e-15 && q[1].abs() < 1e-15);
+        assert!((q[2] + 2.0 * 40f64.to_radians().cos()).abs() < 1e-15);
+    }
+}

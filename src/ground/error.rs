@@ -1,0 +1,100 @@
+//! Errors by whose fault they are: the call, the manifest, a file, the disk, a limit, or the GPU.
+
+use std::path::{Path, PathBuf};
+
+/// Shorthand for results of this crate.
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Everything that can go wrong, sorted by who can put it right.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The command line is wrong (exit status 2).
+    #[error("{0}")]
+    Call(String),
+
+    /// The manifest is wrong (exit status 2); `excerpt` shows the line with a caret below it.
+    #[error("{file}:{line}:{column}: {message}\n{excerpt}")]
+    Manifest {
+        /// The manifest's path as the user gave it.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// Column in characters, from 1.
+        column: usize,
+        /// The key, what was found and what was expected.
+        message: String,
+        /// The offending line and a caret, ready to print.
+        excerpt: String,
+    },
+
+    /// A file is damaged or does not hold what it must; `fix` says what to do about it.
+    #[error("{}: {what}\n  {fix}", path.display())]
+    BadFile {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        what: String,
+        /// What the user can do, naming manifest keys where they help.
+        fix: String,
+    },
+
+    /// The operating system refused to read or write.
+    #[error("{}: cannot {doing}: {source}", path.display())]
+    Disk {
+        /// The file or folder.
+        path: PathBuf,
+        /// A verb phrase: "read", "create the folder".
+        doing: &'static str,
+        /// The system's own message.
+        source: std::io::Error,
+    },
+
+    /// The request is beyond what the method or the machine can do; said before computing.
+    #[error("{what}\n  {fix}")]
+    Limit {
+        /// What was asked, with the number needed and the number allowed.
+        what: String,
+        /// What to change.
+        fix: String,
+    },
+
+    /// No usable GPU, or the GPU failed.
+    #[error("GPU: {0}")]
+    Gpu(String),
+}
+
+impl Error {
+    /// A damaged or unsuitable file.
+    pub fn bad_file(path: &Path, what: impl Into<String>, fix: impl Into<String>) -> Self {
+        Self::BadFile {
+            path: path.to_owned(),
+            what: what.into(),
+            fix: fix.into(),
+        }
+    }
+
+    /// A refusal of the operating system, with what was being done.
+    pub fn disk(path: &Path, doing: &'static str, source: std::io::Error) -> Self {
+        Self::Disk {
+            path: path.to_owned(),
+            doing,
+            source,
+        }
+    }
+
+    /// A request beyond a limit.
+    pub fn limit(what: impl Into<String>, fix: impl Into<String>) -> Self {
+        Self::Limit {
+            what: what.into(),
+            fix: fix.into(),
+        }
+    }
+
+    /// The process exit status this error calls for: 2 for a wrong call or manifest, 1 otherwise.
+    pub fn exit_status(&self) -> u8 {
+        match self {
+            Self::Call(_) | Self::Manifest { .. } => 2,
+            _ => 1,
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! Ground floor: errors, directions, spectra and colour, transforms, metrics. Uses nothing above it.
+
+pub mod direction;
+pub mod error;
+pub mod spectrum;

@@ -1,0 +1,25 @@
+//! Height floor: reading scans, preparing them, and their statistics.
+
+use ndarray::Array2;
+
+/// A height field on a regular grid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeightField {
+    /// Heights in nm, positive outward, shape `[rows, columns]`; row 0 is the +y edge.
+    pub heights_nm: Array2<f64>,
+    /// Sample spacing in nm along x (columns) and y (rows).
+    pub pitch_nm: [f64; 2],
+}
+
+impl HeightField {
+    /// Number of samples along x and y.
+    pub fn size(&self) -> [usize; 2] {
+        [self.heights_nm.ncols(), self.heights_nm.nrows()]
+    }
+
+    /// Extent in nm along x and y (samples times pitch: each sample stands for one cell).
+    pub fn extent_nm(&self) -> [f64; 2] {
+        let [nx, ny] = self.size();
+        [nx as f64 * self.pitch_nm[0], ny as f64 * self.pitch_nm[1]]
+    }
+}

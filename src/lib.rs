@@ -1,0 +1,6 @@
+//! Diffraction atlas: BRDF tables of structural colour from height scans.
+
+pub mod ground;
+pub mod height;
+pub mod optics;
+pub mod tables;

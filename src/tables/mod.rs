@@ -1,0 +1,3 @@
+//! Tables floor: bases, building, storage, evaluation.
+
+pub mod model;

@@ -1,0 +1,120 @@
+//! The table set: plain data that an atlas stores and a renderer evaluates.
+
+use ndarray::Array3;
+use serde::{Deserialize, Serialize};
+
+use crate::optics::config::OpticsConfig;
+
+/// Which expansion in `w` the tables hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Basis {
+    /// Shifted Chebyshev polynomials in `t = |w| / sqrt(4 - u² - v²)`, the coherent part apart.
+    Chebyshev,
+    /// Powers of `w`: the published method (Dhillon et al. 2014, eq. 8).
+    Taylor,
+}
+
+/// Number format of the stored tables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Storage {
+    /// 16-bit floats, each table divided by its scale.
+    Half,
+    /// 32-bit floats.
+    Float,
+}
+
+/// Box average over (u, v) that every texel holds.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Prefilter {
+    /// One texel wide where the grid does not resolve the coherence lobe, none where it does.
+    Auto,
+    /// Point samples.
+    None,
+    /// A square of this side in u and v.
+    Width(f64),
+}
+
+/// What is asked of the tables. `None` leaves the choice to the tolerance.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TablesConfig {
+    /// Which expansion.
+    pub basis: Basis,
+    /// Relative error of the luminance that basis and wavelength step may each cause in 95 % of directions.
+    pub tolerance: f64,
+    /// Texels along u and v over [-2, 2]; odd.
+    pub size: Option<usize>,
+    /// Number of tables.
+    pub count: Option<usize>,
+    /// Largest wavelength step in nm.
+    pub wavelength_step_nm: Option<f64>,
+    /// Number format in the atlas.
+    pub storage: Storage,
+    /// Average over (u, v) held by a texel.
+    pub prefilter: Prefilter,
+    /// Working memory that building may take, in MiB.
+    pub memory_mib: usize,
+}
+
+/// The coherent lobe: the light that a flat surface of the same mean phasor would send around the
+/// mirror direction. A table over radius and `t`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lobe {
+    /// `∫ S x̄ |c|² G̃² / (λ² A) dλ` in 1/sr, shape `[t, radius, 3]`: `t` from 0 to 1 and the radius
+    /// `sqrt(u² + v²)` from 0 to `radius_max`, both ends included.
+    pub coherent: Array3<f32>,
+    /// Outer radius of the lobe; it is zero beyond.
+    pub radius_max: f64,
+    /// Cross term of the lobe with the rest: one patch per Chebyshev polynomial in `t`, shape
+    /// `[v, u, 3]` over [-radius_max, radius_max]² with row 0 at `v = +radius_max`; empty where
+    /// it vanishes (all window positions averaged).
+    pub cross: Vec<Array3<f32>>,
+}
+
+/// The tables of one specimen.
+///
+/// Texel `(row, column)` of a table lies at `u = -2 + 4 column / (size - 1)`,
+/// `v = 2 - 4 row / (size - 1)`; channels are X, Y, Z in 1/sr for unit Fresnel reflectance and
+/// geometry factor. With `|w| = -w`, `t = |w| / sqrt(4 - u² - v²)` and `T_n*(t) = T_n(2t - 1)`:
+///
+/// `f = R G (coherent / w² + Σ cross_n T_n*(t) / |w| + Σ table_n T_n*(t))` for `Basis::Chebyshev`,
+/// `f = R G Σ table_n |w|^n / w²` for `Basis::Taylor` (no lobe).
+#[derive(Debug, Clone, PartialEq)]
+pub struct TableSet {
+    /// Which expansion the tables hold.
+    pub basis: Basis,
+    /// One array per basis function, shape `[size, size, 3]`, 0 outside the disc of radius 2.
+    pub tables: Vec<Array3<f32>>,
+    /// The coherent lobe; `None` for `Basis::Taylor`, whose tables contain it.
+    pub lobe: Option<Lobe>,
+    /// Side of the square in (u, v) over which each texel is averaged; 0 for point samples.
+    pub prefilter_width: f64,
+    /// The optics the tables were computed for.
+    pub optics: OpticsConfig,
+    /// Radius of the (u, v) disc that the scans' sampling can answer for; beyond it is zero or doubtful.
+    pub usable_radius: f64,
+}
+
+impl TableSet {
+    /// Texels along u and v.
+    pub fn size(&self) -> usize {
+        self.tables.first().map_or(0, |table| table.nrows())
+    }
+}
+
+/// What was chosen while building, and what it cost: for reports and `specimen.json`.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct BuildRecord {
+    /// Transforms of `exp(i s h)` per window.
+    pub transforms: usize,
+    /// Windows averaged.
+    pub windows: usize,
+    /// Wavelengths used at the rim of the (u, v) disc, where most are needed.
+    pub wavelengths_max: usize,
+    /// Wavelengths times texels, summed over the disc.
+    pub samples: u64,
+    /// Smallest and largest wavelength step in nm.
+    pub wavelength_step_nm: [f64; 2],
+}
