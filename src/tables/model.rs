@@ -100,7 +100,7 @@ pub struct TableSet {
 impl TableSet {
     /// Texels along u and v.
     pub fn size(&self) -> usize {
-        self.tables.first().map_or(0, |table| table.nrows())
+        self.tables.first().map_or(0, |table| table.dim().0)
     }
 }
 
