@@ -1,5 +1,7 @@
 //! Ground floor: errors, directions, spectra and colour, transforms, metrics. Uses nothing above it.
 
+pub mod chebyshev;
+pub mod cie_data;
 pub mod direction;
 pub mod error;
 pub mod spectrum;
