@@ -17,9 +17,7 @@ pub fn gauss_nodes(count: usize, low: f64, high: f64) -> Vec<f64> {
 pub fn interpolation_weights(count: usize, low: f64, high: f64, x: f64) -> Vec<f64> {
     let nodes = gauss_nodes(count, low, high);
     if let Some(hit) = nodes.iter().position(|&node| node == x) {
-        return (0..count)
-            .map(|k| if k == hit { 1.0 } else { 0.0 })
-            .collect();
+        return (0..count).map(|k| if k == hit { 1.0 } else { 0.0 }).collect();
     }
     let mut weights: Vec<f64> = nodes
         .iter()
@@ -134,11 +132,7 @@ mod tests {
     fn one_node_fewer_than_a_polynomial_needs_is_seen() {
         let p = |x: f64| x * x;
         let weights = interpolation_weights(2, 0.0, 1.0, 0.9);
-        let value: f64 = gauss_nodes(2, 0.0, 1.0)
-            .iter()
-            .zip(&weights)
-            .map(|(&n, w)| p(n) * w)
-            .sum();
+        let value: f64 = gauss_nodes(2, 0.0, 1.0).iter().zip(&weights).map(|(&n, w)| p(n) * w).sum();
         assert!((value - p(0.9)).abs() > 1e-2);
     }
 
@@ -146,9 +140,6 @@ mod tests {
     fn node_count_grows_linearly_with_depth() {
         let shallow = nodes_for_exponential(1_000.0, 0.033, 1e-6);
         let deep = nodes_for_exponential(10_000.0, 0.033, 1e-6);
-        assert!(
-            deep < 10 * shallow && deep > 3 * shallow,
-            "{shallow} {deep}"
-        );
+        assert!(deep < 10 * shallow && deep > 3 * shallow, "{shallow} {deep}");
     }
 }

@@ -61,10 +61,7 @@ impl Illuminant {
                 cie_data::FLUORESCENT_FIRST_NM,
                 wavelength_nm,
             ),
-            Self::Tabulated {
-                wavelength_nm: at,
-                power,
-            } => linear(at, power, wavelength_nm),
+            Self::Tabulated { wavelength_nm: at, power } => linear(at, power, wavelength_nm),
             Self::Lines(_) => 0.0,
         }
     }
@@ -74,9 +71,9 @@ impl Illuminant {
         let Self::Lines(lines) = self else {
             return range_nm;
         };
-        lines.iter().fold([f64::MAX, 0.0], |[low, high], line| {
-            [low.min(line.wavelength_nm), high.max(line.wavelength_nm)]
-        })
+        lines
+            .iter()
+            .fold([f64::MAX, 0.0], |[low, high], line| [low.min(line.wavelength_nm), high.max(line.wavelength_nm)])
     }
 }
 
@@ -95,10 +92,7 @@ pub fn observer_2deg(wavelength_nm: f64) -> Xyz {
     }
     let index = (position as usize).min(last - 1);
     let share = position - index as f64;
-    let (low, high) = (
-        cie_data::OBSERVER_2DEG[index],
-        cie_data::OBSERVER_2DEG[index + 1],
-    );
+    let (low, high) = (cie_data::OBSERVER_2DEG[index], cie_data::OBSERVER_2DEG[index + 1]);
     std::array::from_fn(|c| low[c] + share * (high[c] - low[c]))
 }
 
@@ -127,11 +121,7 @@ fn linear(at: &[f64], values: &[f64], x: f64) -> f64 {
 ///
 /// # Errors
 /// `Error::Call` if the light has no luminous power within the range.
-pub fn uniform_wavelengths(
-    illuminant: &Illuminant,
-    range_nm: [f64; 2],
-    step_nm: f64,
-) -> Result<SpectralQuadrature> {
+pub fn uniform_wavelengths(illuminant: &Illuminant, range_nm: [f64; 2], step_nm: f64) -> Result<SpectralQuadrature> {
     if let Illuminant::Lines(lines) = illuminant {
         return lines_quadrature(lines);
     }
@@ -163,26 +153,15 @@ const CELL_NM: f64 = 0.125;
 ///
 /// # Errors
 /// `Error::Call` if the light has no luminous power within the range.
-pub fn uniform_wavenumbers(
-    illuminant: &Illuminant,
-    range_nm: [f64; 2],
-    count: usize,
-) -> Result<SpectralQuadrature> {
+pub fn uniform_wavenumbers(illuminant: &Illuminant, range_nm: [f64; 2], count: usize) -> Result<SpectralQuadrature> {
     if let Illuminant::Lines(lines) = illuminant {
         return lines_quadrature(lines);
     }
     let [low, high] = [1.0 / range_nm[1], 1.0 / range_nm[0]];
     let count = count.max(2);
     let step = (high - low) / (count - 1) as f64;
-    let wavelengths_nm: Vec<f64> = (0..count)
-        .map(|j| {
-            if j + 1 == count {
-                range_nm[0]
-            } else {
-                1.0 / (low + j as f64 * step)
-            }
-        })
-        .collect();
+    let wavelengths_nm: Vec<f64> =
+        (0..count).map(|j| if j + 1 == count { range_nm[0] } else { 1.0 / (low + j as f64 * step) }).collect();
     let mut weights = vec![[0.0; 3]; count];
     let cells = ((range_nm[1] - range_nm[0]) / CELL_NM).ceil() as usize;
     let cell_nm = (range_nm[1] - range_nm[0]) / cells as f64;
@@ -191,8 +170,7 @@ pub fn uniform_wavenumbers(
         let nm = range_nm[0] + (cell as f64 + 0.5) * cell_nm;
         let density = observer_2deg(nm).map(|c| illuminant.power(nm) * c * cell_nm);
         let position = (1.0 / nm - low) / step;
-        let start = (position.floor() as isize + 1 - points as isize / 2)
-            .clamp(0, (count - points) as isize) as usize;
+        let start = (position.floor() as isize + 1 - points as isize / 2).clamp(0, (count - points) as isize) as usize;
         for j in 0..points {
             let cardinal: f64 = (0..points)
                 .filter(|&m| m != j)
@@ -207,10 +185,7 @@ pub fn uniform_wavenumbers(
 }
 
 fn lines_quadrature(lines: &[Line]) -> Result<SpectralQuadrature> {
-    let weights = lines
-        .iter()
-        .map(|l| observer_2deg(l.wavelength_nm).map(|c| c * l.power))
-        .collect();
+    let weights = lines.iter().map(|l| observer_2deg(l.wavelength_nm).map(|c| c * l.power)).collect();
     normalised(lines.iter().map(|l| l.wavelength_nm).collect(), weights)
 }
 
@@ -226,10 +201,7 @@ fn normalised(wavelengths_nm: Vec<f64>, mut weights: Vec<Xyz>) -> Result<Spectra
     for weight in &mut weights {
         *weight = weight.map(|w| w / luminous);
     }
-    Ok(SpectralQuadrature {
-        wavelengths_nm,
-        weights,
-    })
+    Ok(SpectralQuadrature { wavelengths_nm, weights })
 }
 
 #[cfg(test)]
@@ -257,16 +229,10 @@ mod tests {
             (Illuminant::F(11), [1.00962, 0.64350]),
         ];
         for (illuminant, [x, z]) in cases {
-            let white = integrate(
-                &uniform_wavelengths(&illuminant, [380.0, 780.0], 5.0).unwrap(),
-                |_| 1.0,
-            );
+            let white = integrate(&uniform_wavelengths(&illuminant, [380.0, 780.0], 5.0).unwrap(), |_| 1.0);
             // Published whites are plain sums over 5 nm from 360 to 830 nm: the ends left out here
             // (and halved at 380 and 780 nm) carry below 3e-4 of X and Z.
-            assert!(
-                (white[0] - x).abs() < 3e-4 && (white[2] - z).abs() < 3e-4,
-                "{illuminant:?} {white:?}"
-            );
+            assert!((white[0] - x).abs() < 3e-4 && (white[2] - z).abs() < 3e-4, "{illuminant:?} {white:?}");
             assert!((white[1] - 1.0).abs() < 1e-12);
         }
     }
@@ -277,31 +243,17 @@ mod tests {
         // to XYZ than daylight does and needs more nodes for the same error.
         let f = |nm: f64| 1.0 + (std::f64::consts::TAU * 10_000.0 / nm).cos();
         for (illuminant, nodes) in [(Illuminant::D65, 57), (Illuminant::F(11), 91)] {
-            let fine = integrate(
-                &uniform_wavelengths(&illuminant, [380.0, 780.0], 0.05).unwrap(),
-                f,
-            );
-            let coarse = integrate(
-                &uniform_wavenumbers(&illuminant, [380.0, 780.0], nodes).unwrap(),
-                f,
-            );
+            let fine = integrate(&uniform_wavelengths(&illuminant, [380.0, 780.0], 0.05).unwrap(), f);
+            let coarse = integrate(&uniform_wavenumbers(&illuminant, [380.0, 780.0], nodes).unwrap(), f);
             for c in 0..3 {
-                assert!(
-                    (coarse[c] - fine[c]).abs() < 1e-3,
-                    "{illuminant:?} {coarse:?} {fine:?}"
-                );
+                assert!((coarse[c] - fine[c]).abs() < 1e-3, "{illuminant:?} {coarse:?} {fine:?}");
             }
         }
     }
 
     #[test]
     fn lines_are_a_plain_sum_and_the_invisible_is_refused() {
-        let line = |nm| {
-            Illuminant::Lines(vec![Line {
-                wavelength_nm: nm,
-                power: 2.0,
-            }])
-        };
+        let line = |nm| Illuminant::Lines(vec![Line { wavelength_nm: nm, power: 2.0 }]);
         let q = uniform_wavenumbers(&line(555.0), [380.0, 780.0], 99).unwrap();
         assert_eq!(q.wavelengths_nm, [555.0]);
         assert!((q.weights[0][1] - 1.0).abs() < 1e-15);
