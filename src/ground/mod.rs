@@ -4,4 +4,5 @@ pub mod chebyshev;
 pub mod cie_data;
 pub mod direction;
 pub mod error;
+pub mod sampling;
 pub mod spectrum;

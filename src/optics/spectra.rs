@@ -320,34 +320,47 @@ impl Spectra {
         }
     }
 
-    /// `|E|² / A` at one frequency for several `s`, straight from the transforms in double precision:
-    /// the slow path against which the tables' grid and basis are measured.
-    pub fn power_at(&self, frequency: [f64; 2], s: &[f64]) -> Vec<f64> {
-        let weights: Vec<Vec<f64>> = s.iter().map(|&s| self.node_weights(s)).collect();
-        let taps: [_; 2] = std::array::from_fn(|axis| self.kernel.taps(&[frequency[axis]], self.step[axis], 0.0));
-        let mut amplitude = vec![Complex::<f64>::default(); s.len()];
-        let mut power = vec![0.0; s.len()];
+    /// `|E|² / A` at one frequency for several `s`, given [`Self::node_weights`] of each: straight from
+    /// the transforms in double precision, the slow path against which grid and basis are measured.
+    pub fn power_at(&self, frequency: [f64; 2], node_weights: &[Vec<f64>]) -> Vec<f64> {
+        let taps: [_; 2] =
+            std::array::from_fn(|axis| self.kernel.taps(&[frequency[axis]], self.step[axis], 0.0));
+        let combined = |nodes: &[Complex<f64>], weights: &[f64]| -> f64 {
+            nodes.iter().zip(weights).map(|(e, w)| e * w).sum::<Complex<f64>>().norm_sqr()
+        };
+        let mut interpolated = vec![Complex::<f64>::default(); self.nodes];
+        let mut power = vec![0.0; node_weights.len()];
         for (ty, wy) in taps[1].weight.iter().enumerate() {
-            let row = taps[1].first[0] + ty as i32 - self.first[1];
             for (tx, wx) in taps[0].weight.iter().enumerate() {
-                let column = taps[0].first[0] + tx as i32 - self.first[0];
-                let inside = (0..self.lines[1] as i32).contains(&row) && (0..self.lines[0] as i32).contains(&column);
-                if !inside {
+                let Some(line) = self.line(taps[0].first[0] + tx as i32, taps[1].first[0] + ty as i32) else {
                     continue;
-                }
-                let start = (row as usize * self.lines[0] + column as usize) * self.nodes;
-                let line = &self.data[start..start + self.nodes];
+                };
                 let tap = f64::from(*wx) * f64::from(*wy);
-                for (i, weights) in weights.iter().enumerate() {
-                    let value = line.iter().zip(weights).fold(Complex::default(), |sum: Complex<f64>, (e, w)| {
-                        sum + Complex::new(f64::from(e.re), f64::from(e.im)) * w
-                    });
-                    power[i] += tap * value.norm_sqr();
-                    amplitude[i] += value * tap;
+                let wide = line.iter().map(|e| Complex::new(f64::from(e.re), f64::from(e.im)));
+                if self.mean_power {
+                    let wide: Vec<_> = wide.collect();
+                    for (power, weights) in power.iter_mut().zip(node_weights) {
+                        *power += tap * combined(&wide, weights);
+                    }
+                } else {
+                    interpolated.iter_mut().zip(wide).for_each(|(sum, e)| *sum += e * tap);
                 }
             }
         }
-        if self.mean_power { power } else { amplitude.iter().map(|a| a.norm_sqr()).collect() }
+        if self.mean_power {
+            return power;
+        }
+        node_weights.iter().map(|weights| combined(&interpolated, weights)).collect()
+    }
+
+    /// All nodes of one pair of lines, `None` outside what is stored.
+    fn line(&self, column: i32, row: i32) -> Option<&[Complex<f32>]> {
+        let (column, row) = (column - self.first[0], row - self.first[1]);
+        let inside = (0..self.lines[1] as i32).contains(&row) && (0..self.lines[0] as i32).contains(&column);
+        inside.then(|| {
+            let start = (row as usize * self.lines[0] + column as usize) * self.nodes;
+            &self.data[start..start + self.nodes]
+        })
     }
 
     /// The kernel's width in lines along both axes: what one interpolated value costs.
