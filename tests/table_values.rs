@@ -16,7 +16,7 @@ fn probe() {
         if !case.name.contains(&only) { continue; }
         let (lo, hi) = case.field.heights_nm.iter().fold((f64::MAX, f64::MIN), |(l, h), &x| (l.min(x), h.max(x)));
         case.field.heights_nm -= 0.5 * (lo + hi);
-        let config = TablesConfig { basis: Basis::Chebyshev, tolerance: 1e-3, size: Some(size), count: None, wavelength_step_nm: None, storage: Storage::Float, prefilter: Prefilter::None, memory_mib: 8192 };
+        let config = TablesConfig { basis: Basis::Chebyshev, tolerance: 1e-3, size: Some(size), count: std::env::var("COUNT").ok().map(|s| s.parse().unwrap()), wavelength_step_nm: None, storage: Storage::Float, prefilter: Prefilter::None, memory_mib: 8192 };
         let started = std::time::Instant::now();
         let (set, record) = build(std::slice::from_ref(&case.field), &case.optics, &config, &|_| ()).unwrap();
         println!("{} {} tables, {record:?} {:?}", case.name, set.tables.len(), started.elapsed());

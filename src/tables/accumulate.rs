@@ -179,39 +179,78 @@ impl<'a> Wave<'a> {
     }
 
     /// Pass A: rows of η lines, interpolated along ξ to the targets; also the first line's index.
+    ///
+    /// Only what pass B will read is filled: for each line, the columns of the ring's texels whose
+    /// kernel reaches it.
     fn interpolated_rows<const B: usize, const N: usize>(&self, weights: &[[Lane; B]]) -> (i32, Vec<[Lane; N]>) {
-        let range = |taps: &Taps| {
-            let first = taps.first.iter().copied().min().unwrap_or(0);
-            let last = taps.first.iter().copied().max().unwrap_or(0) + taps.count as i32;
-            (first, last)
-        };
-        let (first_x, last_x) = range(&self.taps_x);
-        let (first_y, last_y) = range(&self.taps_y);
+        let (first_x, last_x) = span(&self.taps_x);
+        let (first_y, last_y) = span(&self.taps_y);
         let targets = self.taps_x.first.len();
-        let spectra = self.spectra;
         let mut rows = vec![[[0.0f32; 4]; N]; (last_y - first_y) as usize * targets];
         rows.par_chunks_mut(targets).enumerate().for_each_init(
             || vec![[[0.0f32; 4]; N]; (last_x - first_x) as usize],
             |line, (index, out)| {
-                let row = first_y + index as i32 - spectra.first[1];
-                if !(0..spectra.lines[1] as i32).contains(&row) {
-                    return;
-                }
-                let stored = spectra.lines[0] * spectra.nodes;
-                let data = &spectra.data[row as usize * stored..(row as usize + 1) * stored];
-                let low = ((spectra.first[0] - first_x).max(0) as usize).min(line.len());
-                let skip = (first_x - spectra.first[0]).max(0) as usize;
-                for (cell, nodes) in line[low..].iter_mut().zip(data.chunks_exact(spectra.nodes).skip(skip)) {
-                    *cell = combine::<B, N>(nodes, weights);
-                }
-                let taps = self.taps_x.weight.chunks_exact(self.taps_x.count);
-                for ((out, first), weight) in out.iter_mut().zip(&self.taps_x.first).zip(taps) {
-                    let start = (first - first_x) as usize;
-                    *out = weighted_sum(&line[start..start + weight.len()], weight);
+                let row = first_y + index as i32;
+                for segment in self.targets_of_line(row) {
+                    self.fill_segment::<B, N>(row, segment, weights, line, out);
                 }
             },
         );
         (first_y, rows)
+    }
+
+    /// Targets along x that some texel of the ring reads from a line of η: left and right of the hole.
+    fn targets_of_line(&self, row: i32) -> [std::ops::Range<usize>; 2] {
+        let step = self.spectra.step[1];
+        let reach = self.taps_y.count as f64 * 0.5 * step;
+        let v = f64::from(row).abs() * step * self.wavelength_nm;
+        // Half a texel more for the box samples around a texel's centre.
+        let slack = reach * self.wavelength_nm + self.grid.texel();
+        let (nearest, farthest) = ((v - slack).max(0.0), v + slack);
+        let [inner, outer] = self.ring.rho;
+        let outer = self.grid.columns_within((outer * outer - nearest * nearest).max(0.0).sqrt());
+        let hole = inner_columns(self.grid, inner, farthest);
+        let local = |column: usize| (column.max(self.columns.start) - self.columns.start) * self.samples;
+        if hole.is_empty() {
+            return [local(outer.start)..local(outer.end), 0..0];
+        }
+        [local(outer.start)..local(hole.start), local(hole.end)..local(outer.end)]
+    }
+
+    /// One run of targets on one line: combines the depth nodes, then interpolates along ξ.
+    #[inline(always)]
+    fn fill_segment<const B: usize, const N: usize>(
+        &self,
+        row: i32,
+        segment: std::ops::Range<usize>,
+        weights: &[[Lane; B]],
+        line: &mut [[Lane; N]],
+        out: &mut [[Lane; N]],
+    ) {
+        let spectra = self.spectra;
+        let row = row - spectra.first[1];
+        if segment.is_empty() || !(0..spectra.lines[1] as i32).contains(&row) {
+            return;
+        }
+        let firsts = &self.taps_x.first[segment.clone()];
+        let first_x = firsts[0];
+        let cells = (firsts[firsts.len() - 1] - first_x) as usize + self.taps_x.count;
+        let stored = spectra.lines[0] * spectra.nodes;
+        let data = &spectra.data[row as usize * stored..(row as usize + 1) * stored];
+        for (cell, column) in line[..cells].iter_mut().zip(first_x - spectra.first[0]..) {
+            *cell = match usize::try_from(column) {
+                Ok(column) if column < spectra.lines[0] => {
+                    combine::<B, N>(&data[column * spectra.nodes..(column + 1) * spectra.nodes], weights)
+                }
+                // Past the sampling's limit: nothing is known, nothing is added.
+                _ => [[0.0; 4]; N],
+            };
+        }
+        let taps = self.taps_x.weight[segment.start * self.taps_x.count..].chunks_exact(self.taps_x.count);
+        for ((out, first), weight) in out[segment].iter_mut().zip(firsts).zip(taps) {
+            let start = (first - first_x) as usize;
+            *out = weighted_sum(&line[start..start + weight.len()], weight);
+        }
     }
 
     /// Pass B for one texel: the quantity at each `w`, averaged over the box samples.
@@ -254,6 +293,13 @@ impl<'a> Wave<'a> {
         let share = 1.0 / (self.samples * self.samples) as f32;
         power.map(|lane| lane.map(|value| value * share))
     }
+}
+
+/// First line any tap reads, and one past the last.
+fn span(taps: &Taps) -> (i32, i32) {
+    let first = taps.first.iter().copied().min().unwrap_or(0);
+    let last = taps.first.iter().copied().max().unwrap_or(0);
+    (first, last + taps.count as i32)
 }
 
 /// Columns of a row that lie inside a ring's hole.
