@@ -1,5 +1,8 @@
 //! Ground floor: errors, directions, spectra and colour, transforms, metrics. Uses nothing above it.
 
+pub mod colour;
 pub mod direction;
 pub mod error;
+pub mod metrics;
+pub mod png_image;
 pub mod spectrum;
