@@ -9,4 +9,5 @@ pub mod model;
 pub mod patch;
 pub mod samples;
 pub mod screen;
+pub mod snake;
 pub mod sphere;

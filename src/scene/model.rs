@@ -38,6 +38,8 @@ pub enum Shape {
     Hemisphere,
     /// A sphere seen from afar; the structure's x axis runs along the circles of latitude.
     Sphere,
+    /// A meandering snake's body seen from above; the structure's x axis runs along the body.
+    Snake,
     /// A flat square seen in perspective by a camera in front of its centre.
     Patch {
         /// Side of the square.
@@ -193,7 +195,7 @@ fn check_lights(scene: &Scene) -> Checked {
 
 fn check_shape(shape: &Shape) -> Checked {
     match *shape {
-        Shape::Hemisphere | Shape::Sphere => Ok(()),
+        Shape::Hemisphere | Shape::Sphere | Shape::Snake => Ok(()),
         Shape::Patch {
             width_mm,
             distance_mm,

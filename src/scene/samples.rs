@@ -13,7 +13,7 @@ use crate::ground::error::{Error, Result};
 use super::frame::{Frame, to_local};
 use super::light::{LightSample, light_samples};
 use super::model::{Scene, Shape, check};
-use super::{hemisphere, patch, screen, sphere};
+use super::{hemisphere, patch, screen, snake, sphere};
 
 /// Most samples one [`ShadingSamples`] may hold: 1.9 GB.
 pub const SAMPLES_TOTAL_MAX: usize = 1 << 26;
@@ -89,6 +89,12 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
             let lights = light_samples(scene);
             gather(scene, &rows, &columns, |xy, out| {
                 gather_surface(&lights, pixel_width(scene), xy, sphere::hit, out);
+            })
+        }
+        Shape::Snake => {
+            let lights = light_samples(scene);
+            gather(scene, &rows, &columns, |xy, out| {
+                gather_surface(&lights, pixel_width(scene), xy, snake::hit, out);
             })
         }
         Shape::Patch { .. } => {

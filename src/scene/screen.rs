@@ -7,7 +7,9 @@
 //! With the radiance `f E cos_i` that a sample point `p` sends to the screen point `s`, at
 //! `r = |s - p|`, the irradiance on the screen is
 //!
-//!     E_s = ∫_spot f E cos_i cos_o cos_s / r² dA,    cos_s = (distance - p_z) / r.
+//! ```text
+//! E_s = ∫_spot f E cos_i cos_o cos_s / r² dA,    cos_s = (distance - p_z) / r.
+//! ```
 //!
 //! The spot is sampled by points spread evenly over the beam's cross-section, of area `A`; the
 //! tilted sample holds `dA = dA_beam / cos(incidence)`. Unit: that of the light's irradiance.

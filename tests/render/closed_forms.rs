@@ -205,7 +205,7 @@ fn the_hemisphere_map_integrates_to_the_reflected_power() {
 
 #[test]
 fn stored_directions_are_unit_vectors_above_the_surface() {
-    let mut shapes = vec![Shape::Hemisphere, Shape::Sphere, PATCH];
+    let mut shapes = vec![Shape::Hemisphere, Shape::Sphere, Shape::Snake, PATCH];
     shapes.push(Shape::Screen {
         distance_mm: 50.0,
         width_mm: 120.0,

@@ -94,6 +94,15 @@ fn sphere_under_the_sun() {
 }
 
 #[test]
+fn snake_under_the_sun() {
+    let mut scene = scene(Shape::Snake, [0.1, 0.6, 1.0], size_px());
+    scene.lights[0].angular_diameter_deg = 0.53;
+    scene.light_samples = 4;
+    let image = picture("snake", &scene, &SCALE_LIKE);
+    assert!(image.iter().any(|&value| value > 0.1));
+}
+
+#[test]
 fn hemisphere_map() {
     let scene = scene(Shape::Hemisphere, [0.0, 0.0, 1.0], size_px());
     let image = picture("hemisphere", &scene, &CLEAN);
