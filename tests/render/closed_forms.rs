@@ -203,6 +203,19 @@ fn the_hemisphere_map_integrates_to_the_reflected_power() {
     assert!((power - 1.0).abs() < 1e-5, "{power}");
 }
 
+/// The map shows `f` in 1/sr whatever the irradiance, the light's angle or the sampling.
+#[test]
+fn the_hemisphere_map_of_a_lambertian_is_its_brdf() {
+    let mut scene = scene(Shape::Hemisphere, from_angles_deg(60.0, 10.0), 20);
+    scene.lights[0].irradiance = 7.0;
+    scene.lights[0].angular_diameter_deg = 10.0;
+    scene.light_samples = 12;
+    scene.pixel_samples = 5;
+    let image = render(&scene, &lambertian).unwrap();
+    assert!((f64::from(image[[4, 9, 1]]) - FRAC_1_PI).abs() < 1e-7);
+    assert_eq!(image[[0, 0, 1]], 0.0);
+}
+
 #[test]
 fn stored_directions_are_unit_vectors_above_the_surface() {
     let mut shapes = vec![Shape::Hemisphere, Shape::Sphere, Shape::Snake, PATCH];
@@ -268,6 +281,11 @@ fn subsets_and_bands_hold_the_same_pixels() {
         assert_eq!(*value, whole[[7 * row, 7 * column, channel]]);
     }
     assert!(subset.iter().any(|&value| value > 0.0));
+    // At stride 2 the bands do not end with the picture.
+    assert_eq!(
+        render_subset(&scene, &brdf, 2).unwrap(),
+        shade_subset(&all, &brdf, 2)
+    );
     let part = samples_of(&scene, 20..30, 1).unwrap();
     assert_eq!(
         pixel_range(&part, 3, 5).len(),

@@ -158,6 +158,35 @@ fn a_wide_beam_blurs_the_spot_by_its_diameter() {
     assert!(at(13.0) < 0.02 && at(-13.0) < 0.02);
 }
 
+/// A tilted mirror stretches the beam: the ray at `x` meets the sample at height `-x tan a` and goes
+/// on at `2a`, so it lands at `x (1 + tan a tan 2a) + distance tan 2a`.
+#[test]
+fn a_tilted_mirror_stretches_the_spot() {
+    let mut scene = set_up(300.0, 20.0, 20.0, 150);
+    scene.light_samples = 400;
+    let width = 0.004;
+    let image = render(&scene, &|wi: Vec3, wo: Vec3| {
+        let (u, v) = (wi[0] + wo[0], wi[1] + wo[1]);
+        [(-(u * u + v * v) / (2.0 * width * width)).exp(); 3]
+    })
+    .unwrap();
+    let (mut sum, mut x, mut xx) = (0.0, 0.0, 0.0);
+    for ((row, column, _), &value) in image.indexed_iter() {
+        let x_mm = pixel_centre(&scene, row, column)[0] * 150.0;
+        sum += f64::from(value);
+        x += f64::from(value) * x_mm;
+        xx += f64::from(value) * x_mm * x_mm;
+    }
+    let deviation_mm = (xx / sum - (x / sum).powi(2)).sqrt();
+    let (tan, tan_twice) = (20f64.to_radians().tan(), 40f64.to_radians().tan());
+    // A disc's standard deviation along x is half its radius. The lobe (0.8 mm) adds in squares: 1 %.
+    let expected_mm = 5.0 * (1.0 + tan * tan_twice);
+    assert!(
+        (deviation_mm / expected_mm - 1.0).abs() < 0.02,
+        "{deviation_mm} {expected_mm}"
+    );
+}
+
 #[test]
 fn the_hole_is_dark() {
     let mut scene = set_up(40.0, 0.0, 10.0, 40);
