@@ -3,4 +3,6 @@
 pub mod ground;
 pub mod height;
 pub mod optics;
+pub mod render;
+pub mod scene;
 pub mod tables;

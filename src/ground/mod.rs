@@ -5,4 +5,7 @@ pub mod cie_data;
 pub mod direction;
 pub mod error;
 pub mod sampling;
+pub mod colour;
+pub mod metrics;
+pub mod png_image;
 pub mod spectrum;

@@ -1,0 +1,78 @@
+//! Shading on the CPU, in parallel over rows; the same bytes on any number of threads.
+
+use ndarray::{Array3, Axis};
+use rayon::prelude::*;
+
+use crate::ground::error::Result;
+use crate::scene::model::{Scene, check};
+use crate::scene::samples::{ShadingSamples, pixel_range, samples_of, samples_per_pixel};
+
+use super::Brdf;
+
+/// Samples gathered at a time by [`render`]: 29 MB.
+const BAND_SAMPLES: usize = 1 << 20;
+
+/// XYZ image `[rows, columns, 3]` of gathered samples: `Σ weight f(wi, wo)` in each pixel, summed
+/// in double precision in the samples' order.
+pub fn shade(samples: &ShadingSamples, brdf: &Brdf) -> Array3<f32> {
+    shade_subset(samples, brdf, 1)
+}
+
+/// [`shade`] of every `stride`-th pixel in both directions, for slow references: entry `(r, c)` is
+/// pixel `(r * stride, c * stride)`.
+pub fn shade_subset(samples: &ShadingSamples, brdf: &Brdf, stride: usize) -> Array3<f32> {
+    let stride = stride.max(1);
+    let rows = samples.rows.div_ceil(stride);
+    let columns = samples.columns.div_ceil(stride);
+    let mut image = Array3::zeros((rows, columns, 3));
+    image
+        .axis_iter_mut(Axis(0))
+        .into_par_iter()
+        .enumerate()
+        .for_each(|(r, mut row)| {
+            for (c, mut pixel) in row.outer_iter_mut().enumerate() {
+                let xyz = shade_pixel(samples, brdf, r * stride, c * stride);
+                for (channel, value) in pixel.iter_mut().zip(xyz) {
+                    *channel = value as f32;
+                }
+            }
+        });
+    image
+}
+
+fn shade_pixel(samples: &ShadingSamples, brdf: &Brdf, row: usize, column: usize) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for index in pixel_range(samples, row, column) {
+        let f = brdf(
+            samples.wi[index].map(f64::from),
+            samples.wo[index].map(f64::from),
+        );
+        let weight = f64::from(samples.weight[index]);
+        for (total, value) in sum.iter_mut().zip(f) {
+            *total += weight * value;
+        }
+    }
+    sum
+}
+
+/// Picture of a scene, gathered and shaded band by band, so that memory stays bounded however
+/// many samples a pixel has. The same values as [`shade`] of all samples.
+pub fn render(scene: &Scene, brdf: &Brdf) -> Result<Array3<f32>> {
+    render_subset(scene, brdf, 1)
+}
+
+/// [`render`] of every `stride`-th pixel in both directions, as in [`shade_subset`].
+pub fn render_subset(scene: &Scene, brdf: &Brdf, stride: usize) -> Result<Array3<f32>> {
+    check(scene)?;
+    let stride = stride.max(1);
+    let side = scene.size_px.div_ceil(stride);
+    let band_rows = (BAND_SAMPLES / (samples_per_pixel(scene) * side)).clamp(1, side);
+    let mut image = Array3::zeros((side, side, 3));
+    let bands = image.axis_chunks_iter_mut(Axis(0), band_rows);
+    for (index, mut band) in bands.enumerate() {
+        let start = index * band_rows * stride;
+        let end = scene.size_px.min(start + band_rows * stride);
+        band.assign(&shade(&samples_of(scene, start..end, stride)?, brdf));
+    }
+    Ok(image)
+}

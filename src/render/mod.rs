@@ -1,0 +1,9 @@
+//! Render floor: shading the samples of a scene.
+
+use crate::ground::direction::{Vec3, Xyz};
+
+pub mod cpu;
+
+/// A BRDF to shade with: local `wi` and `wo`, both with positive z, to XYZ in 1/sr. It is called from
+/// several threads.
+pub type Brdf<'a> = dyn Fn(Vec3, Vec3) -> Xyz + Sync + 'a;

@@ -1,0 +1,13 @@
+//! Scene floor: shapes, lights and cameras, and the directions each pixel needs.
+//!
+//! World frame of every scene: x to the right of the picture, y up, z towards the camera.
+
+pub mod frame;
+pub mod hemisphere;
+pub mod light;
+pub mod model;
+pub mod patch;
+pub mod samples;
+pub mod screen;
+pub mod snake;
+pub mod sphere;

@@ -1,0 +1,347 @@
+//! Scene description: what is shown, under which lights, how large, how exposed.
+
+use ndarray::Array3;
+use serde::{Deserialize, Serialize};
+
+use crate::ground::colour::auto_exposure;
+use crate::ground::direction::{Vec3, dot};
+use crate::ground::error::{Error, Result};
+
+/// Largest picture side that is accepted.
+pub const SIZE_MAX_PX: usize = 16_384;
+/// Largest number of samples per pixel and light.
+pub const SAMPLES_MAX: usize = 65_536;
+/// Largest number of samples in one row of the picture, which is rendered at a time: 117 MB.
+pub const ROW_SAMPLES_MAX: usize = 1 << 22;
+
+/// A distant light, seen as a uniform disc.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Light {
+    /// Direction to the light's centre in the world; any length but zero.
+    pub direction: Vec3,
+    /// Full angle of the disc; 0 for a point, 0.53 for the sun.
+    #[serde(default)]
+    pub angular_diameter_deg: f64,
+    /// Relative luminous irradiance on a surface facing the light.
+    #[serde(default = "one")]
+    pub irradiance: f64,
+}
+
+/// What the picture shows.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase", deny_unknown_fields)]
+pub enum Shape {
+    /// Map of the BRDF itself in 1/sr (no cosine, no irradiance): the light direction is that of the
+    /// first light, the pixel at `(x, y)` in the unit disc is the viewing direction with those direction
+    /// cosines.
+    Hemisphere,
+    /// A sphere seen from afar; the structure's x axis runs along the circles of latitude.
+    Sphere,
+    /// A meandering snake's body seen from above; the structure's x axis runs along the body.
+    Snake,
+    /// A flat square seen in perspective by a camera in front of its centre.
+    Patch {
+        /// Side of the square.
+        width_mm: f64,
+        /// From the camera to the square's centre; more than its width.
+        distance_mm: f64,
+        /// Leans the upper edge away from the camera, about the picture's horizontal.
+        #[serde(default)]
+        tilt_deg: f64,
+        /// Turns the structure within the square, counter-clockwise as seen from its front.
+        #[serde(default)]
+        turn_deg: f64,
+    },
+    /// Irradiance on a square screen: a collimated beam passes at a right angle through a hole in the
+    /// screen's centre and meets the flat sample behind it, which sends light back to the screen.
+    Screen {
+        /// From the screen to the sample's centre.
+        distance_mm: f64,
+        /// Side of the screen, which fills the picture.
+        width_mm: f64,
+        /// Diameter of the beam.
+        beam_diameter_mm: f64,
+        /// Diameter of the hole, dark in the picture; as wide as the beam unless given.
+        #[serde(default)]
+        hole_diameter_mm: Option<f64>,
+        /// Angle of incidence: turns the sample's normal about the vertical towards +x, so the mirror
+        /// direction meets the screen at `x = distance tan(2 incidence)`.
+        #[serde(default)]
+        incidence_deg: f64,
+    },
+}
+
+/// How scene values become display values.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Exposure {
+    /// Brings the 99.5th percentile of the lit pixels' luminance to white.
+    #[default]
+    Auto,
+    /// Exposure value: 0 shows luminance `1/π`, a white Lambertian surface facing a light of unit
+    /// irradiance, as white; +1 doubles the brightness.
+    Ev(f64),
+}
+
+/// One picture.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// Name of the picture's files.
+    pub name: String,
+    /// What is shown.
+    pub shape: Shape,
+    /// The lights. `Hemisphere` and `Screen` use the first one only; the screen's beam takes its
+    /// irradiance and divergence from it (1 and 0 where there is none) and ignores its direction.
+    #[serde(default)]
+    pub lights: Vec<Light>,
+    /// Side of the square picture.
+    pub size_px: usize,
+    /// How values become display values.
+    #[serde(default)]
+    pub exposure: Exposure,
+    /// The specimen shown; every one where absent.
+    #[serde(default)]
+    pub specimen: Option<String>,
+    /// Samples of each light that has an angular diameter, and of the screen's beam.
+    #[serde(default = "default_light_samples")]
+    pub light_samples: usize,
+    /// Positions within each pixel, against jagged edges and lobes narrower than a pixel; 1 is the
+    /// pixel's centre. Light and pixel are sampled together: the larger count is used for both.
+    #[serde(default = "one_sample")]
+    pub pixel_samples: usize,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn one_sample() -> usize {
+    1
+}
+
+fn default_light_samples() -> usize {
+    16
+}
+
+/// The factor that brings scene values to display values, white being 1; apply the same number to
+/// pictures that are to be compared.
+pub fn exposure_factor(exposure: Exposure, image: &Array3<f32>) -> f32 {
+    match exposure {
+        Exposure::Auto => auto_exposure(image),
+        Exposure::Ev(ev) => (std::f64::consts::PI * ev.exp2()) as f32,
+    }
+}
+
+/// Checks that a scene can be rendered. The message names the scene and the key.
+pub fn check(scene: &Scene) -> Result<()> {
+    check_counts(scene)
+        .and_then(|()| check_lights(scene))
+        .and_then(|()| check_shape(&scene.shape))
+        .and_then(|()| check_row(scene))
+        .map_err(|message| Error::Call(format!("scene \"{}\": {message}", scene.name)))
+}
+
+type Checked = std::result::Result<(), String>;
+
+fn check_counts(scene: &Scene) -> Checked {
+    let range = |key: &str, value: usize, max: usize| {
+        if value == 0 || value > max {
+            return Err(format!("{key} = {value} must lie between 1 and {max}"));
+        }
+        Ok(())
+    };
+    range("size_px", scene.size_px, SIZE_MAX_PX)?;
+    range("light_samples", scene.light_samples, SAMPLES_MAX)?;
+    range("pixel_samples", scene.pixel_samples, SAMPLES_MAX)?;
+    if let Exposure::Ev(ev) = scene.exposure {
+        // 2^100 is far beyond any use and still a finite f32.
+        within("exposure ev", ev, -100.0, 100.0)?;
+    }
+    Ok(())
+}
+
+fn check_lights(scene: &Scene) -> Checked {
+    let screen = matches!(scene.shape, Shape::Screen { .. });
+    if scene.lights.is_empty() && !screen {
+        return Err("light: at least one is needed, as [{ direction = [x, y, z] }]".into());
+    }
+    for light in &scene.lights {
+        let length_squared = dot(light.direction, light.direction);
+        if !length_squared.is_normal() {
+            return Err(format!(
+                "light direction = {:?} must be finite and not the zero vector",
+                light.direction
+            ));
+        }
+        within(
+            "light angular_diameter_deg",
+            light.angular_diameter_deg,
+            0.0,
+            179.0,
+        )?;
+        within("light irradiance", light.irradiance, 0.0, 1e9)?;
+    }
+    if scene.shape == Shape::Hemisphere && scene.lights[0].direction[2] <= 0.0 {
+        return Err(format!(
+            "light direction = {:?} must have a positive z for shape = \"hemisphere\": \
+             the surface faces +z",
+            scene.lights[0].direction
+        ));
+    }
+    Ok(())
+}
+
+fn check_shape(shape: &Shape) -> Checked {
+    match *shape {
+        Shape::Hemisphere | Shape::Sphere | Shape::Snake => Ok(()),
+        Shape::Patch {
+            width_mm,
+            distance_mm,
+            tilt_deg,
+            turn_deg,
+        } => {
+            within("width_mm", width_mm, 1e-3, 1e6)?;
+            within("distance_mm", distance_mm, 1e-3, 1e9)?;
+            within("tilt_deg", tilt_deg, -89.0, 89.0)?;
+            within("turn_deg", turn_deg, -360.0, 360.0)?;
+            if distance_mm <= width_mm {
+                return Err(format!(
+                    "distance_mm = {distance_mm} must exceed width_mm = {width_mm}, \
+                     or the tilted square could reach the camera"
+                ));
+            }
+            Ok(())
+        }
+        Shape::Screen {
+            distance_mm,
+            width_mm,
+            beam_diameter_mm,
+            hole_diameter_mm,
+            incidence_deg,
+        } => {
+            within("distance_mm", distance_mm, 1e-3, 1e6)?;
+            within("width_mm", width_mm, 1e-3, 1e6)?;
+            within("beam_diameter_mm", beam_diameter_mm, 1e-6, 1e6)?;
+            within(
+                "hole_diameter_mm",
+                hole_diameter_mm.unwrap_or(0.0),
+                0.0,
+                1e6,
+            )?;
+            within("incidence_deg", incidence_deg, -89.0, 89.0)?;
+            // The spot is stretched along the tilted sample, whose rim must stay behind the screen.
+            let reach_mm = 0.5 * beam_diameter_mm * incidence_deg.to_radians().tan().abs();
+            if reach_mm >= distance_mm {
+                return Err(format!(
+                    "beam_diameter_mm = {beam_diameter_mm} at incidence_deg = {incidence_deg} \
+                     would light the sample up to the screen, distance_mm = {distance_mm} away"
+                ));
+            }
+            Ok(())
+        }
+    }
+}
+
+fn check_row(scene: &Scene) -> Checked {
+    let per_pixel = scene.light_samples.max(scene.pixel_samples);
+    let row = scene.size_px * per_pixel * scene.lights.len().max(1);
+    if row > ROW_SAMPLES_MAX {
+        return Err(format!(
+            "size_px x samples x lights = {row} exceeds {ROW_SAMPLES_MAX}; \
+             lower light_samples = {} or pixel_samples = {}",
+            scene.light_samples, scene.pixel_samples
+        ));
+    }
+    Ok(())
+}
+
+fn within(key: &str, value: f64, low: f64, high: f64) -> Checked {
+    // Written so that NaN is refused.
+    if !(low..=high).contains(&value) {
+        return Err(format!("{key} = {value} must lie between {low} and {high}"));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene() -> Scene {
+        serde_json::from_str(r#"{ "name": "s", "shape": "sphere", "size_px": 8, "lights": [{ "direction": [0, 0, 2] }] }"#)
+            .unwrap()
+    }
+
+    fn message(change: impl FnOnce(&mut Scene)) -> String {
+        let mut scene = scene();
+        change(&mut scene);
+        check(&scene).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn defaults_are_filled_in_and_accepted() {
+        let scene = scene();
+        check(&scene).unwrap();
+        assert_eq!(scene.lights[0].irradiance, 1.0);
+        assert_eq!(scene.exposure, Exposure::Auto);
+        let back: Scene = serde_json::from_str(&serde_json::to_string(&scene).unwrap()).unwrap();
+        assert_eq!(back, scene);
+    }
+
+    #[test]
+    fn unknown_keys_are_refused() {
+        let wrong = r#"{ "name": "s", "shape": "sphere", "size_px": 8, "sizes": 1 }"#;
+        assert!(serde_json::from_str::<Scene>(wrong).is_err());
+    }
+
+    #[test]
+    fn what_cannot_be_rendered_is_refused_by_name() {
+        assert!(message(|s| s.size_px = 0).contains("size_px = 0"));
+        assert!(message(|s| s.size_px = 1 << 40).contains("size_px"));
+        let crowded = |s: &mut Scene| {
+            s.size_px = SIZE_MAX_PX;
+            s.light_samples = 257;
+        };
+        assert!(message(crowded).contains("light_samples = 257"));
+        assert!(message(|s| s.lights.clear()).contains("light"));
+        assert!(message(|s| s.lights[0].direction = [0.0; 3]).contains("direction"));
+        assert!(message(|s| s.lights[0].direction[1] = f64::NAN).contains("direction"));
+        assert!(message(|s| s.lights[0].irradiance = -1.0).contains("irradiance"));
+        assert!(message(|s| s.lights[0].angular_diameter_deg = 360.0).contains("angular"));
+        assert!(message(|s| s.exposure = Exposure::Ev(f64::INFINITY)).contains("ev"));
+        let below = |s: &mut Scene| {
+            s.shape = Shape::Hemisphere;
+            s.lights[0].direction = [0.0, 0.0, -1.0];
+        };
+        assert!(message(below).contains("positive z"));
+        let near = |s: &mut Scene| {
+            s.shape = Shape::Patch {
+                width_mm: 10.0,
+                distance_mm: 9.0,
+                tilt_deg: 0.0,
+                turn_deg: 0.0,
+            }
+        };
+        assert!(message(near).contains("distance_mm = 9"));
+        let touching = |s: &mut Scene| {
+            s.shape = Shape::Screen {
+                distance_mm: 10.0,
+                width_mm: 100.0,
+                beam_diameter_mm: 30.0,
+                hole_diameter_mm: None,
+                incidence_deg: 45.0,
+            }
+        };
+        assert!(message(touching).contains("beam_diameter_mm"));
+    }
+
+    #[test]
+    fn exposure_value_zero_shows_a_white_lambertian_as_white() {
+        let image = Array3::zeros((1, 1, 3));
+        let lambertian = std::f32::consts::FRAC_1_PI;
+        assert!((exposure_factor(Exposure::Ev(0.0), &image) * lambertian - 1.0).abs() < 1e-6);
+        assert!((exposure_factor(Exposure::Ev(1.0), &image) * lambertian - 2.0).abs() < 1e-6);
+    }
+}
