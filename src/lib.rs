@@ -2,5 +2,7 @@
 
 pub mod ground;
 pub mod height;
+pub mod manifest;
 pub mod optics;
+pub mod stages;
 pub mod tables;
