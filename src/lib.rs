@@ -1,5 +1,6 @@
 //! Diffraction atlas: BRDF tables of structural colour from height scans.
 
+pub mod cli;
 pub mod ground;
 pub mod height;
 pub mod manifest;

@@ -1,6 +1,6 @@
 //! What holds where a manifest says nothing; docs/manifest.md lists the same values.
 
-use super::model::{GpuCheck, LevelSection, LightSection};
+use super::model::{GpuCheck, LevelSection, LightSection, ShapeSection};
 use crate::ground::spectrum::Illuminant;
 use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
 use crate::tables::model::{Basis, Prefilter, Storage, TablesConfig};
@@ -25,10 +25,25 @@ pub const LIGHT: LightSection = LightSection {
     angular_diameter_deg: 0.53,
     irradiance: 1.0,
 };
-/// Patch: `width_mm`, `distance_mm`, `tilt_deg`.
-pub const PATCH: [f64; 3] = [20.0, 60.0, 0.0];
-/// Screen: `width_mm`, `distance_mm`, `beam_diameter_mm`, `incidence_deg`.
-pub const SCREEN: [f64; 4] = [200.0, 100.0, 1.0, 0.0];
+/// `[[scene]] pixel_samples`.
+pub const PIXEL_SAMPLES: usize = 1;
+/// Patch.
+pub const PATCH: ShapeSection = ShapeSection::Patch {
+    width_mm: 20.0,
+    distance_mm: 60.0,
+    tilt_deg: 0.0,
+    turn_deg: 0.0,
+};
+/// Screen: about the published set-up.
+pub const SCREEN: ShapeSection = ShapeSection::Screen {
+    width_mm: 200.0,
+    distance_mm: 100.0,
+    beam_diameter_mm: 1.0,
+    hole_diameter_mm: None,
+    incidence_deg: 0.0,
+};
+/// Screen: `beam_divergence_deg`.
+pub const BEAM_DIVERGENCE_DEG: f64 = 0.0;
 
 /// `[optics]`: filtered sunlight as in the published measurements, and a perfect reflector.
 pub fn optics() -> OpticsConfig {

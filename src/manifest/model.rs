@@ -133,14 +133,17 @@ pub struct SceneSection {
     pub name: String,
     /// What is looked at.
     pub shape: ShapeSection,
-    /// The lights; exactly one for a hemisphere, none for a screen, whose beam is part of its shape.
+    /// The lights; exactly one for a hemisphere, and for a screen, whose beam it stands for (the
+    /// shape holds the beam's direction, so this one's is +z).
     pub lights: Vec<LightSection>,
     /// Width and height of the picture.
     pub size_px: usize,
     /// How luminance becomes brightness.
     pub exposure: ExposureSection,
-    /// Directions that stand for the disc of each light.
+    /// Directions that stand for the disc of each light, or points that stand for a screen's beam.
     pub light_samples: usize,
+    /// Positions within each pixel.
+    pub pixel_samples: usize,
     /// The one specimen to show; `None` for each in turn.
     pub specimen: Option<String>,
 }
@@ -157,10 +160,12 @@ pub enum ShapeSection {
     Patch {
         /// Side of the square.
         width_mm: f64,
-        /// From the eye to its centre.
+        /// From the camera to its centre; more than its width.
         distance_mm: f64,
-        /// Between its normal and the line of sight.
+        /// Leans the upper edge away from the camera.
         tilt_deg: f64,
+        /// Turns the structure within the square, counter-clockwise.
+        turn_deg: f64,
     },
     /// A screen that catches the light a beam sends back from the specimen.
     Screen {
@@ -170,6 +175,8 @@ pub enum ShapeSection {
         distance_mm: f64,
         /// Diameter of the beam.
         beam_diameter_mm: f64,
+        /// Diameter of the hole that the beam passes; `None` for the beam's own.
+        hole_diameter_mm: Option<f64>,
         /// Between the beam and the specimen's normal.
         incidence_deg: f64,
     },
@@ -178,7 +185,7 @@ pub enum ShapeSection {
 /// One light.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LightSection {
-    /// Towards the light, of any length but zero; above the horizon for flat shapes.
+    /// Towards the light, of any length but zero; above the horizon of flat shapes.
     pub direction: [f64; 3],
     /// Apparent diameter; 0 for a point.
     pub angular_diameter_deg: f64,
@@ -192,7 +199,7 @@ pub struct LightSection {
 pub enum ExposureSection {
     /// From the picture itself.
     Auto,
-    /// Fixed, in stops; 0 shows luminance 1 as white.
+    /// Fixed, in stops; at 0 a white Lambertian surface facing a light of irradiance 1 is white.
     Ev(f64),
 }
 

@@ -96,6 +96,11 @@ impl<'s> Section<'s> {
         self.table.contains_key(key)
     }
 
+    /// An error at the name of the first of two keys that is given.
+    pub fn error_at_either(&self, key: &str, other: &str, message: impl Into<String>) -> Error {
+        self.error_at_key(if self.has(key) { key } else { other }, message)
+    }
+
     /// An error at the name of a given key.
     pub fn error_at_key(&self, key: &str, message: impl Into<String>) -> Error {
         let span = self
