@@ -38,7 +38,7 @@ pub fn print(text: &str) -> Result<()> {
 /// Writes a result to stdout as indented JSON.
 ///
 /// # Errors
-/// As [`print`].
+/// As [`print()`].
 pub fn print_json(value: &impl Serialize) -> Result<()> {
     let mut text = serde_json::to_string_pretty(value)
         .map_err(|error| Error::Call(format!("this result has no form in JSON: {error}")))?;
