@@ -1,0 +1,64 @@
+//! One file per command: its arguments and what it does.
+
+pub mod diff;
+pub mod eval;
+pub mod export;
+pub mod inspect;
+pub mod list;
+pub mod plan;
+pub mod run;
+pub mod study;
+pub mod synthesize;
+pub mod verify;
+
+/// The manifest where none is named.
+pub const MANIFEST: &str = "pipeline.toml";
+
+#[cfg(test)]
+mod tests {
+    use clap::{Args, Command};
+
+    use super::*;
+
+    fn command<A: Args>(name: &'static str) -> Command {
+        A::augment_args(Command::new(name))
+    }
+
+    fn all() -> Vec<Command> {
+        vec![
+            command::<run::RunArgs>("run"),
+            command::<plan::PlanArgs>("plan"),
+            command::<inspect::InspectArgs>("inspect"),
+            command::<eval::EvalArgs>("eval"),
+            command::<study::StudyArgs>("study"),
+            command::<verify::VerifyArgs>("verify"),
+            command::<diff::DiffArgs>("diff"),
+            command::<export::ExportArgs>("export"),
+            command::<synthesize::SynthesizeArgs>("synthesize"),
+            command::<list::ListArgs>("list"),
+        ]
+    }
+
+    #[test]
+    fn each_help_has_an_example_that_parses() {
+        for command in all() {
+            command.clone().debug_assert();
+            let help = command.clone().render_long_help().to_string();
+            let name = command.get_name().to_owned();
+            let start = format!("diffraction-atlas {name}");
+            let examples: Vec<&str> = help
+                .lines()
+                .map(str::trim)
+                .filter(|line| line.starts_with(&start))
+                .collect();
+            assert!(!examples.is_empty(), "{name} has no example:\n{help}");
+            for example in examples {
+                let words = example.split_whitespace().skip(1);
+                command
+                    .clone()
+                    .try_get_matches_from(words)
+                    .unwrap_or_else(|error| panic!("{example}\n{error}"));
+            }
+        }
+    }
+}

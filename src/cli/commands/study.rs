@@ -1,0 +1,20 @@
+//! `study`: error against run time and memory, and the stability suite.
+
+use std::path::PathBuf;
+
+/// Arguments of `study`.
+#[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
+#[command(
+    after_help = "Example:\n  diffraction-atlas study snakes.toml --specimen elaphe_guttata --out out/study"
+)]
+pub struct StudyArgs {
+    /// What to study
+    #[arg(default_value = super::MANIFEST)]
+    pub manifest: PathBuf,
+    /// Only these specimens; may be given several times
+    #[arg(long, value_name = "NAME")]
+    pub specimen: Vec<String>,
+    /// Folder for tables, plots, and JSON
+    #[arg(long, value_name = "DIR", default_value = "out/study")]
+    pub out: PathBuf,
+}

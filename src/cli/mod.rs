@@ -1,0 +1,112 @@
+//! The command line: arguments in, exit status out; results on stdout, everything else on stderr.
+
+pub mod commands;
+pub mod lengths;
+pub mod output;
+pub mod progress;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::ground::error::{Error, Result};
+use commands::list;
+use output::Outcome;
+
+/// Turns height scans of iridescent surfaces into BRDF tables that any renderer can evaluate.
+#[derive(Debug, Parser)]
+#[command(
+    name = "diffraction-atlas",
+    version,
+    after_help = "Exit status: 0 done; 1 done with failures, which are listed; \
+                  2 the call or the manifest is wrong, and nothing was written."
+)]
+pub struct Cli {
+    /// What holds for every command.
+    #[command(flatten)]
+    pub global: Global,
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// Options of every command.
+#[derive(Debug, Clone, Copy, Default, clap::Args)]
+pub struct Global {
+    /// No progress and no remarks on stderr; errors still appear
+    #[arg(long, global = true)]
+    pub quiet: bool,
+    /// Threads to use [default: one per core]; the results do not depend on it
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// List the atlases in a folder, their versions and specimens
+    List(list::ListArgs),
+}
+
+/// Parses the arguments, runs the command, and reports errors.
+pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let cli = match Cli::try_parse_from(args) {
+        Ok(cli) => cli,
+        Err(message) => {
+            // clap knows which of its messages are results (--help, --version) and which are errors;
+            // a reader that closed the pipe is nobody's fault.
+            let _ = message.print();
+            return ExitCode::from(message.exit_code() as u8);
+        }
+    };
+    let outcome = set_threads(cli.global.threads).and_then(|()| dispatch(&cli));
+    output::conclude(outcome)
+}
+
+fn dispatch(cli: &Cli) -> Result<Outcome> {
+    match &cli.command {
+        Command::List(args) => list::run(args, &cli.global),
+    }
+}
+
+/// Sizes the pool of threads that all computations share.
+fn set_threads(threads: Option<u16>) -> Result<()> {
+    let Some(threads) = threads else {
+        return Ok(());
+    };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.into())
+        .build_global()
+        .map_err(|error| {
+            Error::limit(
+                format!("cannot start {threads} threads: {error}"),
+                "lower `--threads`",
+            )
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_definition_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn global_options_stand_before_or_after_the_command() {
+        for line in [
+            "diffraction-atlas --quiet --threads 2 list",
+            "diffraction-atlas list --quiet --threads 2",
+        ] {
+            let cli = Cli::try_parse_from(line.split(' ')).unwrap();
+            assert!(cli.global.quiet);
+            assert_eq!(cli.global.threads, Some(2));
+        }
+        assert!(Cli::try_parse_from(["diffraction-atlas", "--threads", "0", "list"]).is_err());
+    }
+}

@@ -1,0 +1,117 @@
+//! Output conventions: results on stdout, messages on stderr, exit status 0, 1, or 2.
+
+use std::io::{ErrorKind, Write};
+use std::path::Path;
+use std::process::ExitCode;
+
+use serde::Serialize;
+
+use crate::ground::error::{Error, Result};
+
+/// How a command that ran to its end has ended.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Outcome {
+    /// Everything was done.
+    Done,
+    /// The rest was done; what was not is listed, a line each.
+    Failures(Vec<String>),
+}
+
+/// Writes a result to stdout.
+///
+/// # Errors
+/// [`Error::Disk`] where stdout cannot be written; a reader that closed the pipe has had enough, which
+/// is no error.
+pub fn print(text: &str) -> Result<()> {
+    let mut stdout = std::io::stdout().lock();
+    match stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush())
+    {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Error::disk(Path::new("standard output"), "write", error))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Writes a result to stdout as indented JSON.
+///
+/// # Errors
+/// As [`print()`].
+pub fn print_json(value: &impl Serialize) -> Result<()> {
+    let mut text = serde_json::to_string_pretty(value)
+        .map_err(|error| Error::Call(format!("this result has no form in JSON: {error}")))?;
+    text.push('\n');
+    print(&text)
+}
+
+/// Reports errors and failures on stderr and gives the exit status.
+pub fn conclude(outcome: Result<Outcome>) -> ExitCode {
+    let (text, status) = conclusion(outcome);
+    // Where stderr is closed the exit status still tells.
+    let _ = std::io::stderr().lock().write_all(text.as_bytes());
+    ExitCode::from(status)
+}
+
+fn conclusion(outcome: Result<Outcome>) -> (String, u8) {
+    match outcome {
+        Ok(Outcome::Done) => (String::new(), 0),
+        Ok(Outcome::Failures(failures)) => {
+            let lines: String = failures
+                .iter()
+                .map(|failure| format!("failed: {failure}\n"))
+                .collect();
+            (
+                format!("{lines}{} failed; the rest is done\n", failures.len()),
+                1,
+            )
+        }
+        Err(error) => (format!("error: {error}\n"), error.exit_status()),
+    }
+}
+
+/// A number of bytes for people: `512 B`, `3.4 MiB`.
+pub fn bytes_in_words(bytes: u64) -> String {
+    const UNITS: [&str; 5] = ["B", "KiB", "MiB", "GiB", "TiB"];
+    let mut value = bytes as f64;
+    let mut unit = 0;
+    while value >= 1024.0 && unit + 1 < UNITS.len() {
+        value /= 1024.0;
+        unit += 1;
+    }
+    if unit == 0 {
+        format!("{bytes} B")
+    } else {
+        format!("{value:.1} {}", UNITS[unit])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_exit_status_says_whose_fault_it_is() {
+        assert_eq!(conclusion(Ok(Outcome::Done)), (String::new(), 0));
+        let failures = vec!["snake_b: no pitch".to_owned()];
+        let (text, status) = conclusion(Ok(Outcome::Failures(failures)));
+        assert_eq!(
+            (text.as_str(), status),
+            ("failed: snake_b: no pitch\n1 failed; the rest is done\n", 1)
+        );
+        assert_eq!(
+            conclusion(Err(Error::Call("no".into()))),
+            ("error: no\n".into(), 2)
+        );
+        assert_eq!(conclusion(Err(Error::Gpu("lost".into()))).1, 1);
+    }
+
+    #[test]
+    fn bytes_keep_their_magnitude() {
+        assert_eq!(bytes_in_words(1023), "1023 B");
+        assert_eq!(bytes_in_words(1536), "1.5 KiB");
+        assert_eq!(bytes_in_words(3 << 40), "3.0 TiB");
+        assert_eq!(bytes_in_words(u64::MAX), "16777216.0 TiB");
+    }
+}

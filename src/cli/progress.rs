@@ -1,0 +1,235 @@
+//! Progress on stderr: a bar on a terminal, plain lines elsewhere, nothing when asked to be quiet.
+
+use std::io::{IsTerminal, Write};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::stages::progress::{Progress, Silent};
+
+/// Where there is no terminal, a stage says how far it is this often.
+const LINE_INTERVAL: Duration = Duration::from_secs(20);
+
+/// The listener that suits where stderr goes.
+pub fn reporter(quiet: bool) -> Box<dyn Progress> {
+    if quiet {
+        Box::new(Silent)
+    } else if std::io::stderr().is_terminal() {
+        Box::new(Bar::new())
+    } else {
+        Box::new(Lines::new(std::io::stderr()))
+    }
+}
+
+/// A bar that is redrawn in place; finished stages leave a line.
+#[derive(Debug)]
+struct Bar {
+    bar: ProgressBar,
+    current: Mutex<Option<Stage>>,
+}
+
+/// The stage under way.
+#[derive(Debug, Clone)]
+struct Stage {
+    name: String,
+    total: u64,
+    done: u64,
+    started: Instant,
+    last_line: Instant,
+}
+
+impl Stage {
+    fn new(name: &str, total: u64) -> Self {
+        let now = Instant::now();
+        Self {
+            name: name.to_owned(),
+            total,
+            done: 0,
+            started: now,
+            last_line: now,
+        }
+    }
+
+    fn summary(&self) -> String {
+        let seconds = self.started.elapsed().as_secs_f64();
+        format!("{}: done in {seconds:.1} s", self.name)
+    }
+}
+
+/// What a thread that panicked left behind is still good enough for display.
+fn lock(stage: &Mutex<Option<Stage>>) -> MutexGuard<'_, Option<Stage>> {
+    stage.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Bar {
+    fn new() -> Self {
+        Self {
+            bar: ProgressBar::hidden(),
+            current: Mutex::new(None),
+        }
+    }
+
+    fn style(total: u64) -> ProgressStyle {
+        let template = if total == 0 {
+            "{spinner} {msg} {elapsed}"
+        } else {
+            "{msg:32!} [{bar:30}] {pos}/{len} {eta}"
+        };
+        // The templates are constants; should one be wrong, the library's own style is as good.
+        ProgressStyle::with_template(template)
+            .unwrap_or_else(|_| ProgressStyle::default_bar())
+            .progress_chars("=> ")
+    }
+}
+
+impl Progress for Bar {
+    fn stage(&self, name: &str, total: u64) {
+        self.finish();
+        *lock(&self.current) = Some(Stage::new(name, total));
+        self.bar
+            .set_draw_target(indicatif::ProgressDrawTarget::stderr());
+        self.bar.reset();
+        self.bar.set_style(Self::style(total));
+        self.bar.set_length(total);
+        self.bar.set_message(name.to_owned());
+        self.bar.enable_steady_tick(Duration::from_millis(200));
+    }
+
+    fn advance(&self, n: u64) {
+        self.bar.inc(n);
+    }
+
+    fn message(&self, text: &str) {
+        self.bar.suspend(|| eprintln!("{text}"));
+    }
+
+    fn finish(&self) {
+        if let Some(stage) = lock(&self.current).take() {
+            self.bar.disable_steady_tick();
+            self.bar.finish_and_clear();
+            eprintln!("{}", stage.summary());
+        }
+    }
+}
+
+/// Plain lines: the start and end of each stage, and now and then its share.
+#[derive(Debug)]
+struct Lines<W> {
+    out: Mutex<W>,
+    current: Mutex<Option<Stage>>,
+    interval: Duration,
+}
+
+impl<W: Write> Lines<W> {
+    fn new(out: W) -> Self {
+        Self {
+            out: Mutex::new(out),
+            current: Mutex::new(None),
+            interval: LINE_INTERVAL,
+        }
+    }
+
+    fn line(&self, text: &str) {
+        let mut out = self.out.lock().unwrap_or_else(PoisonError::into_inner);
+        // Progress that cannot be shown must not stop the work.
+        let _ = writeln!(out, "{text}");
+    }
+}
+
+impl<W: Write + Send> Progress for Lines<W> {
+    fn stage(&self, name: &str, total: u64) {
+        self.finish();
+        *lock(&self.current) = Some(Stage::new(name, total));
+        self.line(name);
+    }
+
+    fn advance(&self, n: u64) {
+        let mut current = lock(&self.current);
+        let Some(stage) = current.as_mut() else {
+            return;
+        };
+        stage.done = stage.done.saturating_add(n);
+        if stage.total == 0
+            || stage.done >= stage.total
+            || stage.last_line.elapsed() < self.interval
+        {
+            return;
+        }
+        stage.last_line = Instant::now();
+        let percent = 100.0 * stage.done as f64 / stage.total as f64;
+        let text = format!("{}: {percent:.0} %", stage.name);
+        drop(current);
+        self.line(&text);
+    }
+
+    fn message(&self, text: &str) {
+        self.line(text);
+    }
+
+    fn finish(&self) {
+        let finished = lock(&self.current).take();
+        if let Some(stage) = finished {
+            self.line(&stage.summary());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lines(interval: Duration, work: impl Fn(&dyn Progress)) -> String {
+        let lines = Lines {
+            interval,
+            ..Lines::new(Vec::new())
+        };
+        work(&lines);
+        String::from_utf8(lines.out.into_inner().unwrap()).unwrap()
+    }
+
+    #[test]
+    fn stages_begin_and_end_with_a_line() {
+        let text = lines(LINE_INTERVAL, |progress| {
+            progress.stage("read", 3);
+            progress.advance(3);
+            progress.message("odd unit");
+            progress.stage("build", 0);
+            progress.advance(1);
+            progress.finish();
+            progress.finish();
+        });
+        let lines: Vec<&str> = text.lines().collect();
+        let starts = [
+            "read",
+            "odd unit",
+            "read: done in ",
+            "build",
+            "build: done in ",
+        ];
+        assert_eq!(lines.len(), starts.len(), "{text}");
+        for (line, start) in lines.iter().zip(starts) {
+            assert!(line.starts_with(start), "{line} {start}");
+        }
+    }
+
+    #[test]
+    fn long_stages_say_how_far_they_are() {
+        let text = lines(Duration::ZERO, |progress| {
+            progress.stage("build", 8);
+            progress.advance(2);
+            progress.advance(4);
+            progress.advance(2);
+        });
+        assert_eq!(text, "build\nbuild: 25 %\nbuild: 75 %\n");
+    }
+
+    #[test]
+    fn the_bar_takes_any_order_of_calls() {
+        let bar = Bar::new();
+        bar.advance(1);
+        bar.finish();
+        assert!(lock(&bar.current).is_none());
+        assert!(ProgressStyle::with_template("{msg:32!} [{bar:30}] {pos}/{len} {eta}").is_ok());
+    }
+}

@@ -1,0 +1,73 @@
+//! What holds where a manifest says nothing; docs/manifest.md lists the same values.
+
+use super::model::{GpuCheck, LevelSection, LightSection, ShapeSection};
+use crate::ground::spectrum::Illuminant;
+use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
+use crate::tables::model::{Basis, Prefilter, Storage, TablesConfig};
+
+/// `[atlas] out`.
+pub const OUT: &str = "out/atlas";
+/// `[gpu] check`.
+pub const GPU: GpuCheck = GpuCheck::Auto;
+/// `[[specimen]] level`.
+pub const LEVEL: LevelSection = LevelSection::Plane;
+/// `[[specimen]] max_missing_share`.
+pub const MAX_MISSING_SHARE: f64 = 0.05;
+/// `height.offset_nm`, beside `nm_per_count`.
+pub const OFFSET_NM: f64 = 0.0;
+/// `[[scene]] size_px`.
+pub const SIZE_PX: usize = 512;
+/// `[[scene]] light_samples`.
+pub const LIGHT_SAMPLES: usize = 16;
+/// `[[scene]] light`: the sun, high and a little to the right.
+pub const LIGHT: LightSection = LightSection {
+    direction: [0.3, 0.2, 1.0],
+    angular_diameter_deg: 0.53,
+    irradiance: 1.0,
+};
+/// `[[scene]] pixel_samples`.
+pub const PIXEL_SAMPLES: usize = 1;
+/// Patch.
+pub const PATCH: ShapeSection = ShapeSection::Patch {
+    width_mm: 20.0,
+    distance_mm: 60.0,
+    tilt_deg: 0.0,
+    turn_deg: 0.0,
+};
+/// Screen: about the published set-up.
+pub const SCREEN: ShapeSection = ShapeSection::Screen {
+    width_mm: 200.0,
+    distance_mm: 100.0,
+    beam_diameter_mm: 1.0,
+    hole_diameter_mm: None,
+    incidence_deg: 0.0,
+};
+/// Screen: `beam_divergence_deg`.
+pub const BEAM_DIVERGENCE_DEG: f64 = 0.0;
+
+/// `[optics]`: filtered sunlight as in the published measurements, and a perfect reflector.
+pub fn optics() -> OpticsConfig {
+    OpticsConfig {
+        illuminant: Illuminant::D65,
+        wavelength_nm: [380.0, 780.0],
+        sigma_nm: 16_250.0,
+        edge: Edge::Tile,
+        windows: Windows::Grid,
+        material: Material::Ideal,
+        shadowing: false,
+    }
+}
+
+/// `[tables]`.
+pub fn tables() -> TablesConfig {
+    TablesConfig {
+        basis: Basis::Chebyshev,
+        tolerance: 1e-3,
+        size: None,
+        count: None,
+        wavelength_step_nm: None,
+        storage: Storage::Half,
+        prefilter: Prefilter::Auto,
+        memory_mib: 2048,
+    }
+}

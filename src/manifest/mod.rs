@@ -1,0 +1,163 @@
+//! The manifest: what a run is asked to do, read from TOML, checked, and resolved.
+//!
+//! [`parse`] turns text into a [`Manifest`], plain data in which every default is filled in and
+//! every path and pattern is resolved. The first fault found ends it with [`Error::Manifest`], which
+//! names file, line, column, the key, and what was expected. docs/manifest.md is the reference.
+
+mod defaults;
+mod files;
+mod illuminant;
+pub mod keys;
+mod model;
+mod name;
+mod optics;
+mod reader;
+mod scene;
+mod source;
+mod specimen;
+mod tables;
+
+use std::io::Read;
+use std::path::Path;
+
+use toml::de::DeTable;
+
+pub use model::{
+    AtlasSection, DespikeSection, ExposureSection, GpuCheck, HeightSection, HeightUnit,
+    LevelSection, LightSection, Manifest, SceneSection, ShapeSection, SpecimenSection,
+};
+
+use crate::ground::error::{Error, Result};
+use reader::Section;
+use source::Source;
+
+/// The format that this program reads.
+pub const SCHEMA: u32 = 1;
+
+/// Largest manifest read: some hundred thousand specimens.
+const BYTES_MAX: u64 = 64 << 20;
+
+/// Reads a manifest and hands back its text too, for the report.
+///
+/// # Errors
+/// [`Error::Call`] where there is no readable file, otherwise as [`parse`].
+pub fn load(path: &Path) -> Result<(Manifest, String)> {
+    let name = path.display().to_string();
+    let unreadable = |why: String| Error::Call(format!("cannot read the manifest {name}: {why}"));
+    let mut bytes = Vec::new();
+    std::fs::File::open(path)
+        .and_then(|file| file.take(BYTES_MAX + 1).read_to_end(&mut bytes))
+        .map_err(|error| unreadable(error.to_string()))?;
+    if bytes.len() as u64 > BYTES_MAX {
+        return Err(unreadable(format!("it has more than {BYTES_MAX} bytes")));
+    }
+    let text = String::from_utf8(bytes).map_err(|error| not_utf8(&name, &error))?;
+    let manifest = parse(&text, &name)?;
+    Ok((manifest, text))
+}
+
+fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Error {
+    let good = error.utf8_error().valid_up_to();
+    let text = String::from_utf8_lossy(error.as_bytes());
+    // Everything before the bad byte is valid, so its offset holds in the repaired text too.
+    let source = Source {
+        text: &text,
+        file: name,
+    };
+    source.error(good..good + 1, "not UTF-8 text; save the manifest as UTF-8")
+}
+
+/// Reads a manifest's text; `file_name` is used in messages, and relative paths start at its folder.
+///
+/// Scans, the illuminant's CSV file, and measured data are looked for; the CSV file is read.
+///
+/// # Errors
+/// [`Error::Manifest`] for the first fault found.
+pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
+    let source = Source {
+        text,
+        file: file_name,
+    };
+    let document = DeTable::parse(text).map_err(|error| syntax_error(&source, &error))?;
+    // An unsupported version comes first: its keys mean nothing to this program.
+    check_schema(&source, document.get_ref())?;
+    let top = Section::document(source, &document)?;
+    top.require("schema", "schema = 1")?;
+    let base = Path::new(file_name).parent().unwrap_or(Path::new(""));
+
+    let atlas = top.require("atlas", "[atlas]")?;
+    let atlas = atlas.section(&keys::ATLAS, "[atlas]")?;
+    let out = atlas
+        .get("out")
+        .map(|out| out.text_not_empty())
+        .transpose()?;
+    let atlas = AtlasSection {
+        name: name::read(&atlas.require("name", "name = \"snakes\"")?)?,
+        out: base.join(out.unwrap_or(defaults::OUT)),
+    };
+    let optics = match top.get("optics") {
+        Some(item) => optics::read(&item, base)?,
+        None => defaults::optics(),
+    };
+    let tables = match top.get("tables") {
+        Some(item) => tables::read(&item)?,
+        None => defaults::tables(),
+    };
+    let specimens = top.require("specimen", "[[specimen]]")?;
+    let specimens = specimen::read_all(&specimens, &optics, base)?;
+    let names: Vec<&str> = specimens
+        .iter()
+        .map(|specimen| specimen.name.as_str())
+        .collect();
+    let scenes = match top.get("scene") {
+        Some(item) => scene::read_all(&item, &names)?,
+        None => Vec::new(),
+    };
+    let gpu = match top.get("gpu") {
+        Some(item) => gpu(&item.section(&keys::GPU, "[gpu]")?)?,
+        None => defaults::GPU,
+    };
+    Ok(Manifest {
+        schema: SCHEMA,
+        atlas,
+        optics,
+        tables,
+        specimens,
+        scenes,
+        gpu,
+        base: base.to_owned(),
+    })
+}
+
+fn syntax_error(source: &Source, error: &toml::de::Error) -> Error {
+    let end = source.text.len();
+    let message = format!("not valid TOML: {}", error.message().trim_end());
+    source.error(error.span().unwrap_or(end..end), message)
+}
+
+/// Refuses a version that is not this program's; a missing one is seen to later.
+fn check_schema(source: &Source, document: &DeTable) -> Result<()> {
+    let Some(version) = document.get("schema") else {
+        return Ok(());
+    };
+    if let toml::de::DeValue::Integer(integer) = version.get_ref()
+        && integer.radix() == 10
+        && integer.as_str().parse() == Ok(SCHEMA)
+    {
+        return Ok(());
+    }
+    let message = format!("`schema` must be {SCHEMA}, the manifest format that this program reads");
+    Err(source.error(version.span(), message))
+}
+
+fn gpu(section: &Section) -> Result<GpuCheck> {
+    let options = [
+        ("auto", GpuCheck::Auto),
+        ("required", GpuCheck::Required),
+        ("off", GpuCheck::Off),
+    ];
+    match section.get("check") {
+        Some(item) => item.choice(&options),
+        None => Ok(defaults::GPU),
+    }
+}

@@ -1,0 +1,122 @@
+//! The `[optics]` table, and the parts of it that a specimen may set for itself.
+
+use std::path::Path;
+
+use super::defaults;
+use super::illuminant::{self, VISIBLE_NM, WAVELENGTH_NM};
+use super::keys;
+use super::reader::{Item, Section};
+use crate::ground::error::Result;
+use crate::ground::spectrum::Illuminant;
+use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
+
+/// Smallest and largest sigma: from well below a wavelength to far beyond any scan.
+const SIGMA_UM: [f64; 2] = [0.1, 10_000.0];
+
+/// Largest refractive index, real or imaginary.
+const INDEX_MAX: f64 = 100.0;
+
+/// Reads `[optics]`; paths start at `base`.
+pub fn read(item: &Item, base: &Path) -> Result<OpticsConfig> {
+    let section = item.section(&keys::OPTICS, "[optics]")?;
+    let mut optics = defaults::optics();
+    if let Some(item) = section.get("wavelength_nm") {
+        optics.wavelength_nm = wavelength_range(&item)?;
+    }
+    if let Some(item) = section.get("illuminant") {
+        optics.illuminant = illuminant::read(&item, base)?;
+    }
+    if let Illuminant::Lines(lines) = &optics.illuminant {
+        let [first, last] = optics.wavelength_nm;
+        let outside = lines
+            .iter()
+            .find(|line| line.wavelength_nm < first || line.wavelength_nm > last);
+        // A range that was written down is a promise; one that was not gives way to the lines.
+        if let (Some(line), Some(item)) = (outside, section.get("wavelength_nm")) {
+            let line_nm = line.wavelength_nm;
+            return Err(item.error(format!("leaves out the laser line at {line_nm} nm")));
+        }
+        let wavelengths = || lines.iter().map(|line| line.wavelength_nm);
+        optics.wavelength_nm = [
+            wavelengths().fold(f64::INFINITY, f64::min),
+            wavelengths().fold(0.0, f64::max),
+        ];
+    }
+    if !illuminant::is_visible(&optics.illuminant, optics.wavelength_nm) {
+        let message = format!(
+            "no light falls between {} and {} nm, so that colour and luminance would be 0 / 0",
+            VISIBLE_NM[0], VISIBLE_NM[1]
+        );
+        let key = if section.has("wavelength_nm") {
+            "wavelength_nm"
+        } else {
+            "illuminant"
+        };
+        return Err(section.error_at_key(key, message));
+    }
+    if let Some(item) = section.get("shadowing") {
+        optics.shadowing = item.boolean()?;
+    }
+    read_overrides(&section, &mut optics)?;
+    Ok(optics)
+}
+
+/// Reads `coherence`, `windows`, and `material`, which `[optics]` and `[[specimen]]` share.
+pub fn read_overrides(section: &Section, optics: &mut OpticsConfig) -> Result<()> {
+    if let Some(item) = section.get("coherence") {
+        let section = item.section(&keys::COHERENCE, "{ sigma_um = 16.25, edge = \"tile\" }")?;
+        if let Some(item) = section.get("sigma_um") {
+            optics.sigma_nm = item.number_within(SIGMA_UM[0], SIGMA_UM[1], "µm")? * 1000.0;
+        }
+        if let Some(item) = section.get("edge") {
+            optics.edge = item.choice(&[("tile", Edge::Tile), ("fade", Edge::Fade)])?;
+        }
+    }
+    if let Some(item) = section.get("windows") {
+        optics.windows = item.choice(&[("grid", Windows::Grid), ("centre", Windows::Centre)])?;
+    }
+    if let Some(item) = section.get("material") {
+        optics.material = material(&item)?;
+    }
+    Ok(())
+}
+
+fn material(item: &Item) -> Result<Material> {
+    if !item.is_table() {
+        if item.as_text() == Some("ideal") {
+            return Ok(Material::Ideal);
+        }
+        return Err(item.error("must be \"ideal\", { n = 1.56 }, or { n = 0.2, k = 3.4 }"));
+    }
+    let section = item.section(&keys::MATERIAL, "{ n = 1.56 }")?;
+    let n = section.require("n", "{ n = 1.56 }")?;
+    match section.get("k") {
+        None => Ok(Material::Dielectric {
+            n: n.number_within(
+                1.0,
+                INDEX_MAX,
+                "for a transparent material (a metal needs `k` too)",
+            )?,
+        }),
+        Some(k) => Ok(Material::Conductor {
+            n: n.number_above(0.0, INDEX_MAX, "")?,
+            k: k.number_above(0.0, INDEX_MAX, "(leave `k` out for a transparent material)")?,
+        }),
+    }
+}
+
+fn wavelength_range(item: &Item) -> Result<[f64; 2]> {
+    let [first, last] = item.list_of::<2>("two wavelengths such as [380, 780]")?;
+    let [low, high] = WAVELENGTH_NM;
+    let range = [
+        first.number_within(low, high, "nm")?,
+        last.number_within(low, high, "nm")?,
+    ];
+    if range[0] >= range[1] {
+        return Err(item.error(format!(
+            "must increase; found [{}, {}], write [{}, {}]",
+            range[0], range[1], range[1], range[0]
+        )));
+    }
+    Ok(range)
+}

@@ -1,0 +1,322 @@
+//! The `[[scene]]` tables.
+
+use super::defaults;
+use super::keys;
+use super::model::{ExposureSection, LightSection, SceneSection, ShapeSection};
+use super::name;
+use super::reader::{Item, Section};
+use crate::ground::error::Result;
+
+/// Width and height of a picture.
+const SIZE_PX: [usize; 2] = [16, 8192];
+
+/// Most samples of a light, a beam, or a pixel.
+const SAMPLES_MAX: usize = 4096;
+
+/// Most lights of one scene.
+const LIGHTS_MAX: usize = 64;
+
+/// Shortest and longest length of a scene in mm.
+const LENGTH_MM: [f64; 2] = [1e-3, 1e6];
+
+/// Steepest tilt and incidence: at 90 degrees nothing is lit.
+const ANGLE_MAX_DEG: f64 = 89.0;
+
+/// What a shape is called, which keys it takes beside those of every scene, and how many lights.
+#[derive(Debug, Clone, Copy)]
+struct Kind {
+    word: &'static str,
+    default: ShapeSection,
+    own_keys: &'static [&'static str],
+    lights_max: usize,
+}
+
+const KINDS: [Kind; 4] = [
+    Kind {
+        word: "hemisphere",
+        default: ShapeSection::Hemisphere,
+        own_keys: &["light"],
+        lights_max: 1,
+    },
+    Kind {
+        word: "sphere",
+        default: ShapeSection::Sphere,
+        own_keys: &["light"],
+        lights_max: LIGHTS_MAX,
+    },
+    Kind {
+        word: "patch",
+        default: defaults::PATCH,
+        own_keys: &["light", "width_mm", "distance_mm", "tilt_deg", "turn_deg"],
+        lights_max: LIGHTS_MAX,
+    },
+    Kind {
+        word: "screen",
+        default: defaults::SCREEN,
+        own_keys: &[
+            "width_mm",
+            "distance_mm",
+            "beam_diameter_mm",
+            "beam_divergence_deg",
+            "hole_diameter_mm",
+            "incidence_deg",
+        ],
+        lights_max: 0,
+    },
+];
+
+/// Keys that every shape takes.
+const COMMON_KEYS: &[&str] = &[
+    "name",
+    "shape",
+    "specimen",
+    "size_px",
+    "exposure",
+    "light_samples",
+    "pixel_samples",
+];
+
+/// Reads every scene; `specimens` are the names that `specimen` may give.
+pub fn read_all(item: &Item, specimens: &[&str]) -> Result<Vec<SceneSection>> {
+    if !item.is_list() {
+        return Err(item.error("must be written as [[scene]], with double brackets"));
+    }
+    let mut scenes: Vec<SceneSection> = Vec::new();
+    for item in item.list()? {
+        let section = item.section(&keys::SCENE, "[[scene]]")?;
+        let name_item = section.require("name", "name = \"sphere\"")?;
+        let name = name::read(&name_item)?;
+        name::refuse_repetition(
+            &name_item,
+            &name,
+            scenes.iter().map(|other| other.name.as_str()),
+        )?;
+        scenes.push(read(&section, name, specimens)?);
+    }
+    Ok(scenes)
+}
+
+fn read(section: &Section, name: String, specimens: &[&str]) -> Result<SceneSection> {
+    let kind = section
+        .require("shape", "shape = \"sphere\"")?
+        .choice(&KINDS.map(|kind| (kind.word, kind)))?;
+    refuse_foreign_keys(section, kind)?;
+    let whole = |key: &str, [low, high]: [usize; 2], default: usize| match section.get(key) {
+        Some(item) => item.integer_within(low, high, ""),
+        None => Ok(default),
+    };
+    let shape = shape(section, kind)?;
+    Ok(SceneSection {
+        name,
+        shape,
+        lights: lights(section, kind, &shape)?,
+        size_px: whole("size_px", SIZE_PX, defaults::SIZE_PX)?,
+        exposure: section
+            .get("exposure")
+            .map_or(Ok(ExposureSection::Auto), |item| exposure(&item))?,
+        light_samples: whole("light_samples", [1, SAMPLES_MAX], defaults::LIGHT_SAMPLES)?,
+        pixel_samples: whole("pixel_samples", [1, SAMPLES_MAX], defaults::PIXEL_SAMPLES)?,
+        specimen: section
+            .get("specimen")
+            .map(|item| one_of(&item, specimens))
+            .transpose()?,
+    })
+}
+
+/// A key of another shape would be ignored, so it is refused.
+fn refuse_foreign_keys(section: &Section, kind: Kind) -> Result<()> {
+    let foreign = keys::SCENE
+        .names
+        .iter()
+        .find(|key| section.has(key) && !COMMON_KEYS.contains(key) && !kind.own_keys.contains(key));
+    let Some(key) = foreign else {
+        return Ok(());
+    };
+    let homes: Vec<&str> = KINDS
+        .iter()
+        .filter(|other| other.own_keys.contains(key))
+        .map(|other| other.word)
+        .collect();
+    let message = format!(
+        "`{key}` does not apply to the shape \"{}\" but to {}; \"{}\" takes {}",
+        kind.word,
+        keys::quoted(&homes),
+        kind.word,
+        keys::quoted(kind.own_keys),
+    );
+    Err(section.error_at_key(key, message))
+}
+
+fn shape(section: &Section, kind: Kind) -> Result<ShapeSection> {
+    let length = |key: &str, value: &mut f64| match section.get(key) {
+        Some(item) => item
+            .number_within(LENGTH_MM[0], LENGTH_MM[1], "mm")
+            .map(|given| *value = given),
+        None => Ok(()),
+    };
+    let angle = |key: &str, value: &mut f64, max: f64| match section.get(key) {
+        Some(item) => item
+            .number_within(-max, max, "degrees")
+            .map(|given| *value = given),
+        None => Ok(()),
+    };
+    let mut shape = kind.default;
+    match &mut shape {
+        ShapeSection::Hemisphere | ShapeSection::Sphere => {}
+        ShapeSection::Patch {
+            width_mm,
+            distance_mm,
+            tilt_deg,
+            turn_deg,
+        } => {
+            length("width_mm", width_mm)?;
+            length("distance_mm", distance_mm)?;
+            angle("tilt_deg", tilt_deg, ANGLE_MAX_DEG)?;
+            angle("turn_deg", turn_deg, 360.0)?;
+            if distance_mm <= width_mm {
+                let message = format!(
+                    "`distance_mm` ({distance_mm}) must exceed `width_mm` ({width_mm}), or the tilted square could \
+                     reach the camera"
+                );
+                return Err(section.error_at_either("distance_mm", "width_mm", message));
+            }
+        }
+        ShapeSection::Screen {
+            width_mm,
+            distance_mm,
+            beam_diameter_mm,
+            hole_diameter_mm,
+            incidence_deg,
+        } => {
+            length("width_mm", width_mm)?;
+            length("distance_mm", distance_mm)?;
+            length("beam_diameter_mm", beam_diameter_mm)?;
+            let hole = section
+                .get("hole_diameter_mm")
+                .map(|item| item.number_within(0.0, LENGTH_MM[1], "mm"));
+            *hole_diameter_mm = hole.transpose()?;
+            angle("incidence_deg", incidence_deg, ANGLE_MAX_DEG)?;
+            // The spot is stretched along the tilted specimen, whose rim must stay behind the screen.
+            let reach_mm = 0.5 * *beam_diameter_mm * incidence_deg.to_radians().tan().abs();
+            if reach_mm >= *distance_mm {
+                let message = format!(
+                    "at `incidence_deg` = {incidence_deg} a beam of {beam_diameter_mm} mm lights the specimen up to the \
+                     screen, {distance_mm} mm away"
+                );
+                return Err(section.error_at_either("incidence_deg", "beam_diameter_mm", message));
+            }
+        }
+    }
+    Ok(shape)
+}
+
+fn lights(section: &Section, kind: Kind, shape: &ShapeSection) -> Result<Vec<LightSection>> {
+    if matches!(shape, ShapeSection::Screen { .. }) {
+        return Ok(vec![beam(section)?]);
+    }
+    let Some(item) = section.get("light") else {
+        if height_above_horizon(defaults::LIGHT.direction, shape) <= 0.0 {
+            let message = "the square is turned away from the default light; add `light`";
+            return Err(section.error_at_key("tilt_deg", message));
+        }
+        return Ok(vec![defaults::LIGHT]);
+    };
+    let items = if item.is_list() {
+        item.list()?
+    } else {
+        vec![item.clone()]
+    };
+    if items.is_empty() || items.len() > kind.lights_max {
+        let (word, max) = (kind.word, kind.lights_max);
+        let allowed = if max == 1 {
+            "exactly 1 light".to_owned()
+        } else {
+            format!("1 to {max} lights")
+        };
+        return Err(item.error(format!(
+            "must hold {allowed} for the shape \"{word}\"; found {}",
+            items.len()
+        )));
+    }
+    items.iter().map(|item| light(item, shape)).collect()
+}
+
+/// The light that stands for a screen's beam.
+fn beam(section: &Section) -> Result<LightSection> {
+    let divergence = section
+        .get("beam_divergence_deg")
+        .map(|item| item.number_within(0.0, 90.0, "degrees"));
+    Ok(LightSection {
+        direction: [0.0, 0.0, 1.0],
+        angular_diameter_deg: divergence
+            .transpose()?
+            .unwrap_or(defaults::BEAM_DIVERGENCE_DEG),
+        irradiance: 1.0,
+    })
+}
+
+fn light(item: &Item, shape: &ShapeSection) -> Result<LightSection> {
+    let example = "{ direction = [0.3, 0.2, 1.0] }";
+    let section = item.section(&keys::LIGHT, example)?;
+    let diameter = section
+        .get("angular_diameter_deg")
+        .map(|item| item.number_within(0.0, 90.0, "degrees"));
+    let irradiance = section
+        .get("irradiance")
+        .map(|item| item.number_above(0.0, 1e6, ""));
+    Ok(LightSection {
+        direction: direction(&section.require("direction", example)?, shape)?,
+        angular_diameter_deg: diameter
+            .transpose()?
+            .unwrap_or(defaults::LIGHT.angular_diameter_deg),
+        irradiance: irradiance
+            .transpose()?
+            .unwrap_or(defaults::LIGHT.irradiance),
+    })
+}
+
+fn direction(item: &Item, shape: &ShapeSection) -> Result<[f64; 3]> {
+    let [x, y, z] = item.list_of::<3>("three numbers, towards the light")?;
+    // Within these bounds no length overflows or underflows when it is squared.
+    let component = |item: &Item| item.number_within(-1e6, 1e6, "");
+    let direction = [component(&x)?, component(&y)?, component(&z)?];
+    if direction.iter().all(|component| component.abs() < 1e-6) {
+        return Err(item.error("must not be zero: it points towards the light"));
+    }
+    if height_above_horizon(direction, shape) <= 0.0 {
+        return Err(item.error(
+            "lies below the horizon of the flat surface and never lights it; an untilted surface faces +z",
+        ));
+    }
+    Ok(direction)
+}
+
+/// Scalar product with a flat shape's normal; a ball has no horizon.
+fn height_above_horizon([_, y, z]: [f64; 3], shape: &ShapeSection) -> f64 {
+    let tilt_deg = match shape {
+        ShapeSection::Sphere => return f64::INFINITY,
+        ShapeSection::Patch { tilt_deg, .. } => *tilt_deg,
+        ShapeSection::Hemisphere | ShapeSection::Screen { .. } => 0.0,
+    };
+    // With its upper edge away from the camera, the surface looks up: its normal leans to +y.
+    let (sin, cos) = tilt_deg.to_radians().sin_cos();
+    y * sin + z * cos
+}
+
+fn exposure(item: &Item) -> Result<ExposureSection> {
+    if !item.is_table() {
+        if item.as_text() == Some("auto") {
+            return Ok(ExposureSection::Auto);
+        }
+        return Err(item.error("must be \"auto\" or { ev = 0.5 }"));
+    }
+    let section = item.section(&keys::EXPOSURE, "{ ev = 0.5 }")?;
+    let ev = section.require("ev", "{ ev = 0.5 }")?;
+    ev.number_within(-40.0, 40.0, "stops")
+        .map(ExposureSection::Ev)
+}
+
+fn one_of(item: &Item, specimens: &[&str]) -> Result<String> {
+    let options: Vec<(&str, &str)> = specimens.iter().map(|name| (*name, *name)).collect();
+    item.choice(&options).map(str::to_owned)
+}

@@ -1,0 +1,230 @@
+//! The `[[specimen]]` tables.
+
+use std::path::{Path, PathBuf};
+
+use super::defaults;
+use super::files;
+use super::keys;
+use super::model::{DespikeSection, HeightSection, HeightUnit, LevelSection, SpecimenSection};
+use super::name;
+use super::optics;
+use super::reader::{Item, Section};
+use crate::ground::error::Result;
+use crate::optics::config::OpticsConfig;
+
+/// Largest lateral length and pitch: 1 mm, beyond any structure that diffracts visibly.
+const LATERAL_MAX_NM: f64 = 1e6;
+
+/// Largest height: 1 mm.
+const HEIGHT_MAX_NM: f64 = 1e6;
+
+/// Largest page number.
+const PAGE_MAX: usize = 65_535;
+
+/// Reads every specimen; each starts from the manifest's `optics`.
+pub fn read_all(item: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<SpecimenSection>> {
+    if !item.is_list() {
+        return Err(item.error("must be written as [[specimen]], with double brackets"));
+    }
+    let items = item.list()?;
+    if items.is_empty() {
+        return Err(item.error("must hold at least one specimen"));
+    }
+    let mut specimens: Vec<SpecimenSection> = Vec::with_capacity(items.len());
+    for item in items {
+        let section = item.section(&keys::SPECIMEN, "[[specimen]]")?;
+        let name_item = section.require("name", "name = \"corn_snake\"")?;
+        let name = name::read(&name_item)?;
+        name::refuse_repetition(
+            &name_item,
+            &name,
+            specimens.iter().map(|other| other.name.as_str()),
+        )?;
+        specimens.push(read(&section, name, optics.clone(), base)?);
+    }
+    Ok(specimens)
+}
+
+fn read(
+    section: &Section,
+    name: String,
+    mut optics: OpticsConfig,
+    base: &Path,
+) -> Result<SpecimenSection> {
+    optics::read_overrides(section, &mut optics)?;
+    let species = section.get("species").map(|item| item.text_not_empty());
+    let page = section
+        .get("page")
+        .map(|item| item.integer_within(0, PAGE_MAX, ""));
+    let blend = section
+        .get("blend_nm")
+        .map(|item| item.number_above(0.0, LATERAL_MAX_NM, "nm"));
+    let missing = section
+        .get("max_missing_share")
+        .map(|item| item.number_within(0.0, 0.5, ""));
+    Ok(SpecimenSection {
+        name,
+        species: species.transpose()?.map(str::to_owned),
+        scans: scans(
+            &section.require("scans", "scans = [\"scans/snake_*.tif\"]")?,
+            base,
+        )?,
+        page: page.transpose()?,
+        pitch_nm: section
+            .get("pitch_nm")
+            .map(|item| pitch(&item))
+            .transpose()?,
+        height: section
+            .get("height")
+            .map(|item| height(&item))
+            .transpose()?,
+        level: section
+            .get("level")
+            .map_or(Ok(defaults::LEVEL), |item| level(&item))?,
+        despike: section
+            .get("despike")
+            .map(|item| despike(&item))
+            .transpose()?,
+        blend_nm: blend.transpose()?,
+        max_missing_share: missing.transpose()?.unwrap_or(defaults::MAX_MISSING_SHARE),
+        optics,
+        measured: section
+            .get("measured")
+            .map(|item| existing(&item, base))
+            .transpose()?,
+    })
+}
+
+/// Paths and patterns, or one of them without brackets.
+fn scans(item: &Item, base: &Path) -> Result<Vec<PathBuf>> {
+    let patterns = if item.is_list() {
+        item.list()?
+    } else {
+        vec![item.clone()]
+    };
+    if patterns.is_empty() {
+        return Err(item.error("must name at least one file"));
+    }
+    let mut scans = Vec::new();
+    for item in patterns {
+        let pattern = item.text_not_empty()?;
+        let found = files::expand(base, pattern)
+            .map_err(|error| item.error(format!("\"{pattern}\" cannot be looked up: {error}")))?;
+        if found.is_empty() {
+            let place = base.join(pattern);
+            let place = place.display();
+            return Err(item.error(if files::has_wildcard(pattern) {
+                format!("matches no file: {place}")
+            } else {
+                format!("names a file that does not exist: {place}")
+            }));
+        }
+        scans.extend(found);
+    }
+    // Overlapping patterns must not weigh a scan twice in the average.
+    scans.sort();
+    scans.dedup();
+    Ok(scans)
+}
+
+fn existing(item: &Item, base: &Path) -> Result<PathBuf> {
+    let path = base.join(item.text_not_empty()?);
+    if !path.is_file() {
+        return Err(item.error(format!(
+            "names a file that does not exist: {}",
+            path.display()
+        )));
+    }
+    Ok(path)
+}
+
+fn pitch(item: &Item) -> Result<[f64; 2]> {
+    if !item.is_list() {
+        return item
+            .number_above(0.0, LATERAL_MAX_NM, "nm")
+            .map(|pitch| [pitch; 2]);
+    }
+    let [x, y] = item.list_of::<2>("a number of nm, or two for x and y")?;
+    Ok([
+        x.number_above(0.0, LATERAL_MAX_NM, "nm")?,
+        y.number_above(0.0, LATERAL_MAX_NM, "nm")?,
+    ])
+}
+
+fn height(item: &Item) -> Result<HeightSection> {
+    let example = "{ unit = \"nm\" }";
+    let section = item.section(&keys::HEIGHT, example)?;
+    let forms = ["full_scale_nm", "unit", "nm_per_count"];
+    let given: Vec<&str> = forms.into_iter().filter(|key| section.has(key)).collect();
+    let [form] = given[..] else {
+        return Err(item.error(format!(
+            "must hold exactly one of `full_scale_nm`, `unit`, and `nm_per_count`; found {}",
+            if given.is_empty() {
+                "none".to_owned()
+            } else {
+                keys::quoted(&given)
+            }
+        )));
+    };
+    if form != "nm_per_count" && section.has("offset_nm") {
+        return Err(section.error_at_key(
+            "offset_nm",
+            format!(
+                "`{}.offset_nm` goes with `nm_per_count`, not with `{form}`",
+                item.path()
+            ),
+        ));
+    }
+    let value = section.require(form, example)?;
+    match form {
+        "full_scale_nm" => value
+            .number_above(0.0, HEIGHT_MAX_NM, "nm")
+            .map(HeightSection::FullScaleNm),
+        "unit" => unit(&value).map(HeightSection::Unit),
+        _ => {
+            let nm_per_count = value.number_within(-HEIGHT_MAX_NM, HEIGHT_MAX_NM, "nm")?;
+            if nm_per_count == 0.0 {
+                return Err(value.error("must not be 0: every height would be the same"));
+            }
+            let offset = section
+                .get("offset_nm")
+                .map(|item| item.number_within(-HEIGHT_MAX_NM, HEIGHT_MAX_NM, "nm"));
+            Ok(HeightSection::Linear {
+                nm_per_count,
+                offset_nm: offset.transpose()?.unwrap_or(defaults::OFFSET_NM),
+            })
+        }
+    }
+}
+
+fn unit(item: &Item) -> Result<HeightUnit> {
+    item.choice(&[
+        ("pm", HeightUnit::Pm),
+        ("nm", HeightUnit::Nm),
+        ("um", HeightUnit::Um),
+        ("mm", HeightUnit::Mm),
+        ("cm", HeightUnit::Cm),
+        ("m", HeightUnit::M),
+        ("angstrom", HeightUnit::Angstrom),
+        ("inch", HeightUnit::Inch),
+    ])
+}
+
+fn level(item: &Item) -> Result<LevelSection> {
+    item.choice(&[
+        ("none", LevelSection::None),
+        ("plane", LevelSection::Plane),
+        ("quadratic", LevelSection::Quadratic),
+        ("rows", LevelSection::Rows),
+    ])
+}
+
+fn despike(item: &Item) -> Result<DespikeSection> {
+    let example = "{ threshold_rms = 8 }";
+    let section = item.section(&keys::DESPIKE, example)?;
+    let threshold = section.require("threshold_rms", example)?;
+    Ok(DespikeSection {
+        // Below 1 most of a good scan would count as dust.
+        threshold_rms: threshold.number_within(1.0, 1000.0, "robust standard deviations")?,
+    })
+}

@@ -1,0 +1,83 @@
+//! The `[tables]` table.
+
+use super::defaults;
+use super::keys;
+use super::reader::Item;
+use crate::ground::error::Result;
+use crate::tables::model::{Basis, Prefilter, Storage, TablesConfig};
+
+/// Tolerances lie above the first, at which double precision is spent, and up to the second.
+const TOLERANCE: [f64; 2] = [1e-8, 0.5];
+
+/// Texels along u and v: three make a grid; at the upper end one float table has 3 GiB.
+const SIZE: [usize; 2] = [3, 16_385];
+
+/// Largest number of tables; the published basis may need 80.
+const COUNT_MAX: usize = 256;
+
+/// Largest wavelength step in nm.
+const STEP_MAX_NM: f64 = 100.0;
+
+/// Working memory in MiB.
+const MEMORY_MIB: [usize; 2] = [64, 16 << 20];
+
+/// Reads `[tables]`.
+pub fn read(item: &Item) -> Result<TablesConfig> {
+    let section = item.section(&keys::TABLES, "[tables]")?;
+    let mut tables = defaults::tables();
+    if let Some(item) = section.get("basis") {
+        tables.basis =
+            item.choice(&[("chebyshev", Basis::Chebyshev), ("taylor", Basis::Taylor)])?;
+    }
+    if let Some(item) = section.get("tolerance") {
+        tables.tolerance = item.number_above(TOLERANCE[0], TOLERANCE[1], "")?;
+    }
+    if let Some(item) = section.get("size") {
+        tables.size = Some(size(&item)?);
+    }
+    if let Some(item) = section.get("count") {
+        tables.count = Some(item.integer_within(1, COUNT_MAX, "")?);
+    }
+    if let Some(item) = section.get("wavelength_step_nm") {
+        tables.wavelength_step_nm = Some(item.number_above(0.0, STEP_MAX_NM, "nm")?);
+    }
+    if let Some(item) = section.get("storage") {
+        tables.storage = item.choice(&[("half", Storage::Half), ("float", Storage::Float)])?;
+    }
+    if let Some(item) = section.get("prefilter") {
+        tables.prefilter = prefilter(&item)?;
+    }
+    if let Some(item) = section.get("memory_mib") {
+        tables.memory_mib = item.integer_within(MEMORY_MIB[0], MEMORY_MIB[1], "MiB")?;
+    }
+    Ok(tables)
+}
+
+fn size(item: &Item) -> Result<usize> {
+    let size = item.integer_within(SIZE[0], SIZE[1], "texels")?;
+    if size % 2 == 0 {
+        return Err(item.error(format!(
+            "must be odd, so that one texel lies at u = v = 0; found {size}, try {} or {}",
+            size - 1,
+            size + 1
+        )));
+    }
+    Ok(size)
+}
+
+fn prefilter(item: &Item) -> Result<Prefilter> {
+    if !item.is_table() {
+        let options = [("auto", Prefilter::Auto), ("none", Prefilter::None)];
+        return item.as_text().map_or_else(
+            || Err(item.error("must be \"auto\", \"none\", or { width = 0.0093 }")),
+            |_| item.choice(&options),
+        );
+    }
+    let section = item.section(&keys::PREFILTER, "{ width = 0.0093 }")?;
+    let width = section.require("width", "{ width = 0.0093 }")?;
+    Ok(Prefilter::Width(width.number_above(
+        0.0,
+        1.0,
+        "in u and v",
+    )?))
+}

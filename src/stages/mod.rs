@@ -1,0 +1,3 @@
+//! Stages floor: order, timing, cache, publishing.
+
+pub mod progress;

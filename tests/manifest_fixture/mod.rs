@@ -1,0 +1,82 @@
+//! A good manifest and the files it names, for the tests of manifests.
+
+use std::path::Path;
+
+use diffraction_atlas::ground::error::Result;
+use diffraction_atlas::manifest::{self, Manifest};
+
+/// A good manifest. Tables of faults count its lines.
+pub const GOOD: &str = r#"schema = 1
+
+[atlas]
+name = "squamates"
+out = "out"
+
+[optics]
+illuminant = "D65"
+wavelength_nm = [380, 780]
+coherence = { sigma_um = 16.25, edge = "tile" }
+windows = "grid"
+
+[tables]
+tolerance = 1e-3
+size = 501
+memory_mib = 512
+
+[[specimen]]
+name = "elaphe"
+scans = ["snake.tif"]
+pitch_nm = [48.8, 48.8]
+height = { full_scale_nm = 375 }
+level = "plane"
+material = { n = 1.56 }
+despike = { threshold_rms = 8 }
+
+[[specimen]]
+name = "xenopeltis"
+scans = ["snake.tif"]
+
+[[scene]]
+name = "sphere"
+shape = "sphere"
+light = [{ direction = [0.3, 0.2, 1.0], angular_diameter_deg = 0.53 }]
+size_px = 512
+
+[[scene]]
+name = "patch"
+shape = "patch"
+tilt_deg = 20
+
+[gpu]
+check = "auto"
+"#;
+
+/// A folder with the files that `GOOD` names.
+pub fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in [
+        ("snake.tif", "not looked into"),
+        ("snake2.tif", "not looked into"),
+        ("measured.csv", ""),
+        ("lamp.csv", "wavelength_nm,power\n400,1\n700,2\n"),
+        ("dark.csv", "wavelength_nm,power\n400,0\n700,0\n"),
+    ] {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    folder
+}
+
+/// Parses as if the text stood in `m.toml` in a folder.
+pub fn parse_in(folder: &Path, text: &str) -> Result<Manifest> {
+    manifest::parse(text, &folder.join("m.toml").display().to_string())
+}
+
+/// The good manifest with one place replaced.
+pub fn good_with(find: &str, replace: &str) -> String {
+    assert_eq!(
+        GOOD.matches(find).count(),
+        1,
+        "{find:?} must stand in the good manifest once"
+    );
+    GOOD.replace(find, replace)
+}
