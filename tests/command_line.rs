@@ -67,11 +67,7 @@ fn help_of_every_command_has_an_example() {
         let help = call(folder.path(), &format!("{command} --help"));
         assert_eq!(help.status, 0, "{command}");
         let example = format!("diffraction-atlas {command} ");
-        let shown = help
-            .stdout
-            .lines()
-            .filter(|line| line.trim().starts_with(&example))
-            .count();
+        let shown = help.stdout.lines().filter(|line| line.trim().starts_with(&example)).count();
         assert!(shown > 0, "{command} shows no example:\n{}", help.stdout);
     }
 }
@@ -81,10 +77,7 @@ fn the_version_is_that_of_the_package() {
     let folder = tempfile::tempdir().unwrap();
     let version = call(folder.path(), "--version");
     assert_eq!(version.status, 0);
-    assert_eq!(
-        version.stdout,
-        format!("diffraction-atlas {}\n", env!("CARGO_PKG_VERSION"))
-    );
+    assert_eq!(version.stdout, format!("diffraction-atlas {}\n", env!("CARGO_PKG_VERSION")));
 }
 
 #[test]
@@ -100,11 +93,7 @@ fn wrong_calls_end_with_2_and_say_why_on_stderr() {
     ] {
         let called = call(folder.path(), line);
         assert_eq!((called.status, called.stdout.as_str()), (2, ""), "{line}");
-        assert!(
-            called.stderr.contains(fragment),
-            "{line}: {}",
-            called.stderr
-        );
+        assert!(called.stderr.contains(fragment), "{line}: {}", called.stderr);
     }
     assert!(tree(folder.path()).is_empty());
 }
@@ -122,10 +111,7 @@ fn list_puts_results_on_stdout_and_remarks_on_stderr() {
     write(folder.path(), "snakes/v0001/elaphe/specimen.json", "{}");
     write(folder.path(), "snakes/latest", "v0001\n");
     let text = call(folder.path(), "list .");
-    assert_eq!(
-        text.stdout,
-        "snakes\n  v0001 (latest): 1 specimen, 4 B: elaphe\n"
-    );
+    assert_eq!(text.stdout, "snakes\n  v0001 (latest): 1 specimen, 4 B: elaphe\n");
     let json = call(folder.path(), "list . --json --threads 1");
     let value: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
     assert_eq!(value[0]["latest"], "v0001");
@@ -142,34 +128,16 @@ fn a_wrong_manifest_ends_with_2_and_writes_nothing() {
     let before = tree(folder.path());
     let mut calls: Vec<(String, &str)> = MANIFEST_COMMANDS
         .iter()
-        .flat_map(|command| {
-            [
-                (format!("{command} wrong.toml"), "wrong.toml"),
-                (command.to_string(), "pipeline.toml"),
-            ]
-        })
+        .flat_map(|command| [(format!("{command} wrong.toml"), "wrong.toml"), (command.to_string(), "pipeline.toml")])
         .collect();
     // Called without a command the program runs pipeline.toml.
     calls.push((String::new(), "pipeline.toml"));
     for (line, file) in calls {
         let called = call(folder.path(), &line);
-        assert_eq!(
-            (called.status, called.stdout.as_str()),
-            (2, ""),
-            "{line:?}: {}",
-            called.stderr
-        );
+        assert_eq!((called.status, called.stdout.as_str()), (2, ""), "{line:?}: {}", called.stderr);
         let expected = format!("error: {file}:5:8: `tables.size` must be odd");
-        assert!(
-            called.stderr.starts_with(&expected),
-            "{line:?}: {}",
-            called.stderr
-        );
-        assert!(
-            called.stderr.contains(" 5 | size = 500\n   |        ^^^"),
-            "{}",
-            called.stderr
-        );
+        assert!(called.stderr.starts_with(&expected), "{line:?}: {}", called.stderr);
+        assert!(called.stderr.contains(" 5 | size = 500\n   |        ^^^"), "{}", called.stderr);
         assert_eq!(tree(folder.path()), before, "{line:?} wrote something");
     }
 }
@@ -180,15 +148,7 @@ fn a_missing_manifest_ends_with_2() {
     let folder = tempfile::tempdir().unwrap();
     for command in MANIFEST_COMMANDS {
         let called = call(folder.path(), &format!("{command} none.toml"));
-        assert_eq!(
-            (called.status, called.stdout.as_str()),
-            (2, ""),
-            "{command}"
-        );
-        assert!(
-            called.stderr.contains("cannot read the manifest none.toml"),
-            "{}",
-            called.stderr
-        );
+        assert_eq!((called.status, called.stdout.as_str()), (2, ""), "{command}");
+        assert!(called.stderr.contains("cannot read the manifest none.toml"), "{}", called.stderr);
     }
 }

@@ -11,13 +11,7 @@ use proptest::prelude::*;
 
 /// What is replaced in `GOOD`, by what; the expected `line:column`, the text that the carets mark, and
 /// fragments of the message.
-type Case = (
-    &'static str,
-    &'static str,
-    &'static str,
-    &'static str,
-    &'static [&'static str],
-);
+type Case = (&'static str, &'static str, &'static str, &'static str, &'static [&'static str]);
 
 #[rustfmt::skip]
 const CASES: &[Case] = &[
@@ -174,19 +168,9 @@ const CASES: &[Case] = &[
 fn marked(excerpt: &str) -> String {
     let lines: Vec<&str> = excerpt.lines().collect();
     assert_eq!(lines.len(), 2, "{excerpt}");
-    let carets = || {
-        lines[1]
-            .chars()
-            .enumerate()
-            .filter(|(_, c)| *c == '^')
-            .map(|(at, _)| at)
-    };
+    let carets = || lines[1].chars().enumerate().filter(|(_, c)| *c == '^').map(|(at, _)| at);
     let (first, last) = (carets().next().unwrap(), carets().last().unwrap());
-    lines[0]
-        .chars()
-        .skip(first)
-        .take(last + 1 - first)
-        .collect()
+    lines[0].chars().skip(first).take(last + 1 - first).collect()
 }
 
 #[test]
@@ -196,37 +180,22 @@ fn every_fault_is_reported_at_its_place() {
     let mut wrong = Vec::new();
     for (find, replace, place, under, fragments) in CASES {
         match parse_in(folder.path(), &good_with(find, replace)) {
-            Err(Error::Manifest {
-                line,
-                column,
-                message,
-                excerpt,
-                file,
-            }) => {
+            Err(Error::Manifest { line, column, message, excerpt, file }) => {
                 assert!(file.ends_with("m.toml"));
                 let place_found = format!("{line}:{column}");
                 if place_found != *place || marked(&excerpt).trim_end() != *under {
-                    wrong.push(format!("{replace:?}: expected {place} {under:?}, found {place_found}: {message}\n{excerpt}"));
+                    wrong.push(format!(
+                        "{replace:?}: expected {place} {under:?}, found {place_found}: {message}\n{excerpt}"
+                    ));
                 }
-                for fragment in fragments
-                    .iter()
-                    .filter(|fragment| !message.contains(**fragment))
-                {
+                for fragment in fragments.iter().filter(|fragment| !message.contains(**fragment)) {
                     wrong.push(format!("{replace:?}: no {fragment:?} in: {message}"));
                 }
             }
-            other => wrong.push(format!(
-                "{replace:?}: expected a fault of the manifest, found {other:?}"
-            )),
+            other => wrong.push(format!("{replace:?}: expected a fault of the manifest, found {other:?}")),
         }
     }
-    assert!(
-        wrong.is_empty(),
-        "{} of {}:\n{}",
-        wrong.len(),
-        CASES.len(),
-        wrong.join("\n")
-    );
+    assert!(wrong.is_empty(), "{} of {}:\n{}", wrong.len(), CASES.len(), wrong.join("\n"));
 }
 
 #[test]
@@ -251,9 +220,7 @@ fn no_specimen_is_a_fault() {
     let text = &GOOD[..GOOD.find("[[specimen]]").unwrap()];
     let message = parse_in(folder.path(), text).unwrap_err().to_string();
     assert!(message.contains("`specimen` is missing"), "{message}");
-    let message = parse_in(folder.path(), &format!("specimen = []\n{text}"))
-        .unwrap_err()
-        .to_string();
+    let message = parse_in(folder.path(), &format!("specimen = []\n{text}")).unwrap_err().to_string();
     assert!(message.contains("at least one specimen"), "{message}");
     let message = parse_in(folder.path(), "").unwrap_err().to_string();
     assert!(message.contains(":1:1: `schema` is missing"), "{message}");
@@ -266,15 +233,10 @@ fn windows_line_ends_tabs_and_marks_do_not_shift_places() {
     for text in [text.replace('\n', "\r\n"), format!("\u{feff}{text}")] {
         let message = parse_in(folder.path(), &text).unwrap_err().to_string();
         assert!(message.contains(":15:8: "), "{message}");
-        assert!(
-            message.ends_with(" 15 | size\t=\t500\n    |     \t \t^^^"),
-            "{message:?}"
-        );
+        assert!(message.ends_with(" 15 | size\t=\t500\n    |     \t \t^^^"), "{message:?}");
     }
     // On the first line the mark itself must not count.
-    let message = parse_in(folder.path(), "\u{feff}schema = 2")
-        .unwrap_err()
-        .to_string();
+    let message = parse_in(folder.path(), "\u{feff}schema = 2").unwrap_err().to_string();
     assert!(message.contains(":1:10: "), "{message}");
 }
 
@@ -282,9 +244,7 @@ fn windows_line_ends_tabs_and_marks_do_not_shift_places() {
 fn files_that_are_no_manifest_are_refused() {
     let folder = folder();
     let path = folder.path().join("bad.toml");
-    assert!(
-        matches!(manifest::load(&path), Err(Error::Call(message)) if message.contains("bad.toml"))
-    );
+    assert!(matches!(manifest::load(&path), Err(Error::Call(message)) if message.contains("bad.toml")));
     assert!(matches!(manifest::load(folder.path()), Err(Error::Call(_))));
     std::fs::write(&path, b"schema = 1\nname = \"\xff\"").unwrap();
     let message = manifest::load(&path).unwrap_err().to_string();
@@ -292,10 +252,7 @@ fn files_that_are_no_manifest_are_refused() {
     // Nesting must not exhaust the stack.
     for open in ["[", "{ a = ", "[[", "a."] {
         let text = format!("schema = {}", open.repeat(100_000));
-        assert!(
-            matches!(parse_in(folder.path(), &text), Err(Error::Manifest { .. })),
-            "{open}"
-        );
+        assert!(matches!(parse_in(folder.path(), &text), Err(Error::Manifest { .. })), "{open}");
     }
 }
 
@@ -309,18 +266,12 @@ fn mutated(line: usize, other: usize, kind: u8, junk: &str) -> String {
         2 => lines.swap(line, other),
         3 => lines[line] = junk.to_owned(),
         4 => {
-            let at = lines[line]
-                .char_indices()
-                .nth(other)
-                .map_or(lines[line].len(), |(at, _)| at);
+            let at = lines[line].char_indices().nth(other).map_or(lines[line].len(), |(at, _)| at);
             lines[line].insert_str(at, junk);
         }
         _ => {
             // The value of another key in place of its own.
-            let value = lines[other]
-                .split_once('=')
-                .map_or(junk, |(_, value)| value)
-                .to_owned();
+            let value = lines[other].split_once('=').map_or(junk, |(_, value)| value).to_owned();
             let key = lines[line].split('=').next().unwrap_or_default().to_owned();
             lines[line] = format!("{key}={value}");
         }

@@ -16,16 +16,11 @@ use manifest_fixture::{GOOD, folder, good_with, parse_in};
 fn what_is_written_is_what_is_read() {
     let folder = folder();
     let good = parse_in(folder.path(), GOOD).unwrap();
-    assert_eq!(
-        (good.schema, good.atlas.name.as_str(), good.gpu),
-        (1, "squamates", GpuCheck::Auto)
-    );
+    assert_eq!((good.schema, good.atlas.name.as_str(), good.gpu), (1, "squamates", GpuCheck::Auto));
     assert_eq!(good.atlas.out, folder.path().join("out"));
     assert_eq!(good.optics.sigma_nm, 16_250.0);
     assert_eq!((good.tables.tolerance, good.tables.size), (1e-3, Some(501)));
-    let [elaphe, xenopeltis] = &good.specimens[..] else {
-        panic!("two specimens")
-    };
+    let [elaphe, xenopeltis] = &good.specimens[..] else { panic!("two specimens") };
     assert_eq!(elaphe.pitch_nm, Some([48.8, 48.8]));
     assert_eq!(elaphe.height, Some(HeightSection::FullScaleNm(375.0)));
     assert_eq!(elaphe.optics.material, Material::Dielectric { n: 1.56 });
@@ -37,10 +32,7 @@ fn what_is_written_is_what_is_read() {
 fn documented() -> Vec<String> {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("docs/manifest.md");
     let text = std::fs::read_to_string(path).unwrap();
-    text.split("```toml\n")
-        .skip(1)
-        .map(|block| block.split("```").next().unwrap().to_owned())
-        .collect()
+    text.split("```toml\n").skip(1).map(|block| block.split("```").next().unwrap().to_owned()).collect()
 }
 
 #[test]
@@ -50,13 +42,8 @@ fn documented_defaults_are_the_defaults() {
     let short = "schema = 1\n[atlas]\nname = \"squamates\"\n[[specimen]]\nname = \"snake\"\nscans = [\"snake.tif\"]\n";
     assert_eq!(parse_in(folder.path(), short).unwrap(), full);
 
-    let scenes = |text: &str| {
-        parse_in(folder.path(), &format!("{short}{text}"))
-            .unwrap()
-            .scenes
-    };
-    let light =
-        "light = { direction = [0.3, 0.2, 1.0], angular_diameter_deg = 0.53, irradiance = 1 }";
+    let scenes = |text: &str| parse_in(folder.path(), &format!("{short}{text}")).unwrap().scenes;
+    let light = "light = { direction = [0.3, 0.2, 1.0], angular_diameter_deg = 0.53, irradiance = 1 }";
     let common = "size_px = 512\nexposure = \"auto\"\nlight_samples = 16\npixel_samples = 1";
     for (shape, own) in [
         ("hemisphere", light.to_owned()),
@@ -78,21 +65,11 @@ fn every_key_is_documented_and_in_the_example() {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("docs/manifest.md");
     let text = std::fs::read_to_string(path).unwrap();
     let example = &documented()[1];
-    let words: Vec<&str> = example
-        .split(|c: char| !(c.is_alphanumeric() || c == '_'))
-        .collect();
+    let words: Vec<&str> = example.split(|c: char| !(c.is_alphanumeric() || c == '_')).collect();
     for keys in manifest::keys::ALL {
         for name in keys.names {
-            assert!(
-                text.contains(&format!("| `{name}`")),
-                "{name} of {} is not documented",
-                keys.table
-            );
-            assert!(
-                words.contains(name),
-                "{name} of {} is not in the example",
-                keys.table
-            );
+            assert!(text.contains(&format!("| `{name}`")), "{name} of {} is not documented", keys.table);
+            assert!(words.contains(name), "{name} of {} is not in the example", keys.table);
         }
     }
 }
@@ -101,115 +78,43 @@ fn every_key_is_documented_and_in_the_example() {
 fn every_key_of_the_example_arrives() {
     let folder = folder();
     let all = parse_in(folder.path(), &documented()[1]).unwrap();
-    let line = |wavelength_nm, power| Line {
-        wavelength_nm,
-        power,
-    };
+    let line = |wavelength_nm, power| Line { wavelength_nm, power };
     assert_eq!(all.atlas.out, folder.path().join("../atlases"));
-    assert_eq!(
-        all.optics.illuminant,
-        Illuminant::Lines(vec![line(532.0, 0.5), line(633.0, 1.0)])
-    );
+    assert_eq!(all.optics.illuminant, Illuminant::Lines(vec![line(532.0, 0.5), line(633.0, 1.0)]));
     assert_eq!(all.optics.wavelength_nm, [532.0, 633.0]);
-    assert_eq!(
-        (all.optics.sigma_nm, all.optics.edge, all.optics.windows),
-        (6500.0, Edge::Fade, Windows::Centre)
-    );
+    assert_eq!((all.optics.sigma_nm, all.optics.edge, all.optics.windows), (6500.0, Edge::Fade, Windows::Centre));
     assert_eq!(all.optics.material, Material::Conductor { n: 0.2, k: 3.4 });
     assert!(all.optics.shadowing);
 
-    assert_eq!(
-        (all.tables.basis, all.tables.storage),
-        (Basis::Taylor, Storage::Float)
-    );
-    assert_eq!(
-        (all.tables.tolerance, all.tables.size, all.tables.count),
-        (0.01, Some(501), Some(40))
-    );
-    assert_eq!(
-        (all.tables.wavelength_step_nm, all.tables.memory_mib),
-        (Some(2.5), 512)
-    );
+    assert_eq!((all.tables.basis, all.tables.storage), (Basis::Taylor, Storage::Float));
+    assert_eq!((all.tables.tolerance, all.tables.size, all.tables.count), (0.01, Some(501), Some(40)));
+    assert_eq!((all.tables.wavelength_step_nm, all.tables.memory_mib), (Some(2.5), 512));
     assert_eq!(all.tables.prefilter, Prefilter::Width(0.0093));
 
-    let [integers, floats, counts] = &all.specimens[..] else {
-        panic!("three specimens")
-    };
+    let [integers, floats, counts] = &all.specimens[..] else { panic!("three specimens") };
     assert_eq!(integers.species.as_deref(), Some("Elaphe guttata"));
     assert_eq!(integers.scans, [folder.path().join("snake.tif")]);
-    assert_eq!(
-        (integers.page, integers.pitch_nm),
-        (Some(0), Some([48.8; 2]))
-    );
-    assert_eq!(
-        (integers.level, integers.blend_nm),
-        (LevelSection::Quadratic, Some(500.0))
-    );
-    assert_eq!(
-        integers.despike.map(|despike| despike.threshold_rms),
-        Some(8.0)
-    );
+    assert_eq!((integers.page, integers.pitch_nm), (Some(0), Some([48.8; 2])));
+    assert_eq!((integers.level, integers.blend_nm), (LevelSection::Quadratic, Some(500.0)));
+    assert_eq!(integers.despike.map(|despike| despike.threshold_rms), Some(8.0));
     assert_eq!(integers.max_missing_share, 0.01);
     assert_eq!(integers.measured, Some(folder.path().join("measured.csv")));
     // Its own sigma and windows, but the edge of `[optics]`.
     let optics = &integers.optics;
-    assert_eq!(
-        (optics.sigma_nm, optics.edge, optics.windows),
-        (3000.0, Edge::Fade, Windows::Grid)
-    );
+    assert_eq!((optics.sigma_nm, optics.edge, optics.windows), (3000.0, Edge::Fade, Windows::Grid));
     assert_eq!(optics.material, Material::Dielectric { n: 1.56 });
     assert_eq!(floats.pitch_nm, Some([84.04, 74.56]));
-    assert_eq!(
-        (floats.height, floats.level),
-        (
-            Some(HeightSection::Unit(HeightUnit::Nm)),
-            LevelSection::Rows
-        )
-    );
-    assert_eq!(
-        counts.scans,
-        ["snake.tif", "snake2.tif"].map(|name| folder.path().join(name))
-    );
-    assert_eq!(
-        counts.height,
-        Some(HeightSection::Linear {
-            nm_per_count: 0.01,
-            offset_nm: -20.0
-        })
-    );
-    assert_eq!(
-        (counts.level, counts.optics.material),
-        (LevelSection::None, Material::Ideal)
-    );
+    assert_eq!((floats.height, floats.level), (Some(HeightSection::Unit(HeightUnit::Nm)), LevelSection::Rows));
+    assert_eq!(counts.scans, ["snake.tif", "snake2.tif"].map(|name| folder.path().join(name)));
+    assert_eq!(counts.height, Some(HeightSection::Linear { nm_per_count: 0.01, offset_nm: -20.0 }));
+    assert_eq!((counts.level, counts.optics.material), (LevelSection::None, Material::Ideal));
 
-    let [map, ball, tile, wall] = &all.scenes[..] else {
-        panic!("four scenes")
-    };
-    assert_eq!(
-        (map.shape, map.size_px, map.exposure),
-        (ShapeSection::Hemisphere, 256, ExposureSection::Auto)
-    );
-    assert_eq!(
-        (ball.lights.len(), ball.light_samples, ball.pixel_samples),
-        (2, 64, 4)
-    );
-    assert_eq!(
-        (
-            ball.lights[1].angular_diameter_deg,
-            ball.lights[1].irradiance
-        ),
-        (10.0, 0.1)
-    );
-    assert_eq!(
-        (tile.exposure, tile.specimen.as_deref()),
-        (ExposureSection::Ev(-1.5), Some("integers"))
-    );
-    let patch = ShapeSection::Patch {
-        width_mm: 30.0,
-        distance_mm: 90.0,
-        tilt_deg: 40.0,
-        turn_deg: 90.0,
-    };
+    let [map, ball, tile, wall] = &all.scenes[..] else { panic!("four scenes") };
+    assert_eq!((map.shape, map.size_px, map.exposure), (ShapeSection::Hemisphere, 256, ExposureSection::Auto));
+    assert_eq!((ball.lights.len(), ball.light_samples, ball.pixel_samples), (2, 64, 4));
+    assert_eq!((ball.lights[1].angular_diameter_deg, ball.lights[1].irradiance), (10.0, 0.1));
+    assert_eq!((tile.exposure, tile.specimen.as_deref()), (ExposureSection::Ev(-1.5), Some("integers")));
+    let patch = ShapeSection::Patch { width_mm: 30.0, distance_mm: 90.0, tilt_deg: 40.0, turn_deg: 90.0 };
     assert_eq!(tile.shape, patch);
     let screen = ShapeSection::Screen {
         width_mm: 300.0,
@@ -227,30 +132,15 @@ fn every_key_of_the_example_arrives() {
 fn illuminants_and_patterns_are_resolved() {
     let folder = folder();
     let lamp = good_with("illuminant = \"D65\"", "illuminant = \"lamp.csv\"");
-    let expected = Illuminant::Tabulated {
-        wavelength_nm: vec![400.0, 700.0],
-        power: vec![1.0, 2.0],
-    };
-    assert_eq!(
-        parse_in(folder.path(), &lamp).unwrap().optics.illuminant,
-        expected
-    );
+    let expected = Illuminant::Tabulated { wavelength_nm: vec![400.0, 700.0], power: vec![1.0, 2.0] };
+    assert_eq!(parse_in(folder.path(), &lamp).unwrap().optics.illuminant, expected);
     let f11 = good_with("illuminant = \"D65\"", "illuminant = \"F11\"");
-    assert_eq!(
-        parse_in(folder.path(), &f11).unwrap().optics.illuminant,
-        Illuminant::F(11)
-    );
+    assert_eq!(parse_in(folder.path(), &f11).unwrap().optics.illuminant, Illuminant::F(11));
     // Overlapping patterns in any order: sorted, and none twice.
     let find = "scans = [\"snake.tif\"]\npitch";
-    let both = good_with(
-        find,
-        "scans = [\"snake2.tif\", \"s*.tif\", \"snake.tif\"]\npitch",
-    );
+    let both = good_with(find, "scans = [\"snake2.tif\", \"s*.tif\", \"snake.tif\"]\npitch");
     let scans = &parse_in(folder.path(), &both).unwrap().specimens[0].scans;
-    assert_eq!(
-        *scans,
-        ["snake.tif", "snake2.tif"].map(|name| folder.path().join(name))
-    );
+    assert_eq!(*scans, ["snake.tif", "snake2.tif"].map(|name| folder.path().join(name)));
     // A light that is low for a level square but lights a tilted one, and the other way round.
     let tilted = |tilt: i32| {
         let scene = format!("tilt_deg = {tilt}\nlight = {{ direction = [0, 1, -0.1] }}");

@@ -78,12 +78,7 @@ fn set_threads(threads: Option<u16>) -> Result<()> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads.into())
         .build_global()
-        .map_err(|error| {
-            Error::limit(
-                format!("cannot start {threads} threads: {error}"),
-                "lower `--threads`",
-            )
-        })
+        .map_err(|error| Error::limit(format!("cannot start {threads} threads: {error}"), "lower `--threads`"))
 }
 
 #[cfg(test)]
@@ -99,10 +94,7 @@ mod tests {
 
     #[test]
     fn global_options_stand_before_or_after_the_command() {
-        for line in [
-            "diffraction-atlas --quiet --threads 2 list",
-            "diffraction-atlas list --quiet --threads 2",
-        ] {
+        for line in ["diffraction-atlas --quiet --threads 2 list", "diffraction-atlas list --quiet --threads 2"] {
             let cli = Cli::try_parse_from(line.split(' ')).unwrap();
             assert!(cli.global.quiet);
             assert_eq!(cli.global.threads, Some(2));

@@ -24,10 +24,7 @@ pub enum Outcome {
 /// is no error.
 pub fn print(text: &str) -> Result<()> {
     let mut stdout = std::io::stdout().lock();
-    match stdout
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.flush())
-    {
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(Error::disk(Path::new("standard output"), "write", error))
         }
@@ -58,14 +55,8 @@ fn conclusion(outcome: Result<Outcome>) -> (String, u8) {
     match outcome {
         Ok(Outcome::Done) => (String::new(), 0),
         Ok(Outcome::Failures(failures)) => {
-            let lines: String = failures
-                .iter()
-                .map(|failure| format!("failed: {failure}\n"))
-                .collect();
-            (
-                format!("{lines}{} failed; the rest is done\n", failures.len()),
-                1,
-            )
+            let lines: String = failures.iter().map(|failure| format!("failed: {failure}\n")).collect();
+            (format!("{lines}{} failed; the rest is done\n", failures.len()), 1)
         }
         Err(error) => (format!("error: {error}\n"), error.exit_status()),
     }
@@ -80,11 +71,7 @@ pub fn bytes_in_words(bytes: u64) -> String {
         value /= 1024.0;
         unit += 1;
     }
-    if unit == 0 {
-        format!("{bytes} B")
-    } else {
-        format!("{value:.1} {}", UNITS[unit])
-    }
+    if unit == 0 { format!("{bytes} B") } else { format!("{value:.1} {}", UNITS[unit]) }
 }
 
 #[cfg(test)]
@@ -96,14 +83,8 @@ mod tests {
         assert_eq!(conclusion(Ok(Outcome::Done)), (String::new(), 0));
         let failures = vec!["snake_b: no pitch".to_owned()];
         let (text, status) = conclusion(Ok(Outcome::Failures(failures)));
-        assert_eq!(
-            (text.as_str(), status),
-            ("failed: snake_b: no pitch\n1 failed; the rest is done\n", 1)
-        );
-        assert_eq!(
-            conclusion(Err(Error::Call("no".into()))),
-            ("error: no\n".into(), 2)
-        );
+        assert_eq!((text.as_str(), status), ("failed: snake_b: no pitch\n1 failed; the rest is done\n", 1));
+        assert_eq!(conclusion(Err(Error::Call("no".into()))), ("error: no\n".into(), 2));
         assert_eq!(conclusion(Err(Error::Gpu("lost".into()))).1, 1);
     }
 

@@ -42,13 +42,7 @@ struct Stage {
 impl Stage {
     fn new(name: &str, total: u64) -> Self {
         let now = Instant::now();
-        Self {
-            name: name.to_owned(),
-            total,
-            done: 0,
-            started: now,
-            last_line: now,
-        }
+        Self { name: name.to_owned(), total, done: 0, started: now, last_line: now }
     }
 
     fn summary(&self) -> String {
@@ -64,22 +58,13 @@ fn lock(stage: &Mutex<Option<Stage>>) -> MutexGuard<'_, Option<Stage>> {
 
 impl Bar {
     fn new() -> Self {
-        Self {
-            bar: ProgressBar::hidden(),
-            current: Mutex::new(None),
-        }
+        Self { bar: ProgressBar::hidden(), current: Mutex::new(None) }
     }
 
     fn style(total: u64) -> ProgressStyle {
-        let template = if total == 0 {
-            "{spinner} {msg} {elapsed}"
-        } else {
-            "{msg:32!} [{bar:30}] {pos}/{len} {eta}"
-        };
+        let template = if total == 0 { "{spinner} {msg} {elapsed}" } else { "{msg:32!} [{bar:30}] {pos}/{len} {eta}" };
         // The templates are constants; should one be wrong, the library's own style is as good.
-        ProgressStyle::with_template(template)
-            .unwrap_or_else(|_| ProgressStyle::default_bar())
-            .progress_chars("=> ")
+        ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("=> ")
     }
 }
 
@@ -87,8 +72,7 @@ impl Progress for Bar {
     fn stage(&self, name: &str, total: u64) {
         self.finish();
         *lock(&self.current) = Some(Stage::new(name, total));
-        self.bar
-            .set_draw_target(indicatif::ProgressDrawTarget::stderr());
+        self.bar.set_draw_target(indicatif::ProgressDrawTarget::stderr());
         self.bar.reset();
         self.bar.set_style(Self::style(total));
         self.bar.set_length(total);
@@ -123,11 +107,7 @@ struct Lines<W> {
 
 impl<W: Write> Lines<W> {
     fn new(out: W) -> Self {
-        Self {
-            out: Mutex::new(out),
-            current: Mutex::new(None),
-            interval: LINE_INTERVAL,
-        }
+        Self { out: Mutex::new(out), current: Mutex::new(None), interval: LINE_INTERVAL }
     }
 
     fn line(&self, text: &str) {
@@ -150,10 +130,7 @@ impl<W: Write + Send> Progress for Lines<W> {
             return;
         };
         stage.done = stage.done.saturating_add(n);
-        if stage.total == 0
-            || stage.done >= stage.total
-            || stage.last_line.elapsed() < self.interval
-        {
+        if stage.total == 0 || stage.done >= stage.total || stage.last_line.elapsed() < self.interval {
             return;
         }
         stage.last_line = Instant::now();
@@ -180,10 +157,7 @@ mod tests {
     use super::*;
 
     fn lines(interval: Duration, work: impl Fn(&dyn Progress)) -> String {
-        let lines = Lines {
-            interval,
-            ..Lines::new(Vec::new())
-        };
+        let lines = Lines { interval, ..Lines::new(Vec::new()) };
         work(&lines);
         String::from_utf8(lines.out.into_inner().unwrap()).unwrap()
     }
@@ -200,13 +174,7 @@ mod tests {
             progress.finish();
         });
         let lines: Vec<&str> = text.lines().collect();
-        let starts = [
-            "read",
-            "odd unit",
-            "read: done in ",
-            "build",
-            "build: done in ",
-        ];
+        let starts = ["read", "odd unit", "read: done in ", "build", "build: done in "];
         assert_eq!(lines.len(), starts.len(), "{text}");
         for (line, start) in lines.iter().zip(starts) {
             assert!(line.starts_with(start), "{line} {start}");

@@ -69,11 +69,8 @@ const LAB_FROM_ROOTS: Matrix = [
 ];
 
 /// The a and b columns of the inverse; its L column is 1 throughout.
-const ROOTS_FROM_AB: [[f64; 2]; 3] = [
-    [0.396_337_777_4, 0.215_803_757_3],
-    [-0.105_561_345_8, -0.063_854_172_8],
-    [-0.089_484_177_5, -1.291_485_548_0],
-];
+const ROOTS_FROM_AB: [[f64; 2]; 3] =
+    [[0.396_337_777_4, 0.215_803_757_3], [-0.105_561_345_8, -0.063_854_172_8], [-0.089_484_177_5, -1.291_485_548_0]];
 
 fn apply(matrix: &Matrix, v: [f64; 3]) -> [f64; 3] {
     matrix.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
@@ -97,20 +94,12 @@ pub fn luminance(rgb: LinearRgb) -> f64 {
 
 /// sRGB transfer function, linear to encoded, for [0, 1].
 pub fn srgb_encode(linear: f64) -> f64 {
-    if linear <= 0.003_130_8 {
-        12.92 * linear
-    } else {
-        1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055
-    }
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055 }
 }
 
 /// Inverse of [`srgb_encode`].
 pub fn srgb_decode(encoded: f64) -> f64 {
-    if encoded <= 0.040_45 {
-        encoded / 12.92
-    } else {
-        libm::pow((encoded + 0.055) / 1.055, 2.4)
-    }
+    if encoded <= 0.040_45 { encoded / 12.92 } else { libm::pow((encoded + 0.055) / 1.055, 2.4) }
 }
 
 /// A colour as a point on a ray of constant Oklab hue. With the saturation `s = C / L` (Oklab chroma over
@@ -211,17 +200,14 @@ pub fn to_srgb8(image: &Array3<f32>, exposure: f32) -> Array3<u8> {
     let (rows, columns, channels) = image.dim();
     assert_eq!(channels, 3, "an XYZ image has three channels");
     let mut out = Array3::zeros((rows, columns, 3));
-    out.axis_iter_mut(Axis(0))
-        .into_par_iter()
-        .zip(image.axis_iter(Axis(0)))
-        .for_each(|(mut out_row, row)| {
-            for (mut pixel, xyz) in out_row.outer_iter_mut().zip(row.outer_iter()) {
-                let rgb8 = pixel_to_srgb8([xyz[0], xyz[1], xyz[2]], exposure);
-                for (channel, value) in pixel.iter_mut().zip(rgb8) {
-                    *channel = value;
-                }
+    out.axis_iter_mut(Axis(0)).into_par_iter().zip(image.axis_iter(Axis(0))).for_each(|(mut out_row, row)| {
+        for (mut pixel, xyz) in out_row.outer_iter_mut().zip(row.outer_iter()) {
+            let rgb8 = pixel_to_srgb8([xyz[0], xyz[1], xyz[2]], exposure);
+            for (channel, value) in pixel.iter_mut().zip(rgb8) {
+                *channel = value;
             }
-        });
+        }
+    });
     out
 }
 
@@ -236,12 +222,8 @@ fn pixel_to_srgb8(xyz: [f32; 3], exposure: f32) -> [u8; 3] {
 /// The exposure that brings the 99.5th percentile of the luminance to 1, over the pixels whose
 /// luminance is positive; 1 for an image without any.
 pub fn auto_exposure(image: &Array3<f32>) -> f32 {
-    let mut lit: Vec<f32> = image
-        .index_axis(Axis(2), 1)
-        .iter()
-        .copied()
-        .filter(|y| y.is_finite() && *y > 0.0)
-        .collect();
+    let mut lit: Vec<f32> =
+        image.index_axis(Axis(2), 1).iter().copied().filter(|y| y.is_finite() && *y > 0.0).collect();
     if lit.is_empty() {
         return 1.0;
     }

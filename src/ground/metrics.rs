@@ -58,11 +58,7 @@ pub fn quantiles(mut errors: Vec<f64>) -> ErrorQuantiles {
 /// Entries at or below the floor are left out, not counted as zero; compare `count` with the
 /// length to see how many. Both slices must have the same length.
 pub fn relative_error_quantiles(reference: &[f64], test: &[f64], floor: f64) -> ErrorQuantiles {
-    assert_eq!(
-        reference.len(),
-        test.len(),
-        "compared sets differ in length"
-    );
+    assert_eq!(reference.len(), test.len(), "compared sets differ in length");
     let errors = reference
         .iter()
         .zip(test)
@@ -75,16 +71,8 @@ pub fn relative_error_quantiles(reference: &[f64], test: &[f64], floor: f64) -> 
 
 /// `‖test - reference‖₂ / ‖reference‖₂`; 0 when both are zero, infinite when only the reference is.
 pub fn relative_l2(reference: &[f64], test: &[f64]) -> f64 {
-    assert_eq!(
-        reference.len(),
-        test.len(),
-        "compared sets differ in length"
-    );
-    let difference: f64 = reference
-        .iter()
-        .zip(test)
-        .map(|(r, t)| (t - r).powi(2))
-        .sum();
+    assert_eq!(reference.len(), test.len(), "compared sets differ in length");
+    let difference: f64 = reference.iter().zip(test).map(|(r, t)| (t - r).powi(2)).sum();
     let norm: f64 = reference.iter().map(|r| r * r).sum();
     if difference == 0.0 {
         return 0.0;
@@ -94,11 +82,7 @@ pub fn relative_l2(reference: &[f64], test: &[f64]) -> f64 {
 
 /// The luminances of an XYZ image `[rows, columns, 3]`, row by row.
 pub fn luminances(image: &Array3<f32>) -> Vec<f64> {
-    image
-        .index_axis(ndarray::Axis(2), 1)
-        .iter()
-        .map(|&y| f64::from(y))
-        .collect()
+    image.index_axis(ndarray::Axis(2), 1).iter().map(|&y| f64::from(y)).collect()
 }
 
 /// Per-pixel CIEDE2000 between two XYZ images; `white_luminance` is the Y of the white both are
@@ -106,22 +90,12 @@ pub fn luminances(image: &Array3<f32>) -> Vec<f64> {
 ///
 /// The formula was fitted to surface colours: over-bright pixels are taken as they are, so a
 /// difference between two lights far above white counts although a display shows neither.
-pub fn ciede2000_map(
-    reference: &Array3<f32>,
-    test: &Array3<f32>,
-    white_luminance: f64,
-) -> Array2<f32> {
-    pixel_map(reference, test, |r, t| {
-        lab(r, white_luminance).difference(lab(t, white_luminance)) as f32
-    })
+pub fn ciede2000_map(reference: &Array3<f32>, test: &Array3<f32>, white_luminance: f64) -> Array2<f32> {
+    pixel_map(reference, test, |r, t| lab(r, white_luminance).difference(lab(t, white_luminance)) as f32)
 }
 
 /// Per-pixel largest difference of X, Y or Z as a share of the reference white's luminance.
-pub fn difference_to_white_map(
-    reference: &Array3<f32>,
-    test: &Array3<f32>,
-    white_luminance: f64,
-) -> Array2<f32> {
+pub fn difference_to_white_map(reference: &Array3<f32>, test: &Array3<f32>, white_luminance: f64) -> Array2<f32> {
     pixel_map(reference, test, |r, t| {
         let largest = r
             .iter()
@@ -134,11 +108,7 @@ pub fn difference_to_white_map(
 }
 
 /// Mean, 95th percentile and maximum of [`ciede2000_map`].
-pub fn ciede2000(
-    reference: &Array3<f32>,
-    test: &Array3<f32>,
-    white_luminance: f64,
-) -> ColourDifference {
+pub fn ciede2000(reference: &Array3<f32>, test: &Array3<f32>, white_luminance: f64) -> ColourDifference {
     let map = ciede2000_map(reference, test, white_luminance);
     if map.is_empty() {
         return ColourDifference::default();
@@ -146,11 +116,7 @@ pub fn ciede2000(
     let differences: Vec<f64> = map.iter().map(|&d| f64::from(d)).collect();
     let mean = differences.iter().sum::<f64>() / differences.len() as f64;
     let summary = quantiles(differences);
-    ColourDifference {
-        mean,
-        p95: summary.p95,
-        max: summary.worst,
-    }
+    ColourDifference { mean, p95: summary.p95, max: summary.worst }
 }
 
 fn pixel_map(
@@ -158,11 +124,7 @@ fn pixel_map(
     test: &Array3<f32>,
     measure: impl Fn(ArrayView1<f32>, ArrayView1<f32>) -> f32,
 ) -> Array2<f32> {
-    assert_eq!(
-        reference.dim(),
-        test.dim(),
-        "compared images differ in size"
-    );
+    assert_eq!(reference.dim(), test.dim(), "compared images differ in size");
     let (rows, columns, channels) = reference.dim();
     assert_eq!(channels, 3, "an XYZ image has three channels");
     let mut map = Array2::zeros((rows, columns));
@@ -198,21 +160,9 @@ mod tests {
         ([50.0, -0.001, 2.49], [50.0, 0.0009, -2.49], 4.8045),
         ([50.0, 2.5, 0.0], [73.0, 25.0, -18.0], 27.1492),
         ([50.0, 2.5, 0.0], [58.0, 24.0, 15.0], 19.4535),
-        (
-            [60.2574, -34.0099, 36.2677],
-            [60.4626, -34.1751, 39.4387],
-            1.2644,
-        ),
-        (
-            [22.7233, 20.0904, -46.694],
-            [23.0331, 14.973, -42.5619],
-            2.0373,
-        ),
-        (
-            [6.7747, -0.2908, -2.4247],
-            [5.8714, -0.0985, -2.2286],
-            0.6377,
-        ),
+        ([60.2574, -34.0099, 36.2677], [60.4626, -34.1751, 39.4387], 1.2644),
+        ([22.7233, 20.0904, -46.694], [23.0331, 14.973, -42.5619], 2.0373),
+        ([6.7747, -0.2908, -2.4247], [5.8714, -0.0985, -2.2286], 0.6377),
         ([2.0776, 0.0795, -1.135], [0.9033, -0.0636, -0.5514], 0.9082),
     ];
 
@@ -245,19 +195,13 @@ mod tests {
         for (difference, (_, _, expected)) in map.iter().zip(SHARMA) {
             // f32 pixels: 6e-8 relative in XYZ is about 1e-5 in a and b, up to 4e-4 in the pairs
             // that straddle the neutral axis with 1e-3 of hue difference.
-            assert!(
-                (f64::from(*difference) - expected).abs() < 1e-3,
-                "{difference} {expected}"
-            );
+            assert!((f64::from(*difference) - expected).abs() < 1e-3, "{difference} {expected}");
         }
         let total = ciede2000(&first, &second, white);
         assert!((total.max - 27.1492).abs() < 1e-3);
         // Shown to depend on the white: another one gives other numbers.
         assert!((ciede2000(&first, &second, 2.0 * white).max - 27.1492).abs() > 0.1);
-        assert_eq!(
-            ciede2000(&first, &first, white),
-            ColourDifference::default()
-        );
+        assert_eq!(ciede2000(&first, &first, white), ColourDifference::default());
     }
 
     #[test]
@@ -274,11 +218,7 @@ mod tests {
         let q = relative_error_quantiles(&[1.0, 1e-9, 2.0], &[1.1, 1.0, 1.0], 1e-6);
         assert_eq!(q.count, 2);
         assert!((q.worst - 0.5).abs() < 1e-15 && (q.p50 - 0.1).abs() < 1e-12);
-        assert!(
-            relative_error_quantiles(&[f64::NAN], &[1.0], 1e-6)
-                .worst
-                .is_nan()
-        );
+        assert!(relative_error_quantiles(&[f64::NAN], &[1.0], 1e-6).worst.is_nan());
     }
 
     #[test]
@@ -296,10 +236,7 @@ mod tests {
         let mut test = reference.clone();
         test[[0, 0, 2]] = 0.5;
         test[[0, 0, 0]] = 1.25;
-        assert_eq!(
-            difference_to_white_map(&reference, &test, 2.0)[[0, 0]],
-            0.25
-        );
+        assert_eq!(difference_to_white_map(&reference, &test, 2.0)[[0, 0]], 0.25);
         test[[0, 0, 1]] = f32::NAN;
         assert!(difference_to_white_map(&reference, &test, 2.0)[[0, 0]].is_nan());
     }

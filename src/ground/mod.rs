@@ -2,10 +2,10 @@
 
 pub mod chebyshev;
 pub mod cie_data;
+pub mod colour;
 pub mod direction;
 pub mod error;
-pub mod sampling;
-pub mod colour;
 pub mod metrics;
 pub mod png_image;
+pub mod sampling;
 pub mod spectrum;

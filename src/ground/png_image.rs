@@ -62,14 +62,10 @@ pub fn write_png(path: &Path, image: &Array3<u8>) -> Result<()> {
 
 /// Images in one row, top edges aligned, with a separator of the given width and colour between
 /// them; the colour also fills below shorter images.
-pub fn side_by_side(
-    images: &[&Array3<u8>],
-    separator_px: usize,
-    separator_rgb: [u8; 3],
-) -> Array3<u8> {
+pub fn side_by_side(images: &[&Array3<u8>], separator_px: usize, separator_rgb: [u8; 3]) -> Array3<u8> {
     let rows = images.iter().map(|image| image.dim().0).max().unwrap_or(0);
-    let columns: usize = images.iter().map(|image| image.dim().1).sum::<usize>()
-        + separator_px * images.len().saturating_sub(1);
+    let columns: usize =
+        images.iter().map(|image| image.dim().1).sum::<usize>() + separator_px * images.len().saturating_sub(1);
     let mut sheet = Array3::from_shape_fn((rows, columns, 3), |(_, _, c)| separator_rgb[c]);
     let mut left = 0;
     for image in images {
@@ -118,10 +114,7 @@ fn heat_colour(share: f32) -> [u8; 3] {
     let below = (position as usize).min(INFERNO.len() - 2);
     let weight = position - below as f32;
     [0, 1, 2].map(|c| {
-        let (low, high) = (
-            f32::from(INFERNO[below][c]),
-            f32::from(INFERNO[below + 1][c]),
-        );
+        let (low, high) = (f32::from(INFERNO[below][c]), f32::from(INFERNO[below + 1][c]));
         (low + weight * (high - low)).round() as u8
     })
 }
@@ -131,19 +124,12 @@ mod tests {
     use super::*;
 
     fn gradient(rows: usize, columns: usize) -> Array3<u8> {
-        Array3::from_shape_fn((rows, columns, 3), |(r, c, k)| {
-            (40 * r + 7 * c + 90 * k) as u8
-        })
+        Array3::from_shape_fn((rows, columns, 3), |(r, c, k)| (40 * r + 7 * c + 90 * k) as u8)
     }
 
     fn decode(bytes: &[u8]) -> Array3<u8> {
-        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes))
-            .read_info()
-            .unwrap();
-        assert_eq!(
-            reader.info().srgb,
-            Some(png::SrgbRenderingIntent::Perceptual)
-        );
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+        assert_eq!(reader.info().srgb, Some(png::SrgbRenderingIntent::Perceptual));
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
         let frame = reader.next_frame(&mut pixels).unwrap();
         assert_eq!(frame.color_type, png::ColorType::Rgb);
@@ -167,9 +153,7 @@ mod tests {
 
     #[test]
     fn an_empty_picture_is_refused() {
-        let error = encode_png(&Array3::zeros((0, 4, 3)))
-            .unwrap_err()
-            .to_string();
+        let error = encode_png(&Array3::zeros((0, 4, 3))).unwrap_err().to_string();
         assert!(error.contains("4 x 0 pixels"), "{error}");
     }
 
@@ -214,15 +198,12 @@ mod tests {
     fn heat_scale_rises_in_luminance() {
         let bar = heat_bar(257, 1);
         let luminance = |column: usize| {
-            let [r, g, b] = [0, 1, 2]
-                .map(|c| super::super::colour::srgb_decode(f64::from(bar[[0, column, c]]) / 255.0));
+            let [r, g, b] =
+                [0, 1, 2].map(|c| super::super::colour::srgb_decode(f64::from(bar[[0, column, c]]) / 255.0));
             super::super::colour::luminance([r, g, b])
         };
         for column in 8..257 {
-            assert!(
-                luminance(column) > luminance(column - 8),
-                "at column {column}"
-            );
+            assert!(luminance(column) > luminance(column - 8), "at column {column}");
         }
     }
 }

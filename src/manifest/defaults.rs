@@ -20,20 +20,12 @@ pub const SIZE_PX: usize = 512;
 /// `[[scene]] light_samples`.
 pub const LIGHT_SAMPLES: usize = 16;
 /// `[[scene]] light`: the sun, high and a little to the right.
-pub const LIGHT: LightSection = LightSection {
-    direction: [0.3, 0.2, 1.0],
-    angular_diameter_deg: 0.53,
-    irradiance: 1.0,
-};
+pub const LIGHT: LightSection =
+    LightSection { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.53, irradiance: 1.0 };
 /// `[[scene]] pixel_samples`.
 pub const PIXEL_SAMPLES: usize = 1;
 /// Patch.
-pub const PATCH: ShapeSection = ShapeSection::Patch {
-    width_mm: 20.0,
-    distance_mm: 60.0,
-    tilt_deg: 0.0,
-    turn_deg: 0.0,
-};
+pub const PATCH: ShapeSection = ShapeSection::Patch { width_mm: 20.0, distance_mm: 60.0, tilt_deg: 0.0, turn_deg: 0.0 };
 /// Screen: about the published set-up.
 pub const SCREEN: ShapeSection = ShapeSection::Screen {
     width_mm: 200.0,

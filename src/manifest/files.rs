@@ -51,19 +51,10 @@ pub fn has_wildcard(text: &str) -> bool {
 
 /// Adds the entries of a folder that match; a folder that does not exist has none.
 fn add_matches(folder: &Path, pattern: &str, found: &mut BTreeSet<PathBuf>) -> io::Result<()> {
-    let here = if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
-    };
+    let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let entries = match std::fs::read_dir(here) {
         Ok(entries) => entries,
-        Err(error)
-            if matches!(
-                error.kind(),
-                io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
-            ) =>
-        {
+        Err(error) if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
             return Ok(());
         }
         Err(error) => return Err(error),
@@ -91,10 +82,7 @@ enum Token {
     Any,
     One,
     Exactly(char),
-    Set {
-        negated: bool,
-        ranges: Vec<(char, char)>,
-    },
+    Set { negated: bool, ranges: Vec<(char, char)> },
 }
 
 /// Whether a name matches a pattern of `*`, `?`, `[abc]`, `[a-z]`, `[!abc]`.
@@ -131,9 +119,7 @@ fn takes(token: &Token, c: char) -> bool {
         Token::Any => false,
         Token::One => true,
         Token::Exactly(expected) => *expected == c,
-        Token::Set { negated, ranges } => {
-            ranges.iter().any(|(low, high)| (*low..=*high).contains(&c)) != *negated
-        }
+        Token::Set { negated, ranges } => ranges.iter().any(|(low, high)| (*low..=*high).contains(&c)) != *negated,
     }
 }
 
@@ -216,13 +202,7 @@ mod tests {
     #[test]
     fn folders_are_walked_in_order() {
         let folder = tempfile::tempdir().unwrap();
-        for name in [
-            "s2/b.tif",
-            "s1/a.tif",
-            "s1/.hidden.tif",
-            "s1/b.png",
-            "[x].tif",
-        ] {
+        for name in ["s2/b.tif", "s1/a.tif", "s1/.hidden.tif", "s1/b.png", "[x].tif"] {
             let path = folder.path().join(name);
             std::fs::create_dir_all(path.parent().unwrap()).unwrap();
             std::fs::write(path, "").unwrap();
@@ -231,21 +211,12 @@ mod tests {
             expand(folder.path(), pattern)
                 .unwrap()
                 .iter()
-                .map(|path| {
-                    path.strip_prefix(folder.path())
-                        .unwrap()
-                        .to_string_lossy()
-                        .into_owned()
-                })
+                .map(|path| path.strip_prefix(folder.path()).unwrap().to_string_lossy().into_owned())
                 .collect()
         };
         assert_eq!(names("s?/*.tif"), ["s1/a.tif", "s2/b.tif"]);
         assert_eq!(names("s1/.*"), ["s1/.hidden.tif"]);
-        assert_eq!(
-            names("[x].tif"),
-            ["[x].tif"],
-            "a literal name wins over its meaning as a pattern"
-        );
+        assert_eq!(names("[x].tif"), ["[x].tif"], "a literal name wins over its meaning as a pattern");
         assert!(names("s*").is_empty(), "folders are not files");
         assert!(names("nowhere/*.tif").is_empty());
         assert!(names("s1/a.tif/*").is_empty());

@@ -14,9 +14,7 @@ pub const WAVELENGTH_NM: [f64; 2] = [200.0, 2500.0];
 pub const VISIBLE_NM: [f64; 2] = [380.0, 780.0];
 
 /// Names of the CIE illuminants.
-const NAMES: &[&str] = &[
-    "D65", "A", "E", "F1", "F2", "F3", "F4", "F5", "F6", "F7", "F8", "F9", "F10", "F11", "F12",
-];
+const NAMES: &[&str] = &["D65", "A", "E", "F1", "F2", "F3", "F4", "F5", "F6", "F7", "F8", "F9", "F10", "F11", "F12"];
 
 /// Largest CSV file read: a spectrum at 0.01 nm is a tenth of it.
 const CSV_BYTES_MAX: u64 = 16 << 20;
@@ -41,8 +39,7 @@ pub fn read(item: &Item, base: &Path) -> Result<Illuminant> {
         let path = base.join(text);
         return csv(&path).map_err(|why| item.error(format!("{}: {why}", path.display())));
     }
-    let hint = keys::nearest(text, NAMES)
-        .map_or(String::new(), |name| format!("; did you mean \"{name}\"?"));
+    let hint = keys::nearest(text, NAMES).map_or(String::new(), |name| format!("; did you mean \"{name}\"?"));
     Err(item.error(format!(
         "names no known illuminant: \"{text}\"{hint} Expected \"D65\", \"A\", \"E\", \"F1\" to \"F12\", \
          a CSV file (its name holds a dot), or lines: {{ lines_nm = [633] }}"
@@ -73,9 +70,7 @@ fn lines(item: &Item) -> Result<Illuminant> {
         && list.len() != items.len()
     {
         let (lines, found) = (items.len(), list.len());
-        return Err(power.error(format!(
-            "must hold one number for each of the {lines} lines; found {found}"
-        )));
+        return Err(power.error(format!("must hold one number for each of the {lines} lines; found {found}")));
     }
     let mut lines = Vec::with_capacity(items.len());
     for (index, item) in items.iter().enumerate() {
@@ -84,16 +79,10 @@ fn lines(item: &Item) -> Result<Illuminant> {
             Some((list, _)) => list[index].number_above(0.0, 1e12, "")?,
             None => 1.0,
         };
-        if lines
-            .iter()
-            .any(|line: &Line| line.wavelength_nm == wavelength_nm)
-        {
+        if lines.iter().any(|line: &Line| line.wavelength_nm == wavelength_nm) {
             return Err(item.error(format!("repeats the line at {wavelength_nm} nm")));
         }
-        lines.push(Line {
-            wavelength_nm,
-            power,
-        });
+        lines.push(Line { wavelength_nm, power });
     }
     lines.sort_by(|a, b| a.wavelength_nm.total_cmp(&b.wavelength_nm));
     Ok(Illuminant::Lines(lines))
@@ -101,19 +90,14 @@ fn lines(item: &Item) -> Result<Illuminant> {
 
 /// Reads `wavelength_nm,power` rows; `#` starts a comment line.
 fn csv(path: &Path) -> std::result::Result<Illuminant, String> {
-    let about =
-        std::fs::metadata(path).map_err(|error| format!("cannot read the file: {error}"))?;
+    let about = std::fs::metadata(path).map_err(|error| format!("cannot read the file: {error}"))?;
     if !about.is_file() {
         return Err("is not a file".to_owned());
     }
     if about.len() > CSV_BYTES_MAX {
-        return Err(format!(
-            "has {} bytes; at most {CSV_BYTES_MAX} are read",
-            about.len()
-        ));
+        return Err(format!("has {} bytes; at most {CSV_BYTES_MAX} are read", about.len()));
     }
-    let text =
-        std::fs::read_to_string(path).map_err(|error| format!("cannot read the file: {error}"))?;
+    let text = std::fs::read_to_string(path).map_err(|error| format!("cannot read the file: {error}"))?;
     parse_csv(&text)
 }
 
@@ -124,28 +108,16 @@ fn parse_csv(text: &str) -> std::result::Result<Illuminant, String> {
         .enumerate()
         .map(|(index, row)| (index + 1, row.trim()))
         .filter(|(_, row)| !row.is_empty() && !row.starts_with('#'));
-    let header: Vec<String> = rows
-        .next()
-        .map(|(_, row)| {
-            row.split(',')
-                .map(|cell| cell.trim().to_lowercase())
-                .collect()
-        })
-        .unwrap_or_default();
+    let header: Vec<String> =
+        rows.next().map(|(_, row)| row.split(',').map(|cell| cell.trim().to_lowercase()).collect()).unwrap_or_default();
     if header != ["wavelength_nm", "power"] {
         return Err("the first line must be `wavelength_nm,power`".to_owned());
     }
     let (mut wavelength_nm, mut power) = (Vec::new(), Vec::new());
     for (line, row) in rows {
-        let cells: Vec<f64> = row
-            .split(',')
-            .map(|cell| cell.trim().parse().unwrap_or(f64::NAN))
-            .collect();
+        let cells: Vec<f64> = row.split(',').map(|cell| cell.trim().parse().unwrap_or(f64::NAN)).collect();
         let &[w, p] = &cells[..] else {
-            return Err(format!(
-                "line {line}: expected two numbers; found `{}`",
-                shortened(row)
-            ));
+            return Err(format!("line {line}: expected two numbers; found `{}`", shortened(row)));
         };
         if !(w.is_finite() && w > 0.0 && p.is_finite() && p >= 0.0) {
             return Err(format!(
@@ -154,9 +126,7 @@ fn parse_csv(text: &str) -> std::result::Result<Illuminant, String> {
             ));
         }
         if wavelength_nm.last().is_some_and(|last| *last >= w) {
-            return Err(format!(
-                "line {line}: wavelengths must increase; {w} nm does not"
-            ));
+            return Err(format!("line {line}: wavelengths must increase; {w} nm does not"));
         }
         wavelength_nm.push(w);
         power.push(p);
@@ -164,10 +134,7 @@ fn parse_csv(text: &str) -> std::result::Result<Illuminant, String> {
     if wavelength_nm.len() < 2 {
         return Err("holds fewer than two samples".to_owned());
     }
-    Ok(Illuminant::Tabulated {
-        wavelength_nm,
-        power,
-    })
+    Ok(Illuminant::Tabulated { wavelength_nm, power })
 }
 
 fn shortened(row: &str) -> String {
@@ -179,13 +146,10 @@ pub fn is_visible(illuminant: &Illuminant, range_nm: [f64; 2]) -> bool {
     let low = range_nm[0].max(VISIBLE_NM[0]);
     let high = range_nm[1].min(VISIBLE_NM[1]);
     match illuminant {
-        Illuminant::Lines(lines) => lines
-            .iter()
-            .any(|line| (VISIBLE_NM[0]..=VISIBLE_NM[1]).contains(&line.wavelength_nm)),
-        Illuminant::Tabulated {
-            wavelength_nm,
-            power,
-        } => {
+        Illuminant::Lines(lines) => {
+            lines.iter().any(|line| (VISIBLE_NM[0]..=VISIBLE_NM[1]).contains(&line.wavelength_nm))
+        }
+        Illuminant::Tabulated { wavelength_nm, power } => {
             // A linear piece with one positive end is positive wherever it has some length.
             wavelength_nm
                 .windows(2)
@@ -215,30 +179,15 @@ mod tests {
     #[test]
     fn csv_faults_name_their_line() {
         let good = "# lamp\nWavelength_nm, power\n400, 1\n\n500,2.5\n";
-        let Ok(Illuminant::Tabulated {
-            wavelength_nm,
-            power,
-        }) = parse_csv(good)
-        else {
-            panic!("good CSV refused")
-        };
+        let Ok(Illuminant::Tabulated { wavelength_nm, power }) = parse_csv(good) else { panic!("good CSV refused") };
         assert_eq!((wavelength_nm, power), (vec![400.0, 500.0], vec![1.0, 2.5]));
         for (text, expected) in [
             ("", "first line"),
             ("nm,power\n1,2\n", "first line"),
             ("wavelength_nm,power\n400,1\n", "fewer than two"),
-            (
-                "wavelength_nm,power\n400,1\n400,1\n",
-                "line 3: wavelengths must increase",
-            ),
-            (
-                "wavelength_nm,power\n400,1\n500\n",
-                "line 3: expected two numbers",
-            ),
-            (
-                "wavelength_nm,power\n400,-1\n500,1\n",
-                "line 2: expected a wavelength above 0",
-            ),
+            ("wavelength_nm,power\n400,1\n400,1\n", "line 3: wavelengths must increase"),
+            ("wavelength_nm,power\n400,1\n500\n", "line 3: expected two numbers"),
+            ("wavelength_nm,power\n400,-1\n500,1\n", "line 2: expected a wavelength above 0"),
             ("wavelength_nm,power\n400,NaN\n500,1\n", "line 2"),
             ("wavelength_nm,power\n400,x\n500,1\n", "line 2"),
         ] {
@@ -252,18 +201,11 @@ mod tests {
         let range = [380.0, 780.0];
         assert!(is_visible(&Illuminant::D65, range));
         assert!(!is_visible(&Illuminant::D65, [900.0, 1000.0]));
-        let line = |wavelength_nm| {
-            Illuminant::Lines(vec![Line {
-                wavelength_nm,
-                power: 1.0,
-            }])
-        };
+        let line = |wavelength_nm| Illuminant::Lines(vec![Line { wavelength_nm, power: 1.0 }]);
         assert!(is_visible(&line(633.0), range));
         assert!(!is_visible(&line(1064.0), range));
-        let table = |power: [f64; 3]| Illuminant::Tabulated {
-            wavelength_nm: vec![300.0, 400.0, 500.0],
-            power: power.to_vec(),
-        };
+        let table =
+            |power: [f64; 3]| Illuminant::Tabulated { wavelength_nm: vec![300.0, 400.0, 500.0], power: power.to_vec() };
         assert!(is_visible(&table([0.0, 1.0, 0.0]), range));
         assert!(!is_visible(&table([0.0, 0.0, 0.0]), range));
         assert!(is_visible(&table([1.0, 0.0, 0.0]), range));

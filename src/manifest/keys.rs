@@ -10,70 +10,35 @@ pub struct Keys {
 }
 
 /// The top level.
-pub const TOP: Keys = Keys {
-    table: "the top level",
-    names: &[
-        "schema", "atlas", "optics", "tables", "specimen", "scene", "gpu",
-    ],
-};
+pub const TOP: Keys =
+    Keys { table: "the top level", names: &["schema", "atlas", "optics", "tables", "specimen", "scene", "gpu"] };
 
 /// What the atlas is called and where it goes.
-pub const ATLAS: Keys = Keys {
-    table: "[atlas]",
-    names: &["name", "out"],
-};
+pub const ATLAS: Keys = Keys { table: "[atlas]", names: &["name", "out"] };
 
 /// Illumination and averaging; defaults for every specimen.
 pub const OPTICS: Keys = Keys {
     table: "[optics]",
-    names: &[
-        "illuminant",
-        "wavelength_nm",
-        "coherence",
-        "windows",
-        "material",
-        "shadowing",
-    ],
+    names: &["illuminant", "wavelength_nm", "coherence", "windows", "material", "shadowing"],
 };
 
 /// Laser lines in place of a named illuminant.
-pub const LINES: Keys = Keys {
-    table: "illuminant",
-    names: &["lines_nm", "power"],
-};
+pub const LINES: Keys = Keys { table: "illuminant", names: &["lines_nm", "power"] };
 
 /// The light's spatial coherence.
-pub const COHERENCE: Keys = Keys {
-    table: "coherence",
-    names: &["sigma_um", "edge"],
-};
+pub const COHERENCE: Keys = Keys { table: "coherence", names: &["sigma_um", "edge"] };
 
 /// Refractive index.
-pub const MATERIAL: Keys = Keys {
-    table: "material",
-    names: &["n", "k"],
-};
+pub const MATERIAL: Keys = Keys { table: "material", names: &["n", "k"] };
 
 /// What is asked of the tables.
 pub const TABLES: Keys = Keys {
     table: "[tables]",
-    names: &[
-        "basis",
-        "tolerance",
-        "size",
-        "count",
-        "wavelength_step_nm",
-        "storage",
-        "prefilter",
-        "memory_mib",
-    ],
+    names: &["basis", "tolerance", "size", "count", "wavelength_step_nm", "storage", "prefilter", "memory_mib"],
 };
 
 /// A prefilter of fixed width.
-pub const PREFILTER: Keys = Keys {
-    table: "prefilter",
-    names: &["width"],
-};
+pub const PREFILTER: Keys = Keys { table: "prefilter", names: &["width"] };
 
 /// One specimen.
 pub const SPECIMEN: Keys = Keys {
@@ -97,16 +62,10 @@ pub const SPECIMEN: Keys = Keys {
 };
 
 /// What the stored numbers of a scan mean.
-pub const HEIGHT: Keys = Keys {
-    table: "height",
-    names: &["full_scale_nm", "unit", "nm_per_count", "offset_nm"],
-};
+pub const HEIGHT: Keys = Keys { table: "height", names: &["full_scale_nm", "unit", "nm_per_count", "offset_nm"] };
 
 /// Removal of single outliers.
-pub const DESPIKE: Keys = Keys {
-    table: "despike",
-    names: &["threshold_rms"],
-};
+pub const DESPIKE: Keys = Keys { table: "despike", names: &["threshold_rms"] };
 
 /// One picture; which of the keys apply depends on the shape.
 pub const SCENE: Keys = Keys {
@@ -132,27 +91,18 @@ pub const SCENE: Keys = Keys {
 };
 
 /// One light of a scene.
-pub const LIGHT: Keys = Keys {
-    table: "light",
-    names: &["direction", "angular_diameter_deg", "irradiance"],
-};
+pub const LIGHT: Keys = Keys { table: "light", names: &["direction", "angular_diameter_deg", "irradiance"] };
 
 /// A fixed exposure.
-pub const EXPOSURE: Keys = Keys {
-    table: "exposure",
-    names: &["ev"],
-};
+pub const EXPOSURE: Keys = Keys { table: "exposure", names: &["ev"] };
 
 /// Whether tables are checked on a GPU.
-pub const GPU: Keys = Keys {
-    table: "[gpu]",
-    names: &["check"],
-};
+pub const GPU: Keys = Keys { table: "[gpu]", names: &["check"] };
 
 /// Every table.
 pub const ALL: &[&Keys] = &[
-    &TOP, &ATLAS, &OPTICS, &LINES, &COHERENCE, &MATERIAL, &TABLES, &PREFILTER, &SPECIMEN, &HEIGHT,
-    &DESPIKE, &SCENE, &LIGHT, &EXPOSURE, &GPU,
+    &TOP, &ATLAS, &OPTICS, &LINES, &COHERENCE, &MATERIAL, &TABLES, &PREFILTER, &SPECIMEN, &HEIGHT, &DESPIKE, &SCENE,
+    &LIGHT, &EXPOSURE, &GPU,
 ];
 
 /// Units that key names end in.
@@ -175,9 +125,7 @@ const UNITS: &[(&str, &str, f64)] = &[
 fn in_another_unit(unknown: &str, names: &[&'static str]) -> Option<(&'static str, f64)> {
     let split = |name: &str| -> Option<(String, &'static str, f64)> {
         let (stem, unit) = name.rsplit_once('_')?;
-        let (_, kind, factor) = UNITS
-            .iter()
-            .find(|(u, _, _)| u.eq_ignore_ascii_case(unit))?;
+        let (_, kind, factor) = UNITS.iter().find(|(u, _, _)| u.eq_ignore_ascii_case(unit))?;
         Some((stem.to_ascii_lowercase(), *kind, *factor))
     };
     let (stem, kind, factor) = split(unknown)?;
@@ -192,9 +140,8 @@ fn in_another_unit(unknown: &str, names: &[&'static str]) -> Option<(&'static st
 pub fn unknown_key(unknown: &str, keys: &Keys, value: Option<f64>) -> String {
     let table = keys.table;
     if let Some((name, factor)) = in_another_unit(unknown, keys.names) {
-        let converted = value.map_or(String::new(), |value| {
-            format!(" (here {name} = {})", round_to_9_digits(value * factor))
-        });
+        let converted =
+            value.map_or(String::new(), |value| format!(" (here {name} = {})", round_to_9_digits(value * factor)));
         return format!(
             "unknown key `{unknown}` in {table}: this quantity is given as `{name}`{converted}; \
              the unit is the last word of the key"
@@ -204,15 +151,9 @@ pub fn unknown_key(unknown: &str, keys: &Keys, value: Option<f64>) -> String {
         return format!("unknown key `{unknown}` in {table}; the nearest known key is `{name}`");
     }
     if let Some(home) = ALL.iter().find(|other| other.names.contains(&unknown)) {
-        return format!(
-            "unknown key `{unknown}` in {table}; it belongs in {}",
-            home.table
-        );
+        return format!("unknown key `{unknown}` in {table}; it belongs in {}", home.table);
     }
-    format!(
-        "unknown key `{unknown}` in {table}; expected one of {}",
-        quoted(keys.names)
-    )
+    format!("unknown key `{unknown}` in {table}; expected one of {}", quoted(keys.names))
 }
 
 /// The known word most like `word`, if any is alike at all.
@@ -251,10 +192,7 @@ mod tests {
     #[test]
     fn another_unit_is_named_and_converted() {
         let message = unknown_key("sigma_nm", &COHERENCE, Some(16250.0));
-        assert!(
-            message.contains("`sigma_um`") && message.contains("sigma_um = 16.25)"),
-            "{message}"
-        );
+        assert!(message.contains("`sigma_um`") && message.contains("sigma_um = 16.25)"), "{message}");
         let message = unknown_key("tilt_rad", &SCENE, Some(0.5));
         assert!(message.contains("tilt_deg = 28.6478898)"), "{message}");
         assert!(unknown_key("memory_gib", &TABLES, Some(2.0)).contains("memory_mib = 2048)"));
@@ -279,11 +217,7 @@ mod tests {
     fn each_key_stands_once_in_its_table() {
         for keys in ALL {
             for (index, name) in keys.names.iter().enumerate() {
-                assert!(
-                    !keys.names[..index].contains(name),
-                    "{name} twice in {}",
-                    keys.table
-                );
+                assert!(!keys.names[..index].contains(name), "{name} twice in {}", keys.table);
             }
         }
     }

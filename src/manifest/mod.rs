@@ -23,8 +23,8 @@ use std::path::Path;
 use toml::de::DeTable;
 
 pub use model::{
-    AtlasSection, DespikeSection, ExposureSection, GpuCheck, HeightSection, HeightUnit,
-    LevelSection, LightSection, Manifest, SceneSection, ShapeSection, SpecimenSection,
+    AtlasSection, DespikeSection, ExposureSection, GpuCheck, HeightSection, HeightUnit, LevelSection, LightSection,
+    Manifest, SceneSection, ShapeSection, SpecimenSection,
 };
 
 use crate::ground::error::{Error, Result};
@@ -60,10 +60,7 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Error {
     let good = error.utf8_error().valid_up_to();
     let text = String::from_utf8_lossy(error.as_bytes());
     // Everything before the bad byte is valid, so its offset holds in the repaired text too.
-    let source = Source {
-        text: &text,
-        file: name,
-    };
+    let source = Source { text: &text, file: name };
     source.error(good..good + 1, "not UTF-8 text; save the manifest as UTF-8")
 }
 
@@ -74,10 +71,7 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Error {
 /// # Errors
 /// [`Error::Manifest`] for the first fault found.
 pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
-    let source = Source {
-        text,
-        file: file_name,
-    };
+    let source = Source { text, file: file_name };
     let document = DeTable::parse(text).map_err(|error| syntax_error(&source, &error))?;
     // An unsupported version comes first: its keys mean nothing to this program.
     check_schema(&source, document.get_ref())?;
@@ -87,10 +81,7 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
 
     let atlas = top.require("atlas", "[atlas]")?;
     let atlas = atlas.section(&keys::ATLAS, "[atlas]")?;
-    let out = atlas
-        .get("out")
-        .map(|out| out.text_not_empty())
-        .transpose()?;
+    let out = atlas.get("out").map(|out| out.text_not_empty()).transpose()?;
     let atlas = AtlasSection {
         name: name::read(&atlas.require("name", "name = \"snakes\"")?)?,
         out: base.join(out.unwrap_or(defaults::OUT)),
@@ -105,10 +96,7 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
     };
     let specimens = top.require("specimen", "[[specimen]]")?;
     let specimens = specimen::read_all(&specimens, &optics, base)?;
-    let names: Vec<&str> = specimens
-        .iter()
-        .map(|specimen| specimen.name.as_str())
-        .collect();
+    let names: Vec<&str> = specimens.iter().map(|specimen| specimen.name.as_str()).collect();
     let scenes = match top.get("scene") {
         Some(item) => scene::read_all(&item, &names)?,
         None => Vec::new(),
@@ -117,16 +105,7 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
         Some(item) => gpu(&item.section(&keys::GPU, "[gpu]")?)?,
         None => defaults::GPU,
     };
-    Ok(Manifest {
-        schema: SCHEMA,
-        atlas,
-        optics,
-        tables,
-        specimens,
-        scenes,
-        gpu,
-        base: base.to_owned(),
-    })
+    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, specimens, scenes, gpu, base: base.to_owned() })
 }
 
 fn syntax_error(source: &Source, error: &toml::de::Error) -> Error {
@@ -151,11 +130,7 @@ fn check_schema(source: &Source, document: &DeTable) -> Result<()> {
 }
 
 fn gpu(section: &Section) -> Result<GpuCheck> {
-    let options = [
-        ("auto", GpuCheck::Auto),
-        ("required", GpuCheck::Required),
-        ("off", GpuCheck::Off),
-    ];
+    let options = [("auto", GpuCheck::Auto), ("required", GpuCheck::Required), ("off", GpuCheck::Off)];
     match section.get("check") {
         Some(item) => item.choice(&options),
         None => Ok(defaults::GPU),

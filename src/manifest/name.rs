@@ -24,29 +24,20 @@ pub fn read(item: &Item) -> Result<String> {
     }
     let lower = name.to_ascii_lowercase();
     let numbered = |device: &str| {
-        lower
-            .strip_prefix(device)
-            .is_some_and(|rest| rest.len() == 1 && rest.starts_with(|c: char| c.is_ascii_digit()))
+        lower.strip_prefix(device).is_some_and(|rest| rest.len() == 1 && rest.starts_with(|c: char| c.is_ascii_digit()))
     };
     if RESERVED.contains(&lower.as_str()) || numbered("com") || numbered("lpt") {
-        return Err(item.error(format!(
-            "\"{name}\" is a device's name on some systems; choose another"
-        )));
+        return Err(item.error(format!("\"{name}\" is a device's name on some systems; choose another")));
     }
     Ok(name.to_owned())
 }
 
 /// Refuses a name that is taken, or differs from a taken one in case alone.
-pub fn refuse_repetition<'n>(
-    item: &Item,
-    name: &str,
-    mut taken: impl Iterator<Item = &'n str>,
-) -> Result<()> {
+pub fn refuse_repetition<'n>(item: &Item, name: &str, mut taken: impl Iterator<Item = &'n str>) -> Result<()> {
     match taken.find(|other| other.eq_ignore_ascii_case(name)) {
         None => Ok(()),
         Some(other) if other == name => Err(item.error(format!("repeats the name \"{name}\"; names must differ"))),
-        Some(other) => Err(item.error(format!(
-            "\"{name}\" differs from \"{other}\" in case alone, which some systems do not tell apart"
-        ))),
+        Some(other) => Err(item
+            .error(format!("\"{name}\" differs from \"{other}\" in case alone, which some systems do not tell apart"))),
     }
 }

@@ -28,30 +28,21 @@ pub fn read(item: &Item, base: &Path) -> Result<OpticsConfig> {
     }
     if let Illuminant::Lines(lines) = &optics.illuminant {
         let [first, last] = optics.wavelength_nm;
-        let outside = lines
-            .iter()
-            .find(|line| line.wavelength_nm < first || line.wavelength_nm > last);
+        let outside = lines.iter().find(|line| line.wavelength_nm < first || line.wavelength_nm > last);
         // A range that was written down is a promise; one that was not gives way to the lines.
         if let (Some(line), Some(item)) = (outside, section.get("wavelength_nm")) {
             let line_nm = line.wavelength_nm;
             return Err(item.error(format!("leaves out the laser line at {line_nm} nm")));
         }
         let wavelengths = || lines.iter().map(|line| line.wavelength_nm);
-        optics.wavelength_nm = [
-            wavelengths().fold(f64::INFINITY, f64::min),
-            wavelengths().fold(0.0, f64::max),
-        ];
+        optics.wavelength_nm = [wavelengths().fold(f64::INFINITY, f64::min), wavelengths().fold(0.0, f64::max)];
     }
     if !illuminant::is_visible(&optics.illuminant, optics.wavelength_nm) {
         let message = format!(
             "no light falls between {} and {} nm, so that colour and luminance would be 0 / 0",
             VISIBLE_NM[0], VISIBLE_NM[1]
         );
-        let key = if section.has("wavelength_nm") {
-            "wavelength_nm"
-        } else {
-            "illuminant"
-        };
+        let key = if section.has("wavelength_nm") { "wavelength_nm" } else { "illuminant" };
         return Err(section.error_at_key(key, message));
     }
     if let Some(item) = section.get("shadowing") {
@@ -92,11 +83,7 @@ fn material(item: &Item) -> Result<Material> {
     let n = section.require("n", "{ n = 1.56 }")?;
     match section.get("k") {
         None => Ok(Material::Dielectric {
-            n: n.number_within(
-                1.0,
-                INDEX_MAX,
-                "for a transparent material (a metal needs `k` too)",
-            )?,
+            n: n.number_within(1.0, INDEX_MAX, "for a transparent material (a metal needs `k` too)")?,
         }),
         Some(k) => Ok(Material::Conductor {
             n: n.number_above(0.0, INDEX_MAX, "")?,
@@ -108,15 +95,10 @@ fn material(item: &Item) -> Result<Material> {
 fn wavelength_range(item: &Item) -> Result<[f64; 2]> {
     let [first, last] = item.list_of::<2>("two wavelengths such as [380, 780]")?;
     let [low, high] = WAVELENGTH_NM;
-    let range = [
-        first.number_within(low, high, "nm")?,
-        last.number_within(low, high, "nm")?,
-    ];
+    let range = [first.number_within(low, high, "nm")?, last.number_within(low, high, "nm")?];
     if range[0] >= range[1] {
-        return Err(item.error(format!(
-            "must increase; found [{}, {}], write [{}, {}]",
-            range[0], range[1], range[1], range[0]
-        )));
+        return Err(item
+            .error(format!("must increase; found [{}, {}], write [{}, {}]", range[0], range[1], range[1], range[0])));
     }
     Ok(range)
 }

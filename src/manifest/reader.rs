@@ -49,12 +49,7 @@ impl<'s> Section<'s> {
             let message = keys::unknown_key(key.get_ref(), keys, as_number(value.get_ref()));
             return Err(source.error(key.span(), message));
         }
-        Ok(Self {
-            source,
-            table,
-            span,
-            path,
-        })
+        Ok(Self { source, table, span, path })
     }
 
     /// The value of a key, if it is given.
@@ -64,25 +59,15 @@ impl<'s> Section<'s> {
             source: self.source,
             value: value.get_ref(),
             span: value.span(),
-            path: if self.path.is_empty() {
-                key.to_owned()
-            } else {
-                format!("{}.{key}", self.path)
-            },
+            path: if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) },
         })
     }
 
     /// The value of a key that must be given; `example` shows how.
     pub fn require(&self, key: &str, example: &str) -> Result<Item<'s>> {
         self.get(key).ok_or_else(|| {
-            let place = if self.path.is_empty() {
-                String::new()
-            } else {
-                format!(" in `{}`", self.path)
-            };
-            self.error(format!(
-                "`{key}` is missing{place}; add for example `{example}`"
-            ))
+            let place = if self.path.is_empty() { String::new() } else { format!(" in `{}`", self.path) };
+            self.error(format!("`{key}` is missing{place}; add for example `{example}`"))
         })
     }
 
@@ -103,10 +88,7 @@ impl<'s> Section<'s> {
 
     /// An error at the name of a given key.
     pub fn error_at_key(&self, key: &str, message: impl Into<String>) -> Error {
-        let span = self
-            .table
-            .get_key_value(key)
-            .map_or(self.span.clone(), |(key, _)| key.span());
+        let span = self.table.get_key_value(key).map_or(self.span.clone(), |(key, _)| key.span());
         self.source.error(span, message)
     }
 }
@@ -124,10 +106,7 @@ impl<'s> Item<'s> {
     }
 
     fn expected(&self, expected: &str) -> Error {
-        self.error(format!(
-            "must be {expected}; found {}",
-            describe(self.value)
-        ))
+        self.error(format!("must be {expected}; found {}", describe(self.value)))
     }
 
     /// A string.
@@ -174,9 +153,7 @@ impl<'s> Item<'s> {
         let number = self.number()?;
         if number < low || number > high {
             let unit = spaced(unit);
-            return Err(self.error(format!(
-                "must lie between {low} and {high}{unit}; found {number}"
-            )));
+            return Err(self.error(format!("must lie between {low} and {high}{unit}; found {number}")));
         }
         Ok(number)
     }
@@ -186,9 +163,7 @@ impl<'s> Item<'s> {
         let number = self.number()?;
         if number <= low || number > high {
             let unit = spaced(unit);
-            return Err(self.error(format!(
-                "must be above {low} and at most {high}{unit}; found {number}"
-            )));
+            return Err(self.error(format!("must be above {low} and at most {high}{unit}; found {number}")));
         }
         Ok(number)
     }
@@ -204,9 +179,7 @@ impl<'s> Item<'s> {
             .filter(|value| (low..=high).contains(value))
             .ok_or_else(|| {
                 let unit = spaced(unit);
-                self.error(format!(
-                    "must lie between {low} and {high}{unit}; found {integer}"
-                ))
+                self.error(format!("must lie between {low} and {high}{unit}; found {integer}"))
             })
     }
 
@@ -231,8 +204,7 @@ impl<'s> Item<'s> {
         };
         let list = self.list()?;
         let found = list.len();
-        list.try_into()
-            .map_err(|_| self.error(format!("must be {what}; found {found} elements")))
+        list.try_into().map_err(|_| self.error(format!("must be {what}; found {found} elements")))
     }
 
     /// Whether it is a list.
@@ -250,51 +222,32 @@ impl<'s> Item<'s> {
         let DeValue::Table(table) = self.value else {
             return Err(self.expected(&format!("a table such as `{example}`")));
         };
-        Section::checked(
-            self.source,
-            table,
-            self.span.clone(),
-            self.path.clone(),
-            keys,
-        )
+        Section::checked(self.source, table, self.span.clone(), self.path.clone(), keys)
     }
 
     /// One of a few words.
     pub fn choice<T: Copy>(&self, options: &[(&str, T)]) -> Result<T> {
         let words: Vec<&str> = options.iter().map(|(word, _)| *word).collect();
-        let list = words
-            .iter()
-            .map(|word| format!("\"{word}\""))
-            .collect::<Vec<_>>()
-            .join(", ");
+        let list = words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
         let Some(text) = self.as_text() else {
             return Err(self.expected(&format!("one of {list}")));
         };
-        options
-            .iter()
-            .find(|(word, _)| *word == text)
-            .map(|(_, value)| *value)
-            .ok_or_else(|| {
-                let hint = keys::nearest(text, &words)
-                    .map_or(String::new(), |word| format!("; did you mean \"{word}\"?"));
-                self.error(format!("must be one of {list}; found \"{text}\"{hint}"))
-            })
+        options.iter().find(|(word, _)| *word == text).map(|(_, value)| *value).ok_or_else(|| {
+            let hint = keys::nearest(text, &words).map_or(String::new(), |word| format!("; did you mean \"{word}\"?"));
+            self.error(format!("must be one of {list}; found \"{text}\"{hint}"))
+        })
     }
 }
 
 fn spaced(unit: &str) -> String {
-    if unit.is_empty() {
-        String::new()
-    } else {
-        format!(" {unit}")
-    }
+    if unit.is_empty() { String::new() } else { format!(" {unit}") }
 }
 
 fn as_number(value: &DeValue) -> Option<f64> {
     match value {
-        DeValue::Integer(integer) => i128::from_str_radix(integer.as_str(), integer.radix())
-            .ok()
-            .map(|value| value as f64),
+        DeValue::Integer(integer) => {
+            i128::from_str_radix(integer.as_str(), integer.radix()).ok().map(|value| value as f64)
+        }
         DeValue::Float(float) => float.as_str().parse().ok(),
         _ => None,
     }

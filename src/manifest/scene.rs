@@ -32,18 +32,8 @@ struct Kind {
 }
 
 const KINDS: [Kind; 4] = [
-    Kind {
-        word: "hemisphere",
-        default: ShapeSection::Hemisphere,
-        own_keys: &["light"],
-        lights_max: 1,
-    },
-    Kind {
-        word: "sphere",
-        default: ShapeSection::Sphere,
-        own_keys: &["light"],
-        lights_max: LIGHTS_MAX,
-    },
+    Kind { word: "hemisphere", default: ShapeSection::Hemisphere, own_keys: &["light"], lights_max: 1 },
+    Kind { word: "sphere", default: ShapeSection::Sphere, own_keys: &["light"], lights_max: LIGHTS_MAX },
     Kind {
         word: "patch",
         default: defaults::PATCH,
@@ -66,15 +56,7 @@ const KINDS: [Kind; 4] = [
 ];
 
 /// Keys that every shape takes.
-const COMMON_KEYS: &[&str] = &[
-    "name",
-    "shape",
-    "specimen",
-    "size_px",
-    "exposure",
-    "light_samples",
-    "pixel_samples",
-];
+const COMMON_KEYS: &[&str] = &["name", "shape", "specimen", "size_px", "exposure", "light_samples", "pixel_samples"];
 
 /// Reads every scene; `specimens` are the names that `specimen` may give.
 pub fn read_all(item: &Item, specimens: &[&str]) -> Result<Vec<SceneSection>> {
@@ -86,20 +68,14 @@ pub fn read_all(item: &Item, specimens: &[&str]) -> Result<Vec<SceneSection>> {
         let section = item.section(&keys::SCENE, "[[scene]]")?;
         let name_item = section.require("name", "name = \"sphere\"")?;
         let name = name::read(&name_item)?;
-        name::refuse_repetition(
-            &name_item,
-            &name,
-            scenes.iter().map(|other| other.name.as_str()),
-        )?;
+        name::refuse_repetition(&name_item, &name, scenes.iter().map(|other| other.name.as_str()))?;
         scenes.push(read(&section, name, specimens)?);
     }
     Ok(scenes)
 }
 
 fn read(section: &Section, name: String, specimens: &[&str]) -> Result<SceneSection> {
-    let kind = section
-        .require("shape", "shape = \"sphere\"")?
-        .choice(&KINDS.map(|kind| (kind.word, kind)))?;
+    let kind = section.require("shape", "shape = \"sphere\"")?.choice(&KINDS.map(|kind| (kind.word, kind)))?;
     refuse_foreign_keys(section, kind)?;
     let whole = |key: &str, [low, high]: [usize; 2], default: usize| match section.get(key) {
         Some(item) => item.integer_within(low, high, ""),
@@ -111,15 +87,10 @@ fn read(section: &Section, name: String, specimens: &[&str]) -> Result<SceneSect
         shape,
         lights: lights(section, kind, &shape)?,
         size_px: whole("size_px", SIZE_PX, defaults::SIZE_PX)?,
-        exposure: section
-            .get("exposure")
-            .map_or(Ok(ExposureSection::Auto), |item| exposure(&item))?,
+        exposure: section.get("exposure").map_or(Ok(ExposureSection::Auto), |item| exposure(&item))?,
         light_samples: whole("light_samples", [1, SAMPLES_MAX], defaults::LIGHT_SAMPLES)?,
         pixel_samples: whole("pixel_samples", [1, SAMPLES_MAX], defaults::PIXEL_SAMPLES)?,
-        specimen: section
-            .get("specimen")
-            .map(|item| one_of(&item, specimens))
-            .transpose()?,
+        specimen: section.get("specimen").map(|item| one_of(&item, specimens)).transpose()?,
     })
 }
 
@@ -132,11 +103,7 @@ fn refuse_foreign_keys(section: &Section, kind: Kind) -> Result<()> {
     let Some(key) = foreign else {
         return Ok(());
     };
-    let homes: Vec<&str> = KINDS
-        .iter()
-        .filter(|other| other.own_keys.contains(key))
-        .map(|other| other.word)
-        .collect();
+    let homes: Vec<&str> = KINDS.iter().filter(|other| other.own_keys.contains(key)).map(|other| other.word).collect();
     let message = format!(
         "`{key}` does not apply to the shape \"{}\" but to {}; \"{}\" takes {}",
         kind.word,
@@ -149,26 +116,17 @@ fn refuse_foreign_keys(section: &Section, kind: Kind) -> Result<()> {
 
 fn shape(section: &Section, kind: Kind) -> Result<ShapeSection> {
     let length = |key: &str, value: &mut f64| match section.get(key) {
-        Some(item) => item
-            .number_within(LENGTH_MM[0], LENGTH_MM[1], "mm")
-            .map(|given| *value = given),
+        Some(item) => item.number_within(LENGTH_MM[0], LENGTH_MM[1], "mm").map(|given| *value = given),
         None => Ok(()),
     };
     let angle = |key: &str, value: &mut f64, max: f64| match section.get(key) {
-        Some(item) => item
-            .number_within(-max, max, "degrees")
-            .map(|given| *value = given),
+        Some(item) => item.number_within(-max, max, "degrees").map(|given| *value = given),
         None => Ok(()),
     };
     let mut shape = kind.default;
     match &mut shape {
         ShapeSection::Hemisphere | ShapeSection::Sphere => {}
-        ShapeSection::Patch {
-            width_mm,
-            distance_mm,
-            tilt_deg,
-            turn_deg,
-        } => {
+        ShapeSection::Patch { width_mm, distance_mm, tilt_deg, turn_deg } => {
             length("width_mm", width_mm)?;
             length("distance_mm", distance_mm)?;
             angle("tilt_deg", tilt_deg, ANGLE_MAX_DEG)?;
@@ -181,19 +139,11 @@ fn shape(section: &Section, kind: Kind) -> Result<ShapeSection> {
                 return Err(section.error_at_either("distance_mm", "width_mm", message));
             }
         }
-        ShapeSection::Screen {
-            width_mm,
-            distance_mm,
-            beam_diameter_mm,
-            hole_diameter_mm,
-            incidence_deg,
-        } => {
+        ShapeSection::Screen { width_mm, distance_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg } => {
             length("width_mm", width_mm)?;
             length("distance_mm", distance_mm)?;
             length("beam_diameter_mm", beam_diameter_mm)?;
-            let hole = section
-                .get("hole_diameter_mm")
-                .map(|item| item.number_within(0.0, LENGTH_MM[1], "mm"));
+            let hole = section.get("hole_diameter_mm").map(|item| item.number_within(0.0, LENGTH_MM[1], "mm"));
             *hole_diameter_mm = hole.transpose()?;
             angle("incidence_deg", incidence_deg, ANGLE_MAX_DEG)?;
             // The spot is stretched along the tilted specimen, whose rim must stay behind the screen.
@@ -221,36 +171,21 @@ fn lights(section: &Section, kind: Kind, shape: &ShapeSection) -> Result<Vec<Lig
         }
         return Ok(vec![defaults::LIGHT]);
     };
-    let items = if item.is_list() {
-        item.list()?
-    } else {
-        vec![item.clone()]
-    };
+    let items = if item.is_list() { item.list()? } else { vec![item.clone()] };
     if items.is_empty() || items.len() > kind.lights_max {
         let (word, max) = (kind.word, kind.lights_max);
-        let allowed = if max == 1 {
-            "exactly 1 light".to_owned()
-        } else {
-            format!("1 to {max} lights")
-        };
-        return Err(item.error(format!(
-            "must hold {allowed} for the shape \"{word}\"; found {}",
-            items.len()
-        )));
+        let allowed = if max == 1 { "exactly 1 light".to_owned() } else { format!("1 to {max} lights") };
+        return Err(item.error(format!("must hold {allowed} for the shape \"{word}\"; found {}", items.len())));
     }
     items.iter().map(|item| light(item, shape)).collect()
 }
 
 /// The light that stands for a screen's beam.
 fn beam(section: &Section) -> Result<LightSection> {
-    let divergence = section
-        .get("beam_divergence_deg")
-        .map(|item| item.number_within(0.0, 90.0, "degrees"));
+    let divergence = section.get("beam_divergence_deg").map(|item| item.number_within(0.0, 90.0, "degrees"));
     Ok(LightSection {
         direction: [0.0, 0.0, 1.0],
-        angular_diameter_deg: divergence
-            .transpose()?
-            .unwrap_or(defaults::BEAM_DIVERGENCE_DEG),
+        angular_diameter_deg: divergence.transpose()?.unwrap_or(defaults::BEAM_DIVERGENCE_DEG),
         irradiance: 1.0,
     })
 }
@@ -258,20 +193,12 @@ fn beam(section: &Section) -> Result<LightSection> {
 fn light(item: &Item, shape: &ShapeSection) -> Result<LightSection> {
     let example = "{ direction = [0.3, 0.2, 1.0] }";
     let section = item.section(&keys::LIGHT, example)?;
-    let diameter = section
-        .get("angular_diameter_deg")
-        .map(|item| item.number_within(0.0, 90.0, "degrees"));
-    let irradiance = section
-        .get("irradiance")
-        .map(|item| item.number_above(0.0, 1e6, ""));
+    let diameter = section.get("angular_diameter_deg").map(|item| item.number_within(0.0, 90.0, "degrees"));
+    let irradiance = section.get("irradiance").map(|item| item.number_above(0.0, 1e6, ""));
     Ok(LightSection {
         direction: direction(&section.require("direction", example)?, shape)?,
-        angular_diameter_deg: diameter
-            .transpose()?
-            .unwrap_or(defaults::LIGHT.angular_diameter_deg),
-        irradiance: irradiance
-            .transpose()?
-            .unwrap_or(defaults::LIGHT.irradiance),
+        angular_diameter_deg: diameter.transpose()?.unwrap_or(defaults::LIGHT.angular_diameter_deg),
+        irradiance: irradiance.transpose()?.unwrap_or(defaults::LIGHT.irradiance),
     })
 }
 
@@ -284,9 +211,9 @@ fn direction(item: &Item, shape: &ShapeSection) -> Result<[f64; 3]> {
         return Err(item.error("must not be zero: it points towards the light"));
     }
     if height_above_horizon(direction, shape) <= 0.0 {
-        return Err(item.error(
-            "lies below the horizon of the flat surface and never lights it; an untilted surface faces +z",
-        ));
+        return Err(
+            item.error("lies below the horizon of the flat surface and never lights it; an untilted surface faces +z")
+        );
     }
     Ok(direction)
 }
@@ -312,8 +239,7 @@ fn exposure(item: &Item) -> Result<ExposureSection> {
     }
     let section = item.section(&keys::EXPOSURE, "{ ev = 0.5 }")?;
     let ev = section.require("ev", "{ ev = 0.5 }")?;
-    ev.number_within(-40.0, 40.0, "stops")
-        .map(ExposureSection::Ev)
+    ev.number_within(-40.0, 40.0, "stops").map(ExposureSection::Ev)
 }
 
 fn one_of(item: &Item, specimens: &[&str]) -> Result<String> {

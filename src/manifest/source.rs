@@ -22,9 +22,7 @@ impl Source<'_> {
         let start = floor_boundary(self.text, span.start);
         let end = floor_boundary(self.text, span.end).max(start);
         let line_start = self.text[..start].rfind('\n').map_or(0, |at| at + 1);
-        let line_end = self.text[start..]
-            .find('\n')
-            .map_or(self.text.len(), |at| start + at);
+        let line_end = self.text[start..].find('\n').map_or(self.text.len(), |at| start + at);
         let line = self.text[..start].matches('\n').count() + 1;
         // A byte-order mark is invisible: editors do not count it as a column.
         let before = self.text[line_start..start].trim_start_matches('\u{feff}');
@@ -54,22 +52,11 @@ fn excerpt(line: usize, before: &str, inside: &str, after: &str) -> String {
     let shown_before = last_characters(before, EXCERPT_CHARACTERS / 2);
     let shown_inside = first_characters(inside, EXCERPT_CHARACTERS / 2);
     let room = EXCERPT_CHARACTERS - shown_before.chars().count() - shown_inside.chars().count();
-    let shown_after = if shown_inside.len() < inside.len() {
-        ""
-    } else {
-        first_characters(after, room)
-    };
-    let lead = if shown_before.len() < before.len() {
-        "…"
-    } else {
-        ""
-    };
+    let shown_after = if shown_inside.len() < inside.len() { "" } else { first_characters(after, room) };
+    let lead = if shown_before.len() < before.len() { "…" } else { "" };
     let shown = printable(&format!("{lead}{shown_before}{shown_inside}{shown_after}"));
     // Tabs are kept below the line, so that the caret stands under its text at any tab width.
-    let pad: String = format!("{lead}{shown_before}")
-        .chars()
-        .map(|c| if c == '\t' { '\t' } else { ' ' })
-        .collect();
+    let pad: String = format!("{lead}{shown_before}").chars().map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
     let carets = "^".repeat(shown_inside.trim_end().chars().count().max(1));
     let number = line.to_string();
     let gutter = " ".repeat(number.len());
@@ -78,32 +65,18 @@ fn excerpt(line: usize, before: &str, inside: &str, after: &str) -> String {
 
 fn last_characters(text: &str, count: usize) -> &str {
     let skip = text.chars().count().saturating_sub(count);
-    let at = text
-        .char_indices()
-        .nth(skip)
-        .map_or(text.len(), |(at, _)| at);
+    let at = text.char_indices().nth(skip).map_or(text.len(), |(at, _)| at);
     &text[at..]
 }
 
 fn first_characters(text: &str, count: usize) -> &str {
-    let at = text
-        .char_indices()
-        .nth(count)
-        .map_or(text.len(), |(at, _)| at);
+    let at = text.char_indices().nth(count).map_or(text.len(), |(at, _)| at);
     &text[..at]
 }
 
 /// Control characters replaced, so that a message cannot steer the terminal.
 fn printable(text: &str) -> String {
-    text.chars()
-        .map(|c| {
-            if c.is_control() && c != '\t' {
-                '\u{fffd}'
-            } else {
-                c
-            }
-        })
-        .collect()
+    text.chars().map(|c| if c.is_control() && c != '\t' { '\u{fffd}' } else { c }).collect()
 }
 
 #[cfg(test)]
@@ -111,17 +84,9 @@ mod tests {
     use super::*;
 
     fn parts(text: &str, span: Range<usize>) -> (usize, usize, String) {
-        let source = Source {
-            text,
-            file: "m.toml",
-        };
+        let source = Source { text, file: "m.toml" };
         match source.error(span, "wrong") {
-            Error::Manifest {
-                line,
-                column,
-                excerpt,
-                ..
-            } => (line, column, excerpt),
+            Error::Manifest { line, column, excerpt, .. } => (line, column, excerpt),
             other => panic!("{other:?}"),
         }
     }
@@ -130,10 +95,7 @@ mod tests {
     fn columns_count_characters_from_one() {
         let text = "a = 1\nµµ = 22 # tail\r\n";
         let at = text.find("22").unwrap();
-        assert_eq!(
-            parts(text, at..at + 2),
-            (2, 6, " 2 | µµ = 22 # tail\n   |      ^^".to_owned())
-        );
+        assert_eq!(parts(text, at..at + 2), (2, 6, " 2 | µµ = 22 # tail\n   |      ^^".to_owned()));
     }
 
     #[test]
@@ -160,9 +122,7 @@ mod tests {
         let (line, column, excerpt) = parts(&text, 5000..5001);
         assert_eq!((line, column), (1, 5001));
         assert!(excerpt.lines().all(|line| line.chars().count() < 120));
-        let [shown, carets] = excerpt.lines().collect::<Vec<_>>()[..] else {
-            panic!("two lines expected")
-        };
+        let [shown, carets] = excerpt.lines().collect::<Vec<_>>()[..] else { panic!("two lines expected") };
         let caret = carets.chars().position(|c| c == '^').unwrap();
         assert_eq!(shown.chars().nth(caret), Some('X'));
     }

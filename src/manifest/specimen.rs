@@ -35,73 +35,37 @@ pub fn read_all(item: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<S
         let section = item.section(&keys::SPECIMEN, "[[specimen]]")?;
         let name_item = section.require("name", "name = \"corn_snake\"")?;
         let name = name::read(&name_item)?;
-        name::refuse_repetition(
-            &name_item,
-            &name,
-            specimens.iter().map(|other| other.name.as_str()),
-        )?;
+        name::refuse_repetition(&name_item, &name, specimens.iter().map(|other| other.name.as_str()))?;
         specimens.push(read(&section, name, optics.clone(), base)?);
     }
     Ok(specimens)
 }
 
-fn read(
-    section: &Section,
-    name: String,
-    mut optics: OpticsConfig,
-    base: &Path,
-) -> Result<SpecimenSection> {
+fn read(section: &Section, name: String, mut optics: OpticsConfig, base: &Path) -> Result<SpecimenSection> {
     optics::read_overrides(section, &mut optics)?;
     let species = section.get("species").map(|item| item.text_not_empty());
-    let page = section
-        .get("page")
-        .map(|item| item.integer_within(0, PAGE_MAX, ""));
-    let blend = section
-        .get("blend_nm")
-        .map(|item| item.number_above(0.0, LATERAL_MAX_NM, "nm"));
-    let missing = section
-        .get("max_missing_share")
-        .map(|item| item.number_within(0.0, 0.5, ""));
+    let page = section.get("page").map(|item| item.integer_within(0, PAGE_MAX, ""));
+    let blend = section.get("blend_nm").map(|item| item.number_above(0.0, LATERAL_MAX_NM, "nm"));
+    let missing = section.get("max_missing_share").map(|item| item.number_within(0.0, 0.5, ""));
     Ok(SpecimenSection {
         name,
         species: species.transpose()?.map(str::to_owned),
-        scans: scans(
-            &section.require("scans", "scans = [\"scans/snake_*.tif\"]")?,
-            base,
-        )?,
+        scans: scans(&section.require("scans", "scans = [\"scans/snake_*.tif\"]")?, base)?,
         page: page.transpose()?,
-        pitch_nm: section
-            .get("pitch_nm")
-            .map(|item| pitch(&item))
-            .transpose()?,
-        height: section
-            .get("height")
-            .map(|item| height(&item))
-            .transpose()?,
-        level: section
-            .get("level")
-            .map_or(Ok(defaults::LEVEL), |item| level(&item))?,
-        despike: section
-            .get("despike")
-            .map(|item| despike(&item))
-            .transpose()?,
+        pitch_nm: section.get("pitch_nm").map(|item| pitch(&item)).transpose()?,
+        height: section.get("height").map(|item| height(&item)).transpose()?,
+        level: section.get("level").map_or(Ok(defaults::LEVEL), |item| level(&item))?,
+        despike: section.get("despike").map(|item| despike(&item)).transpose()?,
         blend_nm: blend.transpose()?,
         max_missing_share: missing.transpose()?.unwrap_or(defaults::MAX_MISSING_SHARE),
         optics,
-        measured: section
-            .get("measured")
-            .map(|item| existing(&item, base))
-            .transpose()?,
+        measured: section.get("measured").map(|item| existing(&item, base)).transpose()?,
     })
 }
 
 /// Paths and patterns, or one of them without brackets.
 fn scans(item: &Item, base: &Path) -> Result<Vec<PathBuf>> {
-    let patterns = if item.is_list() {
-        item.list()?
-    } else {
-        vec![item.clone()]
-    };
+    let patterns = if item.is_list() { item.list()? } else { vec![item.clone()] };
     if patterns.is_empty() {
         return Err(item.error("must name at least one file"));
     }
@@ -130,25 +94,17 @@ fn scans(item: &Item, base: &Path) -> Result<Vec<PathBuf>> {
 fn existing(item: &Item, base: &Path) -> Result<PathBuf> {
     let path = base.join(item.text_not_empty()?);
     if !path.is_file() {
-        return Err(item.error(format!(
-            "names a file that does not exist: {}",
-            path.display()
-        )));
+        return Err(item.error(format!("names a file that does not exist: {}", path.display())));
     }
     Ok(path)
 }
 
 fn pitch(item: &Item) -> Result<[f64; 2]> {
     if !item.is_list() {
-        return item
-            .number_above(0.0, LATERAL_MAX_NM, "nm")
-            .map(|pitch| [pitch; 2]);
+        return item.number_above(0.0, LATERAL_MAX_NM, "nm").map(|pitch| [pitch; 2]);
     }
     let [x, y] = item.list_of::<2>("a number of nm, or two for x and y")?;
-    Ok([
-        x.number_above(0.0, LATERAL_MAX_NM, "nm")?,
-        y.number_above(0.0, LATERAL_MAX_NM, "nm")?,
-    ])
+    Ok([x.number_above(0.0, LATERAL_MAX_NM, "nm")?, y.number_above(0.0, LATERAL_MAX_NM, "nm")?])
 }
 
 fn height(item: &Item) -> Result<HeightSection> {
@@ -159,40 +115,26 @@ fn height(item: &Item) -> Result<HeightSection> {
     let [form] = given[..] else {
         return Err(item.error(format!(
             "must hold exactly one of `full_scale_nm`, `unit`, and `nm_per_count`; found {}",
-            if given.is_empty() {
-                "none".to_owned()
-            } else {
-                keys::quoted(&given)
-            }
+            if given.is_empty() { "none".to_owned() } else { keys::quoted(&given) }
         )));
     };
     if form != "nm_per_count" && section.has("offset_nm") {
         return Err(section.error_at_key(
             "offset_nm",
-            format!(
-                "`{}.offset_nm` goes with `nm_per_count`, not with `{form}`",
-                item.path()
-            ),
+            format!("`{}.offset_nm` goes with `nm_per_count`, not with `{form}`", item.path()),
         ));
     }
     let value = section.require(form, example)?;
     match form {
-        "full_scale_nm" => value
-            .number_above(0.0, HEIGHT_MAX_NM, "nm")
-            .map(HeightSection::FullScaleNm),
+        "full_scale_nm" => value.number_above(0.0, HEIGHT_MAX_NM, "nm").map(HeightSection::FullScaleNm),
         "unit" => unit(&value).map(HeightSection::Unit),
         _ => {
             let nm_per_count = value.number_within(-HEIGHT_MAX_NM, HEIGHT_MAX_NM, "nm")?;
             if nm_per_count == 0.0 {
                 return Err(value.error("must not be 0: every height would be the same"));
             }
-            let offset = section
-                .get("offset_nm")
-                .map(|item| item.number_within(-HEIGHT_MAX_NM, HEIGHT_MAX_NM, "nm"));
-            Ok(HeightSection::Linear {
-                nm_per_count,
-                offset_nm: offset.transpose()?.unwrap_or(defaults::OFFSET_NM),
-            })
+            let offset = section.get("offset_nm").map(|item| item.number_within(-HEIGHT_MAX_NM, HEIGHT_MAX_NM, "nm"));
+            Ok(HeightSection::Linear { nm_per_count, offset_nm: offset.transpose()?.unwrap_or(defaults::OFFSET_NM) })
         }
     }
 }

@@ -26,8 +26,7 @@ pub fn read(item: &Item) -> Result<TablesConfig> {
     let section = item.section(&keys::TABLES, "[tables]")?;
     let mut tables = defaults::tables();
     if let Some(item) = section.get("basis") {
-        tables.basis =
-            item.choice(&[("chebyshev", Basis::Chebyshev), ("taylor", Basis::Taylor)])?;
+        tables.basis = item.choice(&[("chebyshev", Basis::Chebyshev), ("taylor", Basis::Taylor)])?;
     }
     if let Some(item) = section.get("tolerance") {
         tables.tolerance = item.number_above(TOLERANCE[0], TOLERANCE[1], "")?;
@@ -75,9 +74,5 @@ fn prefilter(item: &Item) -> Result<Prefilter> {
     }
     let section = item.section(&keys::PREFILTER, "{ width = 0.0093 }")?;
     let width = section.require("width", "{ width = 0.0093 }")?;
-    Ok(Prefilter::Width(width.number_above(
-        0.0,
-        1.0,
-        "in u and v",
-    )?))
+    Ok(Prefilter::Width(width.number_above(0.0, 1.0, "in u and v")?))
 }

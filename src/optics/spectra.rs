@@ -323,8 +323,7 @@ impl Spectra {
     /// `|E|² / A` at one frequency for several `s`, given [`Self::node_weights`] of each: straight from
     /// the transforms in double precision, the slow path against which grid and basis are measured.
     pub fn power_at(&self, frequency: [f64; 2], node_weights: &[Vec<f64>]) -> Vec<f64> {
-        let taps: [_; 2] =
-            std::array::from_fn(|axis| self.kernel.taps(&[frequency[axis]], self.step[axis], 0.0));
+        let taps: [_; 2] = std::array::from_fn(|axis| self.kernel.taps(&[frequency[axis]], self.step[axis], 0.0));
         let combined = |nodes: &[Complex<f64>], weights: &[f64]| -> f64 {
             nodes.iter().zip(weights).map(|(e, w)| e * w).sum::<Complex<f64>>().norm_sqr()
         };

@@ -25,28 +25,21 @@ pub fn shade_subset(samples: &ShadingSamples, brdf: &Brdf, stride: usize) -> Arr
     let rows = samples.rows.div_ceil(stride);
     let columns = samples.columns.div_ceil(stride);
     let mut image = Array3::zeros((rows, columns, 3));
-    image
-        .axis_iter_mut(Axis(0))
-        .into_par_iter()
-        .enumerate()
-        .for_each(|(r, mut row)| {
-            for (c, mut pixel) in row.outer_iter_mut().enumerate() {
-                let xyz = shade_pixel(samples, brdf, r * stride, c * stride);
-                for (channel, value) in pixel.iter_mut().zip(xyz) {
-                    *channel = value as f32;
-                }
+    image.axis_iter_mut(Axis(0)).into_par_iter().enumerate().for_each(|(r, mut row)| {
+        for (c, mut pixel) in row.outer_iter_mut().enumerate() {
+            let xyz = shade_pixel(samples, brdf, r * stride, c * stride);
+            for (channel, value) in pixel.iter_mut().zip(xyz) {
+                *channel = value as f32;
             }
-        });
+        }
+    });
     image
 }
 
 fn shade_pixel(samples: &ShadingSamples, brdf: &Brdf, row: usize, column: usize) -> [f64; 3] {
     let mut sum = [0.0; 3];
     for index in pixel_range(samples, row, column) {
-        let f = brdf(
-            samples.wi[index].map(f64::from),
-            samples.wo[index].map(f64::from),
-        );
+        let f = brdf(samples.wi[index].map(f64::from), samples.wo[index].map(f64::from));
         let weight = f64::from(samples.weight[index]);
         for (total, value) in sum.iter_mut().zip(f) {
             *total += weight * value;

@@ -14,19 +14,11 @@ pub struct Frame {
 }
 
 /// The frame whose axes are the world's.
-pub const WORLD: Frame = Frame {
-    tangent: [1.0, 0.0, 0.0],
-    bitangent: [0.0, 1.0, 0.0],
-    normal: [0.0, 0.0, 1.0],
-};
+pub const WORLD: Frame = Frame { tangent: [1.0, 0.0, 0.0], bitangent: [0.0, 1.0, 0.0], normal: [0.0, 0.0, 1.0] };
 
 /// Vector product.
 pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// `a + s b`.
@@ -36,11 +28,7 @@ pub fn add_scaled(a: Vec3, b: Vec3, s: f64) -> Vec3 {
 
 /// World to local components.
 pub fn to_local(frame: &Frame, v: Vec3) -> Vec3 {
-    [
-        dot(frame.tangent, v),
-        dot(frame.bitangent, v),
-        dot(frame.normal, v),
-    ]
+    [dot(frame.tangent, v), dot(frame.bitangent, v), dot(frame.normal, v)]
 }
 
 /// Local to world components.
@@ -72,11 +60,7 @@ pub fn on_globe(normal: Vec3) -> Frame {
         // +x made exactly perpendicular to a normal that is +-y but for rounding.
         normalise(add_scaled([1.0, 0.0, 0.0], normal, -normal[0]))
     };
-    Frame {
-        tangent,
-        bitangent: cross(normal, tangent),
-        normal,
-    }
+    Frame { tangent, bitangent: cross(normal, tangent), normal }
 }
 
 /// Any frame about a normal: the shortest turn that takes world +z to it; a half turn about
@@ -84,18 +68,10 @@ pub fn on_globe(normal: Vec3) -> Frame {
 pub fn about(normal: Vec3) -> Frame {
     let [x, y, z] = normal;
     if z < -1.0 + 1e-12 {
-        return Frame {
-            tangent: [1.0, 0.0, 0.0],
-            bitangent: [0.0, -1.0, 0.0],
-            normal,
-        };
+        return Frame { tangent: [1.0, 0.0, 0.0], bitangent: [0.0, -1.0, 0.0], normal };
     }
     let s = 1.0 / (1.0 + z);
-    Frame {
-        tangent: [1.0 - x * x * s, -x * y * s, -x],
-        bitangent: [-x * y * s, 1.0 - y * y * s, -y],
-        normal,
-    }
+    Frame { tangent: [1.0 - x * x * s, -x * y * s, -x], bitangent: [-x * y * s, 1.0 - y * y * s, -y], normal }
 }
 
 #[cfg(test)]
@@ -105,23 +81,11 @@ mod tests {
 
     /// Largest violation of orthonormality and right-handedness.
     fn defect(frame: &Frame) -> f64 {
-        let Frame {
-            tangent: t,
-            bitangent: b,
-            normal: n,
-        } = *frame;
+        let Frame { tangent: t, bitangent: b, normal: n } = *frame;
         let triple = dot(cross(t, b), n);
-        [
-            dot(t, t) - 1.0,
-            dot(b, b) - 1.0,
-            dot(n, n) - 1.0,
-            dot(t, b),
-            dot(b, n),
-            dot(n, t),
-            triple - 1.0,
-        ]
-        .into_iter()
-        .fold(0.0, |m, d| m.max(d.abs()))
+        [dot(t, t) - 1.0, dot(b, b) - 1.0, dot(n, n) - 1.0, dot(t, b), dot(b, n), dot(n, t), triple - 1.0]
+            .into_iter()
+            .fold(0.0, |m, d| m.max(d.abs()))
     }
 
     #[test]

@@ -25,12 +25,8 @@ pub struct LightSample {
 
 /// `1 / ρ^n` for the root `ρ` of `ρ⁵ = ρ + 1`: steps of an additive recurrence that fills four
 /// dimensions evenly (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences").
-const RECURRENCE: [f64; 4] = [
-    0.856_674_883_854_502_9,
-    0.733_891_856_627_126,
-    0.628_706_721_037_808_6,
-    0.538_597_257_223_610_1,
-];
+const RECURRENCE: [f64; 4] =
+    [0.856_674_883_854_502_9, 0.733_891_856_627_126, 0.628_706_721_037_808_6, 0.538_597_257_223_610_1];
 
 /// Golden angle in turns.
 const GOLDEN: f64 = 0.381_966_011_250_105;
@@ -67,11 +63,7 @@ pub fn pixel_offset(scene: &Scene, index: usize) -> [f64; 2] {
 
 /// Number of samples of a light.
 pub fn sample_count(scene: &Scene, light: &Light) -> usize {
-    if light.angular_diameter_deg > 0.0 {
-        scene.light_samples.max(scene.pixel_samples)
-    } else {
-        scene.pixel_samples
-    }
+    if light.angular_diameter_deg > 0.0 { scene.light_samples.max(scene.pixel_samples) } else { scene.pixel_samples }
 }
 
 /// The direction to a point of a light, given by radius squared and angle on the unit disc: equal
@@ -105,10 +97,7 @@ fn samples_of(scene: &Scene, light: &Light) -> Vec<LightSample> {
             pixel_offset: pixel_offset(scene, index),
         })
         .collect();
-    let facing: f64 = samples
-        .iter()
-        .map(|sample| crate::ground::direction::dot(sample.direction, axis))
-        .sum();
+    let facing: f64 = samples.iter().map(|sample| crate::ground::direction::dot(sample.direction, axis)).sum();
     for sample in &mut samples {
         sample.irradiance /= facing;
     }
@@ -125,11 +114,7 @@ mod tests {
         Scene {
             name: "light".into(),
             shape: Shape::Sphere,
-            lights: vec![Light {
-                direction: [0.6, -1.0, 2.0],
-                angular_diameter_deg: diameter_deg,
-                irradiance: 3.0,
-            }],
+            lights: vec![Light { direction: [0.6, -1.0, 2.0], angular_diameter_deg: diameter_deg, irradiance: 3.0 }],
             size_px: 4,
             exposure: Exposure::Auto,
             specimen: None,
@@ -169,11 +154,7 @@ mod tests {
         // The outermost of n points covers the area up to 1 - 1/(2n).
         let outermost = cosines.iter().copied().fold(1.0, f64::min);
         assert!(((1.0 - outermost) / (1.0 - rim) - 0.999).abs() < 1e-12);
-        let facing: f64 = samples
-            .iter()
-            .zip(&cosines)
-            .map(|(s, c)| s.irradiance * c)
-            .sum();
+        let facing: f64 = samples.iter().zip(&cosines).map(|(s, c)| s.irradiance * c).sum();
         assert!((facing - 3.0).abs() < 1e-12);
     }
 
@@ -183,13 +164,8 @@ mod tests {
         let scene = scene(60.0, 4000, 1);
         let axis = normalise(scene.lights[0].direction);
         let samples = light_samples(&scene);
-        let mean = |f: fn(f64) -> f64| {
-            samples
-                .iter()
-                .map(|s| f(dot(s.direction, axis)))
-                .sum::<f64>()
-                / samples.len() as f64
-        };
+        let mean =
+            |f: fn(f64) -> f64| samples.iter().map(|s| f(dot(s.direction, axis))).sum::<f64>() / samples.len() as f64;
         // Midpoint rule in the solid angle: error about 1 / (24 n²).
         let rim = 30f64.to_radians().cos();
         let expected = (1.0 - rim.powi(3)) / (3.0 * (1.0 - rim));

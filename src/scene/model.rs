@@ -170,17 +170,9 @@ fn check_lights(scene: &Scene) -> Checked {
     for light in &scene.lights {
         let length_squared = dot(light.direction, light.direction);
         if !length_squared.is_normal() {
-            return Err(format!(
-                "light direction = {:?} must be finite and not the zero vector",
-                light.direction
-            ));
+            return Err(format!("light direction = {:?} must be finite and not the zero vector", light.direction));
         }
-        within(
-            "light angular_diameter_deg",
-            light.angular_diameter_deg,
-            0.0,
-            179.0,
-        )?;
+        within("light angular_diameter_deg", light.angular_diameter_deg, 0.0, 179.0)?;
         within("light irradiance", light.irradiance, 0.0, 1e9)?;
     }
     if scene.shape == Shape::Hemisphere && scene.lights[0].direction[2] <= 0.0 {
@@ -196,12 +188,7 @@ fn check_lights(scene: &Scene) -> Checked {
 fn check_shape(shape: &Shape) -> Checked {
     match *shape {
         Shape::Hemisphere | Shape::Sphere | Shape::Snake => Ok(()),
-        Shape::Patch {
-            width_mm,
-            distance_mm,
-            tilt_deg,
-            turn_deg,
-        } => {
+        Shape::Patch { width_mm, distance_mm, tilt_deg, turn_deg } => {
             within("width_mm", width_mm, 1e-3, 1e6)?;
             within("distance_mm", distance_mm, 1e-3, 1e9)?;
             within("tilt_deg", tilt_deg, -89.0, 89.0)?;
@@ -214,22 +201,11 @@ fn check_shape(shape: &Shape) -> Checked {
             }
             Ok(())
         }
-        Shape::Screen {
-            distance_mm,
-            width_mm,
-            beam_diameter_mm,
-            hole_diameter_mm,
-            incidence_deg,
-        } => {
+        Shape::Screen { distance_mm, width_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg } => {
             within("distance_mm", distance_mm, 1e-3, 1e6)?;
             within("width_mm", width_mm, 1e-3, 1e6)?;
             within("beam_diameter_mm", beam_diameter_mm, 1e-6, 1e6)?;
-            within(
-                "hole_diameter_mm",
-                hole_diameter_mm.unwrap_or(0.0),
-                0.0,
-                1e6,
-            )?;
+            within("hole_diameter_mm", hole_diameter_mm.unwrap_or(0.0), 0.0, 1e6)?;
             within("incidence_deg", incidence_deg, -89.0, 89.0)?;
             // The spot is stretched along the tilted sample, whose rim must stay behind the screen.
             let reach_mm = 0.5 * beam_diameter_mm * incidence_deg.to_radians().tan().abs();
@@ -270,8 +246,10 @@ mod tests {
     use super::*;
 
     fn scene() -> Scene {
-        serde_json::from_str(r#"{ "name": "s", "shape": "sphere", "size_px": 8, "lights": [{ "direction": [0, 0, 2] }] }"#)
-            .unwrap()
+        serde_json::from_str(
+            r#"{ "name": "s", "shape": "sphere", "size_px": 8, "lights": [{ "direction": [0, 0, 2] }] }"#,
+        )
+        .unwrap()
     }
 
     fn message(change: impl FnOnce(&mut Scene)) -> String {
@@ -316,14 +294,8 @@ mod tests {
             s.lights[0].direction = [0.0, 0.0, -1.0];
         };
         assert!(message(below).contains("positive z"));
-        let near = |s: &mut Scene| {
-            s.shape = Shape::Patch {
-                width_mm: 10.0,
-                distance_mm: 9.0,
-                tilt_deg: 0.0,
-                turn_deg: 0.0,
-            }
-        };
+        let near =
+            |s: &mut Scene| s.shape = Shape::Patch { width_mm: 10.0, distance_mm: 9.0, tilt_deg: 0.0, turn_deg: 0.0 };
         assert!(message(near).contains("distance_mm = 9"));
         let touching = |s: &mut Scene| {
             s.shape = Shape::Screen {

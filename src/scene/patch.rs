@@ -27,29 +27,16 @@ pub struct PatchView {
 /// # Panics
 /// On another shape.
 pub fn view(shape: &Shape) -> PatchView {
-    let Shape::Patch {
-        width_mm,
-        distance_mm,
-        tilt_deg,
-        turn_deg,
-    } = *shape
-    else {
+    let Shape::Patch { width_mm, distance_mm, tilt_deg, turn_deg } = *shape else {
         panic!("a view of a patch needs a patch, not {shape:?}");
     };
     let (sin, cos) = tilt_deg.to_radians().sin_cos();
-    let edges = Frame {
-        tangent: [1.0, 0.0, 0.0],
-        bitangent: [0.0, cos, -sin],
-        normal: [0.0, sin, cos],
-    };
+    let edges = Frame { tangent: [1.0, 0.0, 0.0], bitangent: [0.0, cos, -sin], normal: [0.0, sin, cos] };
     let half_width_mm = 0.5 * width_mm;
     let largest_mm = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)]
         .map(|(s, t)| {
-            let corner = add_scaled(
-                add_scaled([0.0; 3], edges.tangent, s * half_width_mm),
-                edges.bitangent,
-                t * half_width_mm,
-            );
+            let corner =
+                add_scaled(add_scaled([0.0; 3], edges.tangent, s * half_width_mm), edges.bitangent, t * half_width_mm);
             let scale = distance_mm / (distance_mm - corner[2]);
             scale * corner[0].abs().max(corner[1].abs())
         })
@@ -67,11 +54,7 @@ pub fn view(shape: &Shape) -> PatchView {
 /// Where the camera ray through picture point `(x, y)` meets the square.
 pub fn hit(view: &PatchView, [x, y]: [f64; 2]) -> Option<Hit> {
     let camera: Vec3 = [0.0, 0.0, view.distance_mm];
-    let ray = [
-        x * view.half_field_mm,
-        y * view.half_field_mm,
-        -view.distance_mm,
-    ];
+    let ray = [x * view.half_field_mm, y * view.half_field_mm, -view.distance_mm];
     let approach = -dot(view.edges.normal, ray);
     if approach <= 0.0 {
         return None;
@@ -81,10 +64,7 @@ pub fn hit(view: &PatchView, [x, y]: [f64; 2]) -> Option<Hit> {
     if !inside(view.edges.tangent) || !inside(view.edges.bitangent) {
         return None;
     }
-    Some(Hit {
-        frame: view.structure,
-        to_viewer: normalise(ray.map(|c| -c)),
-    })
+    Some(Hit { frame: view.structure, to_viewer: normalise(ray.map(|c| -c)) })
 }
 
 #[cfg(test)]
@@ -92,12 +72,7 @@ mod tests {
     use super::*;
 
     fn patch(tilt_deg: f64, turn_deg: f64) -> PatchView {
-        view(&Shape::Patch {
-            width_mm: 40.0,
-            distance_mm: 100.0,
-            tilt_deg,
-            turn_deg,
-        })
+        view(&Shape::Patch { width_mm: 40.0, distance_mm: 100.0, tilt_deg, turn_deg })
     }
 
     #[test]

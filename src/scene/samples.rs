@@ -71,10 +71,7 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
     let most = samples_per_pixel(scene) * rows.len() * columns.len();
     if most > SAMPLES_TOTAL_MAX {
         return Err(Error::limit(
-            format!(
-                "scene \"{}\" needs up to {most} samples at once, more than {SAMPLES_TOTAL_MAX}",
-                scene.name
-            ),
+            format!("scene \"{}\" needs up to {most} samples at once, more than {SAMPLES_TOTAL_MAX}", scene.name),
             "lower its size_px, light_samples or pixel_samples",
         ));
     }
@@ -125,10 +122,7 @@ pub fn samples_per_pixel(scene: &Scene) -> usize {
 /// Centre of a pixel in picture coordinates: x right, y up, the picture being [-1, 1]².
 pub fn pixel_centre(scene: &Scene, row: usize, column: usize) -> [f64; 2] {
     let width = pixel_width(scene);
-    [
-        (column as f64 + 0.5) * width - 1.0,
-        1.0 - (row as f64 + 0.5) * width,
-    ]
+    [(column as f64 + 0.5) * width - 1.0, 1.0 - (row as f64 + 0.5) * width]
 }
 
 /// Width of a pixel in picture coordinates.

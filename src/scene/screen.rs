@@ -55,22 +55,11 @@ pub fn sample_count(scene: &Scene) -> usize {
 /// # Panics
 /// On another shape.
 pub fn setup(scene: &Scene) -> ScreenSetup {
-    let Shape::Screen {
-        distance_mm,
-        width_mm,
-        beam_diameter_mm,
-        hole_diameter_mm,
-        incidence_deg,
-    } = scene.shape
-    else {
+    let Shape::Screen { distance_mm, width_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg } = scene.shape else {
         panic!("a screen set-up needs a screen, not {:?}", scene.shape);
     };
     let (sin, cos) = incidence_deg.to_radians().sin_cos();
-    let sample = Frame {
-        tangent: [cos, 0.0, -sin],
-        bitangent: [0.0, 1.0, 0.0],
-        normal: [sin, 0.0, cos],
-    };
+    let sample = Frame { tangent: [cos, 0.0, -sin], bitangent: [0.0, 1.0, 0.0], normal: [sin, 0.0, cos] };
     ScreenSetup {
         sample,
         distance_mm,
@@ -114,20 +103,11 @@ pub fn gather_pixel(setup: &ScreenSetup, pixel_width: f64, [x, y]: [f64; 2], out
         if x_mm.hypot(y_mm) < setup.hole_radius_mm {
             continue;
         }
-        let path = [
-            x_mm - ray.point_mm[0],
-            y_mm - ray.point_mm[1],
-            setup.distance_mm - ray.point_mm[2],
-        ];
+        let path = [x_mm - ray.point_mm[0], y_mm - ray.point_mm[1], setup.distance_mm - ray.point_mm[2]];
         let r_squared = dot(path, path);
         let to_screen = path.map(|c| c / r_squared.sqrt());
         let wo = to_local(&setup.sample, to_screen);
         // cos_s is the z component: the screen faces -z.
-        push(
-            out,
-            ray.wi,
-            wo,
-            ray.power_mm2 * wo[2] * to_screen[2] / r_squared,
-        );
+        push(out, ray.wi, wo, ray.power_mm2 * wo[2] * to_screen[2] / r_squared);
     }
 }

@@ -28,19 +28,13 @@ struct CentrePoint {
 /// structure's x axis runs along the body.
 pub fn hit([x, y]: [f64; 2]) -> Option<Hit> {
     let centre = nearest_on_line([x, y]);
-    let across = [
-        (x - centre.position[0]) / BODY_RADIUS,
-        (y - centre.position[1]) / BODY_RADIUS,
-    ];
+    let across = [(x - centre.position[0]) / BODY_RADIUS, (y - centre.position[1]) / BODY_RADIUS];
     let z_squared = 1.0 - across[0] * across[0] - across[1] * across[1];
     if z_squared <= 0.0 {
         return None;
     }
     let normal = [across[0], across[1], z_squared.sqrt()];
-    Some(Hit {
-        frame: frame_along(normal, [centre.tangent[0], centre.tangent[1], 0.0]),
-        to_viewer: [0.0, 0.0, 1.0],
-    })
+    Some(Hit { frame: frame_along(normal, [centre.tangent[0], centre.tangent[1], 0.0]), to_viewer: [0.0, 0.0, 1.0] })
 }
 
 /// The frame about a normal whose tangent is nearest to a direction; any frame where the direction
@@ -51,11 +45,7 @@ fn frame_along(normal: Vec3, direction: Vec3) -> Frame {
         return about(normal);
     }
     let tangent = normalise(along);
-    Frame {
-        tangent,
-        bitangent: cross(normal, tangent),
-        normal,
-    }
+    Frame { tangent, bitangent: cross(normal, tangent), normal }
 }
 
 fn nearest_on_line(point: [f64; 2]) -> CentrePoint {
@@ -83,10 +73,7 @@ fn nearest_on_bend(bend: usize, [x, y]: [f64; 2]) -> CentrePoint {
         0.0
     };
     let (sin, cos) = angle.sin_cos();
-    CentrePoint {
-        position: [centre_x + BEND_RADIUS * cos, side * BEND_RADIUS * sin],
-        tangent: [sin, -side * cos],
-    }
+    CentrePoint { position: [centre_x + BEND_RADIUS * cos, side * BEND_RADIUS * sin], tangent: [sin, -side * cos] }
 }
 
 #[cfg(test)]
@@ -130,11 +117,7 @@ mod tests {
             let centre_x = (f64::from(bend) - 1.0) * 2.0 * BEND_RADIUS;
             let radius = BEND_RADIUS + side * 0.05;
             let at = hit([centre_x + radius * cos, side * radius * sin]).unwrap();
-            let Frame {
-                tangent: t,
-                bitangent: b,
-                normal: n,
-            } = at.frame;
+            let Frame { tangent: t, bitangent: b, normal: n } = at.frame;
             for unit in [t, b, n] {
                 assert!((dot(unit, unit) - 1.0).abs() < 1e-12);
             }

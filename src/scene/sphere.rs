@@ -16,10 +16,7 @@ pub fn hit([x, y]: [f64; 2]) -> Option<Hit> {
     if z_squared <= 0.0 {
         return None;
     }
-    Some(Hit {
-        frame: on_globe([x, y, z_squared.sqrt()]),
-        to_viewer: [0.0, 0.0, 1.0],
-    })
+    Some(Hit { frame: on_globe([x, y, z_squared.sqrt()]), to_viewer: [0.0, 0.0, 1.0] })
 }
 
 #[cfg(test)]

@@ -120,7 +120,11 @@ impl<'a> Wave<'a> {
         let offsets: Vec<f64> =
             (0..samples).map(|i| ((i as f64 + 0.5) / samples as f64 - 0.5) * filter.width).collect();
         let frequencies = |at: &dyn Fn(usize) -> f64| -> Vec<f64> {
-            columns.clone().flat_map(|i| offsets.iter().map(move |o| (i, o))).map(|(i, o)| (at(i) + o) / wavelength_nm).collect()
+            columns
+                .clone()
+                .flat_map(|i| offsets.iter().map(move |o| (i, o)))
+                .map(|(i, o)| (at(i) + o) / wavelength_nm)
+                .collect()
         };
         let (xi, eta) = (frequencies(&|i| grid.u(i)), frequencies(&|i| grid.v(i)));
         let taps = |axis: usize, f: &[f64]| spectra.kernel.taps(f, spectra.step[axis], box_width / wavelength_nm);

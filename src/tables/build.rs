@@ -74,7 +74,11 @@ pub fn plan(fields: &[HeightField], optics: &OpticsConfig, config: &TablesConfig
     let sums_bytes = (size * size * 3 * 4) as u64 * config.count.unwrap_or(4).next_multiple_of(4) as u64;
     if sums_bytes > memory_bytes {
         return Err(Error::limit(
-            format!("sums over {size} x {size} texels need {} MiB, {} MiB are allowed", sums_bytes >> 20, config.memory_mib),
+            format!(
+                "sums over {size} x {size} texels need {} MiB, {} MiB are allowed",
+                sums_bytes >> 20,
+                config.memory_mib
+            ),
             "lower tables.size or raise tables.memory_mib",
         ));
     }
@@ -129,11 +133,7 @@ pub fn build(
         return Err(Error::Call("a specimen needs at least one scan".into()));
     };
     let rms_nm = fields.iter().map(rms_nm).fold(0.0, f64::max);
-    let record = BuildRecord {
-        transforms,
-        windows: plan.windows.len(),
-        ..record(&plan)
-    };
+    let record = BuildRecord { transforms, windows: plan.windows.len(), ..record(&plan) };
     let lobe = Lobe {
         coherent: coherent(&phasors, optics, radius_max, rms_nm, config.tolerance)?,
         radius_max,
@@ -207,10 +207,8 @@ fn to_tables(sums: &PowerSums, grid: &Grid, rings: &[Ring], count: usize) -> Vec
             let rho = grid.u(column).hypot(grid.v(row));
             let Some(ring) = rings.iter().find(|r| rho >= r.rho[0] && rho < r.rho[1]) else { continue };
             let reach = w_reach(rho);
-            let to_t: Vec<Vec<f64>> = t_nodes
-                .iter()
-                .map(|t| chebyshev::interpolation_weights(count, 0.0, ring.w_max(), t * reach))
-                .collect();
+            let to_t: Vec<Vec<f64>> =
+                t_nodes.iter().map(|t| chebyshev::interpolation_weights(count, 0.0, ring.w_max(), t * reach)).collect();
             for channel in 0..3 {
                 let start = ((row * size + column) * 3 + channel) * sums.nodes;
                 let values = &sums.data[start..start + count];

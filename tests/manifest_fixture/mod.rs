@@ -73,10 +73,6 @@ pub fn parse_in(folder: &Path, text: &str) -> Result<Manifest> {
 
 /// The good manifest with one place replaced.
 pub fn good_with(find: &str, replace: &str) -> String {
-    assert_eq!(
-        GOOD.matches(find).count(),
-        1,
-        "{find:?} must stand in the good manifest once"
-    );
+    assert_eq!(GOOD.matches(find).count(), 1, "{find:?} must stand in the good manifest once");
     GOOD.replace(find, replace)
 }

@@ -11,12 +11,7 @@ use ndarray::Array3;
 
 use super::scene;
 
-const PATCH: Shape = Shape::Patch {
-    width_mm: 30.0,
-    distance_mm: 80.0,
-    tilt_deg: 40.0,
-    turn_deg: 25.0,
-};
+const PATCH: Shape = Shape::Patch { width_mm: 30.0, distance_mm: 80.0, tilt_deg: 40.0, turn_deg: 25.0 };
 
 fn lambertian(_: Vec3, _: Vec3) -> Xyz {
     [0.5 * FRAC_1_PI, FRAC_1_PI, 2.0 * FRAC_1_PI]
@@ -49,11 +44,7 @@ fn lambertian_defect(image: &Array3<f32>, direction: Vec3) -> f64 {
     for ((row, column, channel), &value) in image.indexed_iter() {
         let [x, y] = pixel_centre(&scene, row, column).map(|c| c / sphere::RADIUS);
         let z_squared = 1.0 - x * x - y * y;
-        let expected = if z_squared > 0.0 {
-            dot([x, y, z_squared.sqrt()], to_light).max(0.0) * FRAC_1_PI
-        } else {
-            0.0
-        };
+        let expected = if z_squared > 0.0 { dot([x, y, z_squared.sqrt()], to_light).max(0.0) * FRAC_1_PI } else { 0.0 };
         let expected = expected * [0.5, 1.0, 2.0][channel];
         worst = worst.max((f64::from(value) - expected).abs());
     }
@@ -79,11 +70,7 @@ fn a_light_behind_the_sphere_leaves_it_dark() {
 fn two_lights_add_up() {
     let (a, b) = ([0.0, 1.0, 1.0], [-1.0, 0.0, 0.2]);
     let mut both = scene(Shape::Sphere, a, 33);
-    both.lights.push(Light {
-        direction: b,
-        angular_diameter_deg: 0.0,
-        irradiance: 2.5,
-    });
+    both.lights.push(Light { direction: b, angular_diameter_deg: 0.0, irradiance: 2.5 });
     let sum = render(&scene(Shape::Sphere, a, 33), &lambertian).unwrap()
         + render(&scene(Shape::Sphere, b, 33), &lambertian).unwrap() * 2.5;
     let image = render(&both, &lambertian).unwrap();
@@ -110,11 +97,7 @@ fn total_light_of_a_sphere_converges_with_pixel_samples() {
     let mut front = scene(Shape::Sphere, [0.0, 0.0, 1.0], 16);
     let total = |image: &Array3<f32>| {
         let area = (2.0 / 16.0) * (2.0 / 16.0);
-        image
-            .index_axis(ndarray::Axis(2), 1)
-            .iter()
-            .map(|&y| f64::from(y) * area)
-            .sum::<f64>()
+        image.index_axis(ndarray::Axis(2), 1).iter().map(|&y| f64::from(y) * area).sum::<f64>()
     };
     // ∫ (1/π) sqrt(1 - ρ²) over the disc of radius R is (2/3) R².
     let expected = 2.0 / 3.0 * sphere::RADIUS * sphere::RADIUS;
@@ -144,12 +127,7 @@ fn a_turned_structure_turns_its_streak_on_a_patch() {
     // A lobe drawn out along local x shows as a bright line along the structure's x axis.
     let streak = |wi: Vec3, wo: Vec3| [(-((wi[1] + wo[1]) / 0.01).powi(2)).exp(); 3];
     for turn_deg in [0.0, 30.0, 90.0] {
-        let shape = Shape::Patch {
-            width_mm: 50.0,
-            distance_mm: 100.0,
-            tilt_deg: 0.0,
-            turn_deg,
-        };
+        let shape = Shape::Patch { width_mm: 50.0, distance_mm: 100.0, tilt_deg: 0.0, turn_deg };
         let scene = scene(shape, [0.0, 0.0, 1.0], 101);
         let image = render(&scene, &streak).unwrap();
         let (sin, cos) = f64::to_radians(turn_deg).sin_cos();
@@ -157,10 +135,7 @@ fn a_turned_structure_turns_its_streak_on_a_patch() {
             let index = |c: f64| (50.0 + c * 40.0).round() as usize;
             image[[index(-y), index(x), 1]]
         };
-        assert!(
-            at(cos, sin) > 0.8 && at(-sin, cos) < 1e-3,
-            "turned by {turn_deg}"
-        );
+        assert!(at(cos, sin) > 0.8 && at(-sin, cos) < 1e-3, "turned by {turn_deg}");
     }
 }
 
@@ -182,10 +157,7 @@ fn the_hemisphere_shows_grating_orders_where_the_equation_says() {
         .map(|c| pixel_centre(&scene, 200, c)[0])
         .collect();
     // sin_r = -sin_i - mλ/d inside (-1, 1): m = -3 .. 1, from left to right m = 1, 0, -1, ...
-    let expected: Vec<f64> = (-3..=1)
-        .rev()
-        .map(|m| -wi[0] - f64::from(m) * spacing)
-        .collect();
+    let expected: Vec<f64> = (-3..=1).rev().map(|m| -wi[0] - f64::from(m) * spacing).collect();
     assert_eq!(found.len(), expected.len(), "{found:?}");
     for (f, e) in found.iter().zip(&expected) {
         // Half a pixel.
@@ -234,10 +206,7 @@ fn stored_directions_are_unit_vectors_above_the_surface() {
         let samples = samples(&scene).unwrap();
         assert!(!samples.weight.is_empty());
         assert_eq!(samples.first.len(), 32 * 32 + 1);
-        assert_eq!(
-            *samples.first.last().unwrap() as usize,
-            samples.weight.len()
-        );
+        assert_eq!(*samples.first.last().unwrap() as usize, samples.weight.len());
         for (wi, wo) in samples.wi.iter().zip(&samples.wo) {
             for v in [wi, wo] {
                 let length: f32 = v.iter().map(|c| c * c).sum();
@@ -282,15 +251,9 @@ fn subsets_and_bands_hold_the_same_pixels() {
     }
     assert!(subset.iter().any(|&value| value > 0.0));
     // At stride 2 the bands do not end with the picture.
-    assert_eq!(
-        render_subset(&scene, &brdf, 2).unwrap(),
-        shade_subset(&all, &brdf, 2)
-    );
+    assert_eq!(render_subset(&scene, &brdf, 2).unwrap(), shade_subset(&all, &brdf, 2));
     let part = samples_of(&scene, 20..30, 1).unwrap();
-    assert_eq!(
-        pixel_range(&part, 3, 5).len(),
-        pixel_range(&all, 23, 5).len()
-    );
+    assert_eq!(pixel_range(&part, 3, 5).len(), pixel_range(&all, 23, 5).len());
 }
 
 #[test]
@@ -299,10 +262,7 @@ fn pictures_are_the_same_on_any_number_of_threads() {
     scene.lights[0].angular_diameter_deg = 5.0;
     scene.light_samples = 20;
     let on = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| render(&scene, &mirror_lobe(0.03)).unwrap())
     };
     let bits = |image: Array3<f32>| image.mapv(f32::to_bits);
@@ -318,10 +278,5 @@ fn too_many_samples_at_once_are_refused_and_bands_are_offered() {
     assert!(message.contains("light_samples"), "{message}");
     assert!(samples_of(&scene, 0..4, 1).is_ok());
     scene.light_samples = 0;
-    assert!(
-        samples(&scene)
-            .unwrap_err()
-            .to_string()
-            .contains("light_samples = 0")
-    );
+    assert!(samples(&scene).unwrap_err().to_string().contains("light_samples = 0"));
 }

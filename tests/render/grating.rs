@@ -25,8 +25,7 @@ pub fn colour_matching(wavelength_nm: f64) -> Xyz {
         let width = if wavelength_nm < centre { below } else { above };
         (-0.5 * ((wavelength_nm - centre) / width).powi(2)).exp()
     };
-    let x = 1.056 * lobe(599.8, 37.9, 31.0) + 0.362 * lobe(442.0, 16.0, 26.7)
-        - 0.065 * lobe(501.1, 20.4, 26.2);
+    let x = 1.056 * lobe(599.8, 37.9, 31.0) + 0.362 * lobe(442.0, 16.0, 26.7) - 0.065 * lobe(501.1, 20.4, 26.2);
     let y = 0.821 * lobe(568.8, 46.9, 40.5) + 0.286 * lobe(530.9, 16.3, 31.1);
     let z = 1.217 * lobe(437.0, 11.8, 36.0) + 0.681 * lobe(459.0, 26.0, 13.8);
     [0.9505 * x, y, 1.089 * z]
@@ -57,8 +56,7 @@ pub fn brdf(grating: &Grating, wi: Vec3, wo: Vec3) -> Xyz {
 fn orders(grating: &Grating, wavelength_nm: f64, u: f64, w: f64) -> f64 {
     let spacing = wavelength_nm / grating.pitch_nm;
     let phase = TAU / wavelength_nm * w * grating.amplitude_nm;
-    let reach =
-        (6.0 * (grating.width_u / spacing + grating.pitch_spread * (u / spacing).abs())).ceil();
+    let reach = (6.0 * (grating.width_u / spacing + grating.pitch_spread * (u / spacing).abs())).ceil();
     let nearest = (u / spacing).round();
     let (first, last) = ((nearest - reach) as i32, (nearest + reach) as i32);
     (first..=last)

@@ -13,11 +13,7 @@ fn scene(shape: Shape, direction: Vec3, size_px: usize) -> Scene {
     Scene {
         name: "test".into(),
         shape,
-        lights: vec![Light {
-            direction,
-            angular_diameter_deg: 0.0,
-            irradiance: 1.0,
-        }],
+        lights: vec![Light { direction, angular_diameter_deg: 0.0, irradiance: 1.0 }],
         size_px,
         exposure: Exposure::Auto,
         specimen: None,

@@ -15,23 +15,11 @@ use ndarray::Array3;
 use super::grating::{Grating, brdf};
 use super::scene;
 
-const SCALE_LIKE: Grating = Grating {
-    pitch_nm: 1550.0,
-    amplitude_nm: 70.0,
-    width_u: 0.008,
-    width_v: 0.12,
-    pitch_spread: 0.02,
-    step_nm: 4.0,
-};
+const SCALE_LIKE: Grating =
+    Grating { pitch_nm: 1550.0, amplitude_nm: 70.0, width_u: 0.008, width_v: 0.12, pitch_spread: 0.02, step_nm: 4.0 };
 
-const CLEAN: Grating = Grating {
-    pitch_nm: 1600.0,
-    amplitude_nm: 70.0,
-    width_u: 0.006,
-    width_v: 0.012,
-    pitch_spread: 0.0,
-    step_nm: 4.0,
-};
+const CLEAN: Grating =
+    Grating { pitch_nm: 1600.0, amplitude_nm: 70.0, width_u: 0.006, width_v: 0.012, pitch_spread: 0.0, step_nm: 4.0 };
 
 /// Side of the pictures; `PICTURE_PX` in the environment sets another one for a closer look.
 fn size_px() -> usize {
@@ -44,11 +32,7 @@ fn picture(name: &str, scene: &Scene, grating: &Grating) -> Array3<f32> {
     assert!(image.iter().all(|value| value.is_finite()));
     let exposure = exposure_factor(scene.exposure, &image);
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
-    write_png(
-        &folder.join(format!("{name}.png")),
-        &to_srgb8(&image, exposure),
-    )
-    .unwrap();
+    write_png(&folder.join(format!("{name}.png")), &to_srgb8(&image, exposure)).unwrap();
     image
 }
 
@@ -66,10 +50,7 @@ fn assert_fan(colours: [Xyz; 3]) {
     let share = |xyz: Xyz| xyz.map(|c| c / xyz.iter().sum::<f64>());
     let [blue, green, red] = colours.map(share);
     assert!(blue[2] > 0.6, "blue end {blue:?}");
-    assert!(
-        green[1] > green[0] && green[1] > green[2],
-        "middle {green:?}"
-    );
+    assert!(green[1] > green[0] && green[1] > green[2], "middle {green:?}");
     assert!(red[0] > 0.55 && red[2] < 0.05, "red end {red:?}");
 }
 
@@ -119,12 +100,7 @@ fn hemisphere_map() {
 #[test]
 fn patch_in_perspective() {
     let mut scene = scene(
-        Shape::Patch {
-            width_mm: 100.0,
-            distance_mm: 150.0,
-            tilt_deg: 25.0,
-            turn_deg: 20.0,
-        },
+        Shape::Patch { width_mm: 100.0, distance_mm: 150.0, tilt_deg: 25.0, turn_deg: 20.0 },
         [-0.25, 0.75, 1.0],
         size_px(),
     );

@@ -10,22 +10,13 @@ use diffraction_atlas::scene::samples::pixel_centre;
 use super::scene;
 
 fn set_up(width_mm: f64, incidence_deg: f64, beam_diameter_mm: f64, size_px: usize) -> Scene {
-    let shape = Shape::Screen {
-        distance_mm: 100.0,
-        width_mm,
-        beam_diameter_mm,
-        hole_diameter_mm: Some(0.0),
-        incidence_deg,
-    };
+    let shape =
+        Shape::Screen { distance_mm: 100.0, width_mm, beam_diameter_mm, hole_diameter_mm: Some(0.0), incidence_deg };
     scene(shape, [0.0, 0.0, 1.0], size_px)
 }
 
 fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Form factor from a small area at the origin to a polygon above its horizon (Lambert's formula):
@@ -41,12 +32,7 @@ fn form_factor(normal: Vec3, corners: &[Vec3]) -> f64 {
 
 fn square(width_mm: f64) -> [Vec3; 4] {
     let h = 0.5 * width_mm;
-    [
-        [-h, -h, 100.0],
-        [h, -h, 100.0],
-        [h, h, 100.0],
-        [-h, h, 100.0],
-    ]
+    [[-h, -h, 100.0], [h, -h, 100.0], [h, h, 100.0], [-h, h, 100.0]]
 }
 
 #[test]
@@ -68,21 +54,14 @@ fn a_white_sample_lights_the_screen_as_the_form_factor_says() {
         let scene = set_up(width_mm, incidence_deg, 1e-3, size_px);
         let image = render(&scene, &|_, _| [FRAC_1_PI; 3]).unwrap();
         let pixel_mm2 = (width_mm / size_px as f64).powi(2);
-        let power: f64 = image
-            .index_axis(ndarray::Axis(2), 1)
-            .iter()
-            .map(|&e| f64::from(e))
-            .sum();
+        let power: f64 = image.index_axis(ndarray::Axis(2), 1).iter().map(|&e| f64::from(e)).sum();
         let beam_mm2 = PI * 0.25e-6;
         let (sin, cos) = incidence_deg.to_radians().sin_cos();
         let normal = [sin, 0.0, cos];
         let expected = form_factor(normal, &square(width_mm));
         let ratio = power * pixel_mm2 / beam_mm2 / expected;
         // Midpoint rule: (pixel / distance)² / 24 times derivatives of order 10; pixel <= 2 mm.
-        assert!(
-            (ratio - 1.0).abs() < 2e-4,
-            "{width_mm} mm, {incidence_deg} deg: {ratio}"
-        );
+        assert!((ratio - 1.0).abs() < 2e-4, "{width_mm} mm, {incidence_deg} deg: {ratio}");
         let tilted_more = form_factor(normalise([sin + 0.1, 0.0, cos]), &square(width_mm));
         assert!((tilted_more / expected - 1.0).abs() > 1e-3);
     }
@@ -124,10 +103,7 @@ fn orders_land_where_the_grating_equation_says() {
             let expected_mm = 100.0 * world[0] / world[2];
             let [x, y] = spot_mm(&scene, m * spacing, 300.0);
             // The lobe is 0.4 mm wide; its skew by projection and falloff is of order width² / distance.
-            assert!(
-                (x - expected_mm).abs() < 0.05,
-                "order {m}: {x} and {expected_mm} mm"
-            );
+            assert!((x - expected_mm).abs() < 0.05, "order {m}: {x} and {expected_mm} mm");
             assert!(y.abs() < 0.05);
         }
     }
@@ -181,22 +157,13 @@ fn a_tilted_mirror_stretches_the_spot() {
     let (tan, tan_twice) = (20f64.to_radians().tan(), 40f64.to_radians().tan());
     // A disc's standard deviation along x is half its radius. The lobe (0.8 mm) adds in squares: 1 %.
     let expected_mm = 5.0 * (1.0 + tan * tan_twice);
-    assert!(
-        (deviation_mm / expected_mm - 1.0).abs() < 0.02,
-        "{deviation_mm} {expected_mm}"
-    );
+    assert!((deviation_mm / expected_mm - 1.0).abs() < 0.02, "{deviation_mm} {expected_mm}");
 }
 
 #[test]
 fn the_hole_is_dark() {
     let mut scene = set_up(40.0, 0.0, 10.0, 40);
-    let Shape::Screen {
-        ref mut hole_diameter_mm,
-        ..
-    } = scene.shape
-    else {
-        unreachable!()
-    };
+    let Shape::Screen { ref mut hole_diameter_mm, .. } = scene.shape else { unreachable!() };
     *hole_diameter_mm = None;
     let image = render(&scene, &|_, _| [1.0; 3]).unwrap();
     // 1 mm pixels: the hole's radius is the beam's, 5 mm.

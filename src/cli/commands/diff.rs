@@ -4,9 +4,7 @@ use std::path::PathBuf;
 
 /// Arguments of `diff`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
-#[command(
-    after_help = "Example:\n  diffraction-atlas diff out/atlas/squamates/v0001 out/atlas/squamates/v0002"
-)]
+#[command(after_help = "Example:\n  diffraction-atlas diff out/atlas/squamates/v0001 out/atlas/squamates/v0002")]
 pub struct DiffArgs {
     /// The older version
     pub a: PathBuf,

@@ -67,14 +67,14 @@ impl EvalArgs {
             (Method::Tables, None, None) => {
                 wrong("`--atlas DIR` is missing; `--method reference` evaluates scans instead")
             }
-            (Method::Tables, Some(_), None) if !self.wavelengths_nm.is_empty() => wrong(
-                "tables hold X, Y, Z alone; `--wavelengths-nm` goes with `--method reference`",
-            ),
+            (Method::Tables, Some(_), None) if !self.wavelengths_nm.is_empty() => {
+                wrong("tables hold X, Y, Z alone; `--wavelengths-nm` goes with `--method reference`")
+            }
             (Method::Tables, Some(atlas), None) => Ok(EvalSource::Tables(atlas)),
             (Method::Reference, Some(_), _) => wrong("`--atlas` goes with `--method tables`"),
-            (Method::Reference, None, manifest) => Ok(EvalSource::Reference(
-                manifest.as_deref().unwrap_or(Path::new(super::MANIFEST)),
-            )),
+            (Method::Reference, None, manifest) => {
+                Ok(EvalSource::Reference(manifest.as_deref().unwrap_or(Path::new(super::MANIFEST))))
+            }
         }
     }
 }
@@ -97,15 +97,9 @@ mod tests {
         let args = parse("--atlas a");
         assert_eq!(args.source().unwrap(), EvalSource::Tables(Path::new("a")));
         let args = parse("--method reference");
-        assert_eq!(
-            args.source().unwrap(),
-            EvalSource::Reference(Path::new("pipeline.toml"))
-        );
+        assert_eq!(args.source().unwrap(), EvalSource::Reference(Path::new("pipeline.toml")));
         let args = parse("--method reference --manifest m.toml --wavelengths-nm 450,550.5");
-        assert_eq!(
-            args.source().unwrap(),
-            EvalSource::Reference(Path::new("m.toml"))
-        );
+        assert_eq!(args.source().unwrap(), EvalSource::Reference(Path::new("m.toml")));
         assert_eq!(args.wavelengths_nm, [450.0, 550.5]);
     }
 

@@ -4,9 +4,7 @@ use std::path::PathBuf;
 
 /// Arguments of `export`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
-#[command(
-    after_help = "Example:\n  diffraction-atlas export out/atlas/squamates --form exr-stack --out export"
-)]
+#[command(after_help = "Example:\n  diffraction-atlas export out/atlas/squamates --form exr-stack --out export")]
 pub struct ExportArgs {
     /// An atlas, or one version of it
     pub atlas: PathBuf,

@@ -96,19 +96,13 @@ fn atlas(folder: &Path) -> Result<Option<AtlasListing>> {
     let latest = std::fs::read_to_string(folder.join("latest")).unwrap_or_default();
     let latest = latest.trim();
     let known = versions.iter().any(|version| version.name == latest);
-    let absolute =
-        std::path::absolute(folder).map_err(|error| Error::disk(folder, "find", error))?;
-    Ok(Some(AtlasListing {
-        name: file_name(&absolute),
-        latest: known.then(|| latest.to_owned()),
-        versions,
-    }))
+    let absolute = std::path::absolute(folder).map_err(|error| Error::disk(folder, "find", error))?;
+    Ok(Some(AtlasListing { name: file_name(&absolute), latest: known.then(|| latest.to_owned()), versions }))
 }
 
 /// Whether a name is `v` and at least four digits.
 fn is_version(name: &str) -> bool {
-    name.strip_prefix('v')
-        .is_some_and(|digits| digits.len() >= 4 && digits.bytes().all(|byte| byte.is_ascii_digit()))
+    name.strip_prefix('v').is_some_and(|digits| digits.len() >= 4 && digits.bytes().all(|byte| byte.is_ascii_digit()))
 }
 
 fn version(folder: &Path, name: String) -> Result<VersionListing> {
@@ -118,21 +112,14 @@ fn version(folder: &Path, name: String) -> Result<VersionListing> {
         .map(|path| file_name(&path))
         .collect();
     let (files, bytes) = size(folder)?;
-    Ok(VersionListing {
-        name,
-        specimens,
-        files,
-        bytes,
-    })
+    Ok(VersionListing { name, specimens, files, bytes })
 }
 
 /// Number of files below a folder and their bytes; links are not followed.
 fn size(folder: &Path) -> Result<(u64, u64)> {
     let (mut files, mut bytes) = (0, 0);
     for path in entries(folder)? {
-        let about = path
-            .symlink_metadata()
-            .map_err(|error| Error::disk(&path, "read", error))?;
+        let about = path.symlink_metadata().map_err(|error| Error::disk(&path, "read", error))?;
         if about.is_dir() {
             let (inner_files, inner_bytes) = size(&path)?;
             files += inner_files;
@@ -157,10 +144,7 @@ fn entries(folder: &Path) -> Result<Vec<PathBuf>> {
 }
 
 fn file_name(path: &Path) -> String {
-    path.file_name()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned()
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 fn render(atlases: &[AtlasListing]) -> String {
@@ -169,19 +153,12 @@ fn render(atlases: &[AtlasListing]) -> String {
         text.push_str(&atlas.name);
         text.push('\n');
         for version in &atlas.versions {
-            let mark = if atlas.latest.as_ref() == Some(&version.name) {
-                " (latest)"
-            } else {
-                ""
-            };
+            let mark = if atlas.latest.as_ref() == Some(&version.name) { " (latest)" } else { "" };
             let size = output::bytes_in_words(version.bytes);
             let count = version.specimens.len();
             let noun = if count == 1 { "specimen" } else { "specimens" };
             let names = version.specimens.join(", ");
-            text.push_str(&format!(
-                "  {}{mark}: {count} {noun}, {size}: {names}\n",
-                version.name
-            ));
+            text.push_str(&format!("  {}{mark}: {count} {noun}, {size}: {names}\n", version.name));
         }
     }
     text
@@ -216,26 +193,14 @@ mod tests {
         std::fs::write(folder.path().join("snakes/latest"), "v10000\n").unwrap();
         let atlases = list(folder.path()).unwrap();
         assert_eq!(atlases, list(&folder.path().join("snakes")).unwrap());
-        let [snakes] = &atlases[..] else {
-            panic!("{atlases:?}")
-        };
+        let [snakes] = &atlases[..] else { panic!("{atlases:?}") };
         assert_eq!(snakes.latest.as_deref(), Some("v10000"));
-        let versions: Vec<&str> = snakes
-            .versions
-            .iter()
-            .map(|version| version.name.as_str())
-            .collect();
+        let versions: Vec<&str> = snakes.versions.iter().map(|version| version.name.as_str()).collect();
         assert_eq!(versions, ["v0001", "v9999", "v10000"]);
         assert_eq!(snakes.versions[0].specimens, ["a", "b"]);
-        assert_eq!(
-            (snakes.versions[0].files, snakes.versions[0].bytes),
-            (4, 1024)
-        );
+        assert_eq!((snakes.versions[0].files, snakes.versions[0].bytes), (4, 1024));
         let text = render(&atlases);
-        assert!(
-            text.starts_with("snakes\n  v0001: 2 specimens, 1.0 KiB: a, b\n"),
-            "{text}"
-        );
+        assert!(text.starts_with("snakes\n  v0001: 2 specimens, 1.0 KiB: a, b\n"), "{text}");
         assert!(text.contains("v10000 (latest): 0 specimens"), "{text}");
     }
 
@@ -245,9 +210,6 @@ mod tests {
         write(folder.path(), "v0001/atlas.json", 1);
         std::fs::write(folder.path().join("latest"), "v0002").unwrap();
         assert_eq!(list(folder.path()).unwrap()[0].latest, None);
-        assert!(matches!(
-            list(&folder.path().join("none")),
-            Err(Error::Call(_))
-        ));
+        assert!(matches!(list(&folder.path().join("none")), Err(Error::Call(_))));
     }
 }

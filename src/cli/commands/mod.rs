@@ -46,18 +46,11 @@ mod tests {
             let help = command.clone().render_long_help().to_string();
             let name = command.get_name().to_owned();
             let start = format!("diffraction-atlas {name}");
-            let examples: Vec<&str> = help
-                .lines()
-                .map(str::trim)
-                .filter(|line| line.starts_with(&start))
-                .collect();
+            let examples: Vec<&str> = help.lines().map(str::trim).filter(|line| line.starts_with(&start)).collect();
             assert!(!examples.is_empty(), "{name} has no example:\n{help}");
             for example in examples {
                 let words = example.split_whitespace().skip(1);
-                command
-                    .clone()
-                    .try_get_matches_from(words)
-                    .unwrap_or_else(|error| panic!("{example}\n{error}"));
+                command.clone().try_get_matches_from(words).unwrap_or_else(|error| panic!("{example}\n{error}"));
             }
         }
     }

@@ -13,8 +13,6 @@ pub struct RunArgs {
 
 impl Default for RunArgs {
     fn default() -> Self {
-        Self {
-            manifest: super::MANIFEST.into(),
-        }
+        Self { manifest: super::MANIFEST.into() }
     }
 }

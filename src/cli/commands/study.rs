@@ -4,9 +4,7 @@ use std::path::PathBuf;
 
 /// Arguments of `study`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
-#[command(
-    after_help = "Example:\n  diffraction-atlas study snakes.toml --specimen elaphe_guttata --out out/study"
-)]
+#[command(after_help = "Example:\n  diffraction-atlas study snakes.toml --specimen elaphe_guttata --out out/study")]
 pub struct StudyArgs {
     /// What to study
     #[arg(default_value = super::MANIFEST)]

@@ -41,15 +41,11 @@ fn chroma(rgb: LinearRgb) -> f64 {
 #[test]
 fn matrices_agree_with_palette() {
     for (_, xyz) in SPECTRAL {
-        let theirs: LinSrgb<f64> =
-            LinSrgb::from_color_unclamped(palette::Xyz::<D65, f64>::new(xyz[0], xyz[1], xyz[2]));
+        let theirs: LinSrgb<f64> = LinSrgb::from_color_unclamped(palette::Xyz::<D65, f64>::new(xyz[0], xyz[1], xyz[2]));
         let ours = xyz_to_linear_srgb(xyz);
         // Both derive the matrix from primaries published to four digits; entries are below 4.
         for (a, b) in ours.iter().zip([theirs.red, theirs.green, theirs.blue]) {
-            assert!(
-                (a - b).abs() < 2e-3 * xyz[1].max(xyz[2]).max(xyz[0]),
-                "{a} {b}"
-            );
+            assert!((a - b).abs() < 2e-3 * xyz[1].max(xyz[2]).max(xyz[0]), "{a} {b}");
         }
         for (back, given) in linear_srgb_to_xyz(ours).iter().zip(xyz) {
             assert!((back - given).abs() < 1e-6);
@@ -85,10 +81,7 @@ fn every_8_bit_grey_survives_the_round_trip() {
 fn spectral_colours_keep_luminance_and_hue() {
     for (wavelength_nm, xyz) in SPECTRAL {
         let rgb = xyz_to_linear_srgb(xyz);
-        assert!(
-            rgb.iter().any(|&c| c < 0.0),
-            "{wavelength_nm} nm lies in gamut"
-        );
+        assert!(rgb.iter().any(|&c| c < 0.0), "{wavelength_nm} nm lies in gamut");
         let mapped = desaturate_into_gamut(rgb);
         assert!(mapped.iter().all(|&c| c >= 0.0));
         assert!((luminance(mapped) / luminance(rgb) - 1.0).abs() < 1e-9);
@@ -111,10 +104,7 @@ fn clipping_channels_would_fail_the_hue_bound() {
             hue_change_deg(rgb, rgb.map(|c| c.max(0.0)))
         })
         .fold(0.0, f64::max);
-    assert!(
-        worst > 5.0,
-        "clipping turned the hue by {worst} degrees only"
-    );
+    assert!(worst > 5.0, "clipping turned the hue by {worst} degrees only");
 }
 
 #[test]
@@ -143,10 +133,7 @@ fn brighter_light_never_looks_darker() {
 #[test]
 fn broken_pixels_are_marked() {
     assert_eq!(pixel_to_srgb8([f32::NAN, 0.0, 0.0], 1.0), NOT_FINITE_RGB8);
-    assert_eq!(
-        pixel_to_srgb8([0.0, f32::INFINITY, 0.0], 1.0),
-        NOT_FINITE_RGB8
-    );
+    assert_eq!(pixel_to_srgb8([0.0, f32::INFINITY, 0.0], 1.0), NOT_FINITE_RGB8);
     assert_eq!(pixel_to_srgb8([0.0; 3], 1.0), [0; 3]);
     assert_eq!(pixel_to_srgb8([-1.0, -1.0, 3.0], 1.0), [0; 3]);
     let largest = pixel_to_srgb8([f32::MAX; 3], f32::MAX);
@@ -167,9 +154,8 @@ fn automatic_exposure_is_the_reciprocal_quantile_of_lit_pixels() {
 
 #[test]
 fn pale_colour_is_less_saturated_in_cielab_too() {
-    let lab = |rgb: LinearRgb| -> f64 {
-        Lch::<D65, f64>::from_color_unclamped(LinSrgb::new(rgb[0], rgb[1], rgb[2])).chroma
-    };
+    let lab =
+        |rgb: LinearRgb| -> f64 { Lch::<D65, f64>::from_color_unclamped(LinSrgb::new(rgb[0], rgb[1], rgb[2])).chroma };
     let rgb = xyz_to_linear_srgb(SPECTRAL[4].1);
     assert!(lab(desaturate_into_gamut(rgb)) < lab(rgb));
 }
