@@ -61,7 +61,7 @@ pub struct ReadConfig {
     pub height: Option<HeightScale>,
     /// Largest accepted share of missing samples, 0 to 1. Those there are get filled in.
     pub max_missing_share: f64,
-    /// Largest accepted number of samples: bounds the memory, about 30 bytes each.
+    /// Largest accepted number of samples: bounds the memory, about 60 bytes each at worst.
     pub max_samples: usize,
 }
 
@@ -180,7 +180,13 @@ fn parse(bytes: &[u8], config: &ReadConfig) -> Parsed<stored::RawScan> {
         [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..] => {
             tiff_scan::read(bytes, config)
         }
-        _ if bytes.starts_with(gsf::MAGIC) => gsf::read(bytes, config.max_samples),
+        _ if bytes.starts_with(gsf::MAGIC) => match config.page {
+            None | Some(0) => gsf::read(bytes, config.max_samples),
+            Some(page) => Err(Refusal::new(
+                format!("a Gwyddion simple field has no page {page}"),
+                "leave `page` out",
+            )),
+        },
         _ if bytes.starts_with(b"GWYP") => Err(Refusal::new(
             "a Gwyddion native file (.gwy) is not read",
             "save the channel from Gwyddion as Gwyddion simple field (.gsf)",

@@ -41,22 +41,25 @@ pub(super) fn parse(text: &str) -> Option<Description> {
     Some(keys)
 }
 
-/// Fills in what ImageJ knows of the scan. `first` is the directory with the description.
-pub(super) fn apply(
-    scan: &mut RawScan,
+/// Refuses to choose from a stack whose images have no directory each, as ImageJ saves very large ones.
+pub(super) fn check_stack(
     keys: &Description,
-    first: &Directory,
     directories: usize,
+    asked: Option<usize>,
 ) -> Parsed<()> {
-    scan.format = "ImageJ TIFF";
-    let images = keys.images.as_deref().and_then(|text| text.parse().ok());
-    if images.is_some_and(|images: usize| images > directories) {
-        scan.warnings.push(format!(
-            "a stack of {} images with {directories} directories; image {} is read",
-            images.unwrap_or(0),
-            scan.page
-        ));
+    let images: Option<usize> = keys.images.as_deref().and_then(|text| text.parse().ok());
+    match images {
+        Some(images) if images > directories && asked.is_none() => Err(Refusal::new(
+            format!("a stack of {images} images of which only {directories} can be told apart"),
+            "save the scan alone, or add `page = 0` to read the first image",
+        )),
+        _ => Ok(()),
     }
+}
+
+/// Fills in what ImageJ knows of the scan. `first` is the directory with the description.
+pub(super) fn apply(scan: &mut RawScan, keys: &Description, first: &Directory) -> Parsed<()> {
+    scan.format = "ImageJ TIFF";
     scan.pitch_nm = pitch(keys, first, &mut scan.warnings)?;
     apply_line(scan, keys)?;
     scan.unit_nm = unit(scan, keys, first)?;

@@ -39,34 +39,30 @@ pub(super) fn fill(heights: &mut [f64], size: [usize; 2], pitch: [f64; 2]) -> bo
 
 /// First guess: the mean of the finest cell (2, 4, 8, ... samples wide) that knows anything.
 fn start(heights: &mut [f64], size: [usize; 2]) {
-    let halves = |size: [usize; 2]| size.map(|side| side.div_ceil(2));
     let at = |size: [usize; 2], x: usize, y: usize| y * size[0] + x;
-    let mut levels = Vec::new();
-    let mut fine: Vec<[f64; 2]> = heights
-        .iter()
-        .map(|&height| {
-            if height.is_nan() {
-                [0.0, 0.0]
-            } else {
-                [height, 1.0]
-            }
-        })
-        .collect();
-    let mut fine_size = size;
-    while fine_size != [1, 1] {
-        let coarse_size = halves(fine_size);
-        let mut coarse = vec![[0.0; 2]; coarse_size[0] * coarse_size[1]];
+    let known = |&height: &f64| {
+        if height.is_nan() {
+            [0.0, 0.0]
+        } else {
+            [height, 1.0]
+        }
+    };
+    // Sums and counts of known heights, ever coarser.
+    let mut levels = vec![(heights.iter().map(known).collect::<Vec<_>>(), size)];
+    let mut coarsest = size;
+    while coarsest != [1, 1] {
+        let (fine, fine_size) = &levels[levels.len() - 1];
+        coarsest = fine_size.map(|side| side.div_ceil(2));
+        let mut coarse = vec![[0.0; 2]; coarsest[0] * coarsest[1]];
         for y in 0..fine_size[1] {
             for x in 0..fine_size[0] {
-                let [sum, count] = fine[at(fine_size, x, y)];
-                let cell = &mut coarse[at(coarse_size, x / 2, y / 2)];
+                let [sum, count] = fine[at(*fine_size, x, y)];
+                let cell = &mut coarse[at(coarsest, x / 2, y / 2)];
                 cell[0] += sum;
                 cell[1] += count;
             }
         }
-        levels.push((coarse.clone(), coarse_size));
-        fine = coarse;
-        fine_size = coarse_size;
+        levels.push((coarse, coarsest));
     }
     for y in 0..size[1] {
         for x in 0..size[0] {
@@ -75,7 +71,7 @@ fn start(heights: &mut [f64], size: [usize; 2]) {
                 continue;
             }
             let mut cell = [x, y];
-            for (sums, level_size) in &levels {
+            for (sums, level_size) in &levels[1..] {
                 cell = cell.map(|position| position / 2);
                 let [sum, count] = sums[at(*level_size, cell[0], cell[1])];
                 if count > 0.0 {

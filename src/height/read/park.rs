@@ -9,7 +9,7 @@ const TAG_MAGIC: u16 = 50432;
 const TAG_DATA: u16 = 50434;
 const TAG_HEADER: u16 = 50435;
 const MAGIC: u64 = 0x0E03_1301;
-/// The header of version 1 ends before its byte 356; both versions have what is read below up to 252.
+/// Bytes up to the data type, the last field read; headers of either version are longer.
 const HEADER_MIN: usize = 352;
 
 /// Whether the file carries Park's private tags.

@@ -52,7 +52,8 @@ fn read_plain(directories: &[Directory], config: &ReadConfig) -> Parsed<RawScan>
         warnings,
     };
     if let Some(description) = imagej::parse(&first_description) {
-        imagej::apply(&mut scan, &description, &directories[0], directories.len())?;
+        imagej::check_stack(&description, directories.len(), config.page)?;
+        imagej::apply(&mut scan, &description, &directories[0])?;
     } else if ome::is_ome(&first_description) {
         ome::apply(&mut scan, &first_description)?;
     } else {

@@ -77,6 +77,7 @@ pub(super) fn unescape(text: &str) -> String {
         plain.push_str(&rest[..at]);
         let code = rest
             .get(at + 2..at + 6)
+            .filter(|digits| digits.bytes().all(|digit| digit.is_ascii_hexdigit()))
             .and_then(|digits| u32::from_str_radix(digits, 16).ok())
             .and_then(char::from_u32);
         if let Some(character) = code {
