@@ -61,7 +61,8 @@ pub struct ReadConfig {
     pub height: Option<HeightScale>,
     /// Largest accepted share of missing samples, 0 to 1. Those there are get filled in.
     pub max_missing_share: f64,
-    /// Largest accepted number of samples: bounds the memory, about 60 bytes each at worst.
+    /// Largest accepted number of samples: bounds the memory, about 60 bytes each, 120
+    /// for missing ones.
     pub max_samples: usize,
 }
 

@@ -7,8 +7,10 @@
 /// Iterations allowed. They grow with the width of the widest gap, in samples; with the coarse start
 /// this serves gaps of well over a thousand.
 const ITERATIONS_MAX: usize = 4000;
-/// The residual is reduced to this share of the known heights' size.
-const RELATIVE_RESIDUAL: f64 = 1e-10;
+/// Iterations times missing samples allowed: about half a minute of one core.
+const WORK_MAX: usize = 2_000_000_000;
+/// The residual is reduced to this share of the known heights' rms.
+const RELATIVE_RESIDUAL: f64 = 1e-9;
 
 /// Replaces every NaN of a field of `size` by a smooth interpolation; `false` if it had to stop before
 /// the solution was reached. The field must have a known sample, and `pitch` be positive.
@@ -29,8 +31,19 @@ pub(super) fn fill(heights: &mut [f64], size: [usize; 2], pitch: [f64; 2]) -> bo
     for height in heights.iter_mut() {
         *height -= mean;
     }
+    let mean_square = {
+        let known = heights.iter().filter(|height| !height.is_nan());
+        known.map(|height| height * height).sum::<f64>() / (heights.len() - missing.len()) as f64
+    };
+    let goal = mean_square * missing.len() as f64 * RELATIVE_RESIDUAL.powi(2);
+    let laplace = Laplace::new(&missing, heights, size, pitch);
     start(heights, size);
-    let finished = Laplace::new(&missing, size, pitch).solve(heights);
+    let mut unknowns: Vec<f64> = missing.iter().map(|&index| heights[index]).collect();
+    unknowns.push(0.0);
+    let finished = laplace.solve(&mut unknowns, goal);
+    for (&index, &height) in missing.iter().zip(&unknowns) {
+        heights[index] = height;
+    }
     for height in heights.iter_mut() {
         *height += mean;
     }
@@ -83,81 +96,88 @@ fn start(heights: &mut [f64], size: [usize; 2]) {
     }
 }
 
-/// The five-point Laplacian over the missing samples.
-struct Laplace<'m> {
-    missing: &'m [usize],
-    size: [usize; 2],
-    /// Inverse squared pitches, the larger one being 1.
+/// The five-point Laplacian over the missing samples, numbered in the order of `missing`.
+struct Laplace {
+    /// Numbers of the left, right, upper and lower neighbour; one beyond the last number for a
+    /// neighbour that is known or outside.
+    neighbours: Vec<[usize; 4]>,
+    /// Sum of the weights of all neighbours inside the field.
+    degree: Vec<f64>,
+    /// Sum of the known neighbours' heights by their weights.
+    source: Vec<f64>,
+    /// Inverse squared pitches along x and y, the larger one being 1.
     weights: [f64; 2],
 }
 
-impl<'m> Laplace<'m> {
-    fn new(missing: &'m [usize], size: [usize; 2], pitch: [f64; 2]) -> Self {
+impl Laplace {
+    fn new(missing: &[usize], heights: &[f64], size: [usize; 2], pitch: [f64; 2]) -> Self {
         let finest = pitch[0].min(pitch[1]);
-        Self {
-            missing,
-            size,
-            weights: pitch.map(|pitch| (finest / pitch).powi(2)),
+        let weights = pitch.map(|pitch| (finest / pitch).powi(2));
+        let [nx, ny] = size;
+        let none = missing.len();
+        let mut laplace = Self {
+            neighbours: vec![[none; 4]; none],
+            degree: vec![0.0; none],
+            source: vec![0.0; none],
+            weights,
+        };
+        for (number, &index) in missing.iter().enumerate() {
+            let (x, y) = (index % nx, index / nx);
+            let around = [
+                (x > 0).then(|| index - 1),
+                (x + 1 < nx).then(|| index + 1),
+                (y > 0).then(|| index - nx),
+                (y + 1 < ny).then(|| index + nx),
+            ];
+            for (side, neighbour) in around.into_iter().enumerate() {
+                let Some(neighbour) = neighbour else { continue };
+                let weight = weights[side / 2];
+                laplace.degree[number] += weight;
+                match missing.binary_search(&neighbour) {
+                    Ok(other) => laplace.neighbours[number][side] = other,
+                    Err(_) => laplace.source[number] += weight * heights[neighbour],
+                }
+            }
+        }
+        laplace
+    }
+
+    /// The Laplacian of `field`, whose extra last value stands for every known sample and is 0.
+    fn apply(&self, field: &[f64], image: &mut [f64]) {
+        for (number, value) in image.iter_mut().enumerate() {
+            let [left, right, up, down] = self.neighbours[number];
+            *value = self.degree[number] * field[number]
+                - self.weights[0] * (field[left] + field[right])
+                - self.weights[1] * (field[up] + field[down]);
         }
     }
 
-    /// `Σ weight (field[i] - field[neighbour])` at a sample.
-    fn at(&self, field: &[f64], index: usize) -> f64 {
-        let [nx, ny] = self.size;
-        let (x, y) = (index % nx, index / nx);
-        let centre = field[index];
-        let mut sum = 0.0;
-        if x > 0 {
-            sum += self.weights[0] * (centre - field[index - 1]);
-        }
-        if x + 1 < nx {
-            sum += self.weights[0] * (centre - field[index + 1]);
-        }
-        if y > 0 {
-            sum += self.weights[1] * (centre - field[index - nx]);
-        }
-        if y + 1 < ny {
-            sum += self.weights[1] * (centre - field[index + nx]);
-        }
-        sum
-    }
-
-    /// Conjugate gradients on the missing samples of `field`; `false` if the residual stayed too large.
-    fn solve(&self, field: &mut [f64]) -> bool {
+    /// Conjugate gradients from the guess in `field`, which has one value more than there are
+    /// unknowns, 0; `false` if the residual stayed above `goal`, both as sums of squares.
+    fn solve(&self, field: &mut [f64], goal: f64) -> bool {
+        let count = self.degree.len();
         let squares = |values: &[f64]| values.iter().map(|value| value * value).sum::<f64>();
-        let scale = squares(field) / field.len() as f64 * self.missing.len() as f64;
-        let goal = scale * RELATIVE_RESIDUAL * RELATIVE_RESIDUAL;
-        let mut residual: Vec<f64> = self.missing.iter().map(|&i| -self.at(field, i)).collect();
+        let mut image = vec![0.0; count];
+        self.apply(field, &mut image);
+        let mut residual: Vec<f64> = self.source.iter().zip(&image).map(|(b, a)| b - a).collect();
+        let mut direction = residual.clone();
+        direction.push(0.0);
         let mut size = squares(&residual);
-        // Zero at known samples throughout, so that the Laplacian of it is that of the unknowns.
-        let mut direction = vec![0.0; field.len()];
-        for (&index, &value) in self.missing.iter().zip(&residual) {
-            direction[index] = value;
-        }
-        for _ in 0..ITERATIONS_MAX {
+        for _ in 0..ITERATIONS_MAX.min(WORK_MAX / count) {
             if size <= goal {
                 return true;
             }
-            let image: Vec<f64> = self
-                .missing
-                .iter()
-                .map(|&i| self.at(&direction, i))
-                .collect();
-            let curvature: f64 = self
-                .missing
-                .iter()
-                .zip(&image)
-                .map(|(&index, value)| direction[index] * value)
-                .sum();
+            self.apply(&direction, &mut image);
+            let curvature: f64 = direction.iter().zip(&image).map(|(d, a)| d * a).sum();
             let step = size / curvature;
-            for (k, &index) in self.missing.iter().enumerate() {
-                field[index] += step * direction[index];
-                residual[k] -= step * image[k];
+            for number in 0..count {
+                field[number] += step * direction[number];
+                residual[number] -= step * image[number];
             }
             let next = squares(&residual);
             let share = next / size;
-            for (k, &index) in self.missing.iter().enumerate() {
-                direction[index] = residual[k] + share * direction[index];
+            for number in 0..count {
+                direction[number] = residual[number] + share * direction[number];
             }
             size = next;
         }
@@ -195,7 +215,7 @@ mod tests {
     }
 
     /// Planes and `x² - y²` solve the discrete equation exactly, so they must come back. The residual
-    /// is 1e-10 of heights around 1000; a gap of 30 samples can amplify it by about 30² / 8.
+    /// is 1e-9 of an rms around 1000; a gap of 30 samples can amplify it by about 30² / 8.
     #[test]
     fn harmonic_surfaces_are_restored() {
         let disc = |x: usize, y: usize| {
@@ -204,11 +224,13 @@ mod tests {
         };
         let plane = |x: f64, y: f64| 700.0 + 3.0 * x - 2.0 * y;
         let saddle = |x: f64, y: f64| x * x - y * y;
-        let specks = |x: usize, y: usize| (x * 7 + y * 13) % 11 == 0 && x % 60 > 0 && y % 46 > 0;
+        let specks = |x: usize, y: usize| {
+            (x * 7 + y * 13).is_multiple_of(11) && (1..60).contains(&x) && (1..46).contains(&y)
+        };
         for pitch in [[1.0, 1.0], [1.0, 2.5]] {
-            assert!(error_of(plane, disc, pitch) < 1e-4);
-            assert!(error_of(saddle, disc, pitch) < 1e-4);
-            assert!(error_of(plane, specks, pitch) < 1e-4);
+            assert!(error_of(plane, disc, pitch) < 2e-4);
+            assert!(error_of(saddle, disc, pitch) < 2e-4);
+            assert!(error_of(plane, specks, pitch) < 2e-4);
         }
         // The comparison can fail: a bump is not harmonic.
         let bump = |x: f64, y: f64| x * x + y * y;

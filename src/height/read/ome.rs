@@ -29,16 +29,13 @@ pub(super) fn apply(scan: &mut RawScan, description: &str) -> Parsed<()> {
         return Ok(());
     };
     scan.pitch_nm = pitch(pixels);
-    scan.channel = pixels
+    // Which of several channels a page holds depends on the order of dimensions; one is certain.
+    let mut channels = pixels
         .children()
-        .find(|node| node.has_tag_name_of("Channel"))
-        .and_then(|channel| channel.attribute("Name"))
-        .or_else(|| {
-            pixels
-                .parent_element()
-                .and_then(|image| image.attribute("Name"))
-        })
-        .map(str::to_owned);
+        .filter(|node| node.has_tag_name_of("Channel"));
+    if let (Some(channel), None) = (channels.next(), channels.next()) {
+        scan.channel = channel.attribute("Name").map(str::to_owned);
+    }
     Ok(())
 }
 
