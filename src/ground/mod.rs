@@ -3,6 +3,7 @@
 pub mod chebyshev;
 pub mod cie_data;
 pub mod colour;
+pub mod digest;
 pub mod direction;
 pub mod error;
 pub mod metrics;

@@ -1,5 +1,7 @@
 //! Height floor: reading scans, preparing them, and their statistics.
 
+pub mod read;
+
 use ndarray::Array2;
 
 /// A height field on a regular grid.
