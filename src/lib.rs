@@ -3,4 +3,5 @@
 pub mod ground;
 pub mod height;
 pub mod optics;
+pub mod stages;
 pub mod tables;

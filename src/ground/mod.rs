@@ -2,4 +2,8 @@
 
 pub mod direction;
 pub mod error;
+pub mod exr_header;
+pub mod exr_image;
+pub mod files;
+pub mod json;
 pub mod spectrum;

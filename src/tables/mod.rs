@@ -1,3 +1,4 @@
 //! Tables floor: bases, building, storage, evaluation.
 
 pub mod model;
+pub mod storage;
