@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::ground::error::{Error, Result};
 use crate::ground::files;
-use crate::stages::atlas::{self, AtlasIndex, INDEX_FILE, LATEST_FILE};
+use crate::stages::atlas::{self, AtlasIndex, LATEST_FILE};
 use crate::stages::verify;
 
 const LOCK_FILE: &str = ".lock";
@@ -130,9 +130,4 @@ fn point_latest_to(root: &Path, name: &str) -> Result<()> {
         return Ok(());
     }
     files::replace_durably(&path, text.as_bytes())
-}
-
-/// Whether a folder is a published version.
-pub fn is_version(folder: &Path) -> bool {
-    folder.join(INDEX_FILE).is_file()
 }

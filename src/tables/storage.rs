@@ -22,8 +22,7 @@ use crate::tables::model::{Basis, Lobe, Storage, TableSet};
 const PEAK_EXPONENT: i32 = 12;
 
 /// What a renderer computes from tables in the Chebyshev basis.
-const CHEBYSHEV_FORMULA: &str =
-    "f = R G (coherent / w^2 + sum_n cross_n T_n(2t - 1) / |w| + sum_n table_n T_n(2t - 1)), t = |w| / sqrt(4 - u^2 - v^2)";
+const CHEBYSHEV_FORMULA: &str = "f = R G (coherent / w^2 + sum_n cross_n T_n(2t - 1) / |w| + sum_n table_n T_n(2t - 1)), t = |w| / sqrt(4 - u^2 - v^2)";
 /// What a renderer computes from tables in powers of w.
 const TAYLOR_FORMULA: &str = "f = R G (sum_n table_n |w|^n) / w^2";
 
@@ -122,7 +121,15 @@ pub fn write_tables(folder: &Path, set: &TableSet, storage: Storage) -> Result<S
 
     let table_jobs = set.tables.iter().enumerate().map(|(order, values)| {
         assert_eq!(values.dim(), (size, size, 3), "all tables have the same size");
-        Job { file: format!("table.{order:03}.exr"), kind: "table", order, values, storage, columns: ("u", u), rows: ("v", v) }
+        Job {
+            file: format!("table.{order:03}.exr"),
+            kind: "table",
+            order,
+            values,
+            storage,
+            columns: ("u", u),
+            rows: ("v", v),
+        }
     });
     let mut jobs: Vec<Job> = table_jobs.collect();
     let axes = set.lobe.as_ref().map(lobe_axes);
@@ -130,7 +137,8 @@ pub fn write_tables(folder: &Path, set: &TableSet, storage: Storage) -> Result<S
         jobs.extend(lobe_jobs(lobe, axes, storage));
     }
     // Collected in the order of the jobs, whatever thread wrote which.
-    let mut stored: Vec<StoredArray> = jobs.par_iter().map(|job| write_array(folder, set, job)).collect::<Result<_>>()?;
+    let mut stored: Vec<StoredArray> =
+        jobs.par_iter().map(|job| write_array(folder, set, job)).collect::<Result<_>>()?;
     let lobe_arrays = stored.split_off(set.tables.len());
     Ok(StoredTables {
         basis: set.basis,
@@ -213,8 +221,20 @@ fn lobe_jobs<'a>(lobe: &'a Lobe, axes: &LobeAxes, storage: Storage) -> Vec<Job<'
     }];
     if let Some((u, v)) = axes.cross {
         jobs.extend(lobe.cross.iter().enumerate().map(|(order, values)| {
-            assert_eq!(values.dim(), (v.samples, u.samples, 3), "all patches of the cross term have the same square size");
-            Job { file: format!("lobe.{order:03}.exr"), kind: "cross", order, values, storage, columns: ("u", u), rows: ("v", v) }
+            assert_eq!(
+                values.dim(),
+                (v.samples, u.samples, 3),
+                "all patches of the cross term have the same square size"
+            );
+            Job {
+                file: format!("lobe.{order:03}.exr"),
+                kind: "cross",
+                order,
+                values,
+                storage,
+                columns: ("u", u),
+                rows: ("v", v),
+            }
         }));
     }
     jobs
@@ -287,7 +307,11 @@ fn read_array(folder: &Path, stored: &StoredArray, shape: (usize, usize)) -> Res
     let path = folder.join(&stored.file);
     let fix = "Restore specimen.json and the file beside it, or run the pipeline again.";
     if !files::stays_below(&stored.file) {
-        return Err(Error::bad_file(folder, format!("specimen.json names the file `{}`, outside its folder", stored.file), fix));
+        return Err(Error::bad_file(
+            folder,
+            format!("specimen.json names the file `{}`, outside its folder", stored.file),
+            fix,
+        ));
     }
     let (mut values, _) = exr_image::read_rgb(&path)?;
     let (rows, columns, _) = values.dim();
