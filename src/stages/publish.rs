@@ -21,8 +21,8 @@ const STAGING_PREFIX: &str = ".staging-";
 pub struct Staging {
     root: PathBuf,
     folder: PathBuf,
-    /// Released by the system when closed, so also when the process dies.
-    _lock: File,
+    /// Released by the system when the process dies.
+    lock: File,
 }
 
 /// What publishing came to; the version's name.
@@ -55,6 +55,8 @@ impl Drop for Staging {
     fn drop(&mut self) {
         // After publishing it is gone already; a failure leaves what the next run removes.
         let _ = fs::remove_dir_all(&self.folder);
+        // Closing alone would leave the lock with a child process that was just forked off and still has a copy.
+        let _ = self.lock.unlock();
     }
 }
 
@@ -69,7 +71,7 @@ pub fn begin(atlas_root: &Path) -> Result<Staging> {
     // In the atlas's own folder, so that the rename stays on one file system.
     let folder = atlas_root.join(format!("{STAGING_PREFIX}{}", std::process::id()));
     files::create_folder(&folder)?;
-    Ok(Staging { root: atlas_root.to_owned(), folder, _lock: lock })
+    Ok(Staging { root: atlas_root.to_owned(), folder, lock })
 }
 
 /// Publishes the staging folder as the next version, unless the newest one holds the same and is undamaged. Files that
