@@ -9,4 +9,8 @@ pub mod error;
 pub mod metrics;
 pub mod png_image;
 pub mod sampling;
+pub mod exr_header;
+pub mod exr_image;
+pub mod files;
+pub mod json;
 pub mod spectrum;
