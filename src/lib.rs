@@ -3,4 +3,6 @@
 pub mod ground;
 pub mod height;
 pub mod optics;
+pub mod report;
+pub mod stages;
 pub mod tables;

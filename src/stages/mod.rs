@@ -1,0 +1,3 @@
+//! Stages floor: the order of the work, its timing, and what it found out.
+
+pub mod results;
