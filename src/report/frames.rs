@@ -47,7 +47,7 @@ pub fn height_frame(href: &str, id: &str, extent_um: [f64; 2], file: &HeightMapF
             r#"<text class="on" x="{}" y="{}" text-anchor="middle">{} µm</text>"#,
             at(LEFT + margin + length / 2.0),
             at(TOP + height - margin * 1.33 - 7.0),
-            escape(&plain(file.scale_bar_um)),
+            escape(&numbers::round_number(file.scale_bar_um, 3)),
         );
     }
     body += &colour_bar(&area, id, &VIRIDIS, [file.low_nm, file.high_nm], "nm");
@@ -225,14 +225,6 @@ fn colour_bar(area: &Area, id: &str, map: &ColourMap, range: [f64; 2], unit: &st
         );
     }
     body
-}
-
-/// A round number without trailing zeros.
-fn plain(value: f64) -> String {
-    numbers::number(value, 3)
-        .trim_end_matches('0')
-        .trim_end_matches('.')
-        .into()
 }
 
 #[cfg(test)]

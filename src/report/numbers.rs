@@ -29,6 +29,16 @@ pub fn number(value: f64, digits: usize) -> String {
     text.replace('-', "−")
 }
 
+/// Like [`number`], without zeros at the end of a decimal fraction: for round numbers.
+pub fn round_number(value: f64, digits: usize) -> String {
+    let text = number(value, digits);
+    if !text.contains('.') || text.contains('×') {
+        return text;
+    }
+    let short = text.trim_end_matches('0').trim_end_matches('.');
+    short.into()
+}
+
 /// A relative quantity in per cent: "0.12 %".
 pub fn percent(value: f64) -> String {
     with_unit(value * 100.0, 2, "%")
@@ -147,6 +157,20 @@ mod tests {
             (6.5e9, 2, "6.5 × 10⁹"),
         ] {
             assert_eq!(number(value, digits), text, "{value} to {digits}");
+        }
+    }
+
+    #[test]
+    fn round_numbers_lose_zeros_of_the_fraction_only() {
+        for (value, text) in [
+            (20.0, "20"),
+            (100.0, "100"),
+            (0.5, "0.5"),
+            (2.25, "2.25"),
+            (0.0, "0"),
+            (1e-5, "1.00 × 10⁻⁵"),
+        ] {
+            assert_eq!(round_number(value, 3), text);
         }
     }
 
