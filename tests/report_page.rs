@@ -98,6 +98,8 @@ fn the_page_is_well_formed_and_says_what_was_found() {
         "6 Chebyshev, half",
         "9.20 MiB",
         "2 warnings",
+        "1 warning",
+        "the unit was spelt \"nM\", read as nm",
         "the file ends after 31 of 512 rows",
         "tolerance = 1e-3",
     ] {

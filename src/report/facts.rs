@@ -89,6 +89,30 @@ pub fn of_scan(scan: &serde_json::Value) -> Vec<Fact> {
         .collect()
 }
 
+/// Every warning about a specimen once: its own, those of its statistics, and those of its scans.
+pub fn warnings(specimen: &SpecimenResult) -> Vec<String> {
+    let of_statistics = specimen.statistics.iter().flat_map(|found| &found.warnings);
+    let of_scans = specimen
+        .scans
+        .iter()
+        .filter_map(|scan| scan.get("warnings")?.as_array())
+        .flatten()
+        .map(value_text);
+    let mut found: Vec<String> = Vec::new();
+    for warning in specimen
+        .warnings
+        .iter()
+        .chain(of_statistics)
+        .cloned()
+        .chain(of_scans)
+    {
+        if !found.contains(&warning) {
+            found.push(warning);
+        }
+    }
+    found
+}
+
 /// "6 Chebyshev, half".
 pub fn tables_short(built: &BuildResult) -> String {
     format!(
@@ -136,16 +160,16 @@ fn scan(specimen: &SpecimenResult) -> String {
     let [nx, ny] = specimen.size;
     let [px, py] = specimen.pitch_nm;
     let pitch = if px == py {
-        numbers::with_unit(px, 3, "nm")
+        numbers::round_number(px, 4)
     } else {
         format!(
             "{} × {}",
-            numbers::number(px, 3),
-            numbers::with_unit(py, 3, "nm")
+            numbers::round_number(px, 4),
+            numbers::round_number(py, 4)
         )
     };
     format!(
-        "{nx} × {ny} samples, pitch {pitch}, {} × {}",
+        "{nx} × {ny} samples, pitch {pitch} nm, {} × {}",
         numbers::number(specimen.extent_um[0], 3),
         numbers::with_unit(specimen.extent_um[1], 3, "µm"),
     )
@@ -217,19 +241,19 @@ fn coherence(optics: &OpticsConfig) -> String {
         Windows::Centre => "one window in the middle",
     };
     format!(
-        "σ = {}, {edge}, {windows}",
-        numbers::length_nm(optics.sigma_nm)
+        "σ = {} µm, {edge}, {windows}",
+        numbers::round_number(optics.sigma_nm * 1e-3, 4)
     )
 }
 
 fn material(optics: &OpticsConfig) -> String {
     let material = match optics.material {
         Material::Ideal => "ideal mirror (reflects everything)".into(),
-        Material::Dielectric { n } => format!("transparent, n = {}", numbers::number(n, 4)),
+        Material::Dielectric { n } => format!("transparent, n = {}", numbers::round_number(n, 4)),
         Material::Conductor { n, k } => format!(
             "absorbing, n = {}, k = {}",
-            numbers::number(n, 4),
-            numbers::number(k, 4)
+            numbers::round_number(n, 4),
+            numbers::round_number(k, 4)
         ),
     };
     let shadowing = if optics.shadowing {
@@ -246,7 +270,7 @@ fn tables(built: &BuildResult) -> String {
         tables_short(built),
         grid_short(built),
         numbers::bytes(built.stored_bytes),
-        numbers::percent(built.tolerance),
+        numbers::round_percent(built.tolerance),
     )
 }
 
@@ -254,7 +278,7 @@ fn texels(built: &BuildResult) -> String {
     if built.prefilter_width > 0.0 {
         format!(
             "averages over {} in u and v",
-            numbers::number(built.prefilter_width, 3)
+            numbers::round_number(built.prefilter_width, 3)
         )
     } else {
         "point samples".into()
@@ -274,7 +298,7 @@ fn made_from(built: &BuildResult) -> String {
         String::new()
     };
     format!(
-        "{} transforms in each of {} window{}, up to {} wavelengths{steps}, {} samples, in {}",
+        "{} transforms × {} window{}, up to {} wavelengths{steps}, {} samples, in {}",
         record.transforms,
         numbers::count(record.windows as u64),
         if record.windows == 1 { "" } else { "s" },

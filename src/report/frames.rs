@@ -110,10 +110,19 @@ fn rings(range: f64) -> String {
             at(radius),
             at(centre[0] + diagonal),
             at(centre[1] + diagonal + 4.0),
-            escape(&numbers::length_nm(1e3 / frequency)),
+            escape(&ring_label(1e3 / frequency)),
         );
     }
     body
+}
+
+/// A period in the unit that needs fewer digits.
+fn ring_label(period_nm: f64) -> String {
+    if period_nm >= 999.5 {
+        format!("{} µm", numbers::round_number(period_nm * 1e-3, 2))
+    } else {
+        format!("{} nm", numbers::round_number(period_nm, 3))
+    }
 }
 
 fn period_mark(range: f64, index: usize, period: &Period) -> String {
@@ -160,7 +169,7 @@ fn image(href: &str, area: &Area) -> String {
 fn axis_x(area: &Area, low: f64, high: f64, name: &str) -> String {
     let bottom = TOP + area.height;
     let mut body = String::new();
-    for (value, text) in ticks(low, high, (area.width / 60.0) as usize) {
+    for (value, text) in ticks(low, high, (area.width / 50.0) as usize) {
         let x = at(LEFT + (value - low) / (high - low) * area.width);
         body += &format!(
             r#"<path class="tick" d="M{x} {}v4"/><text x="{x}" y="{}" text-anchor="middle">{text}</text>"#,

@@ -167,7 +167,7 @@ fn summary_row(
         species => specimen.species.clone().unwrap_or_default(),
         generated => specimen.generated,
         failed => specimen.failed.is_some(),
-        warnings => match specimen.warnings.len() {
+        warnings => match facts::warnings(specimen).len() {
             0 => String::new(),
             count => plural(count, "warning"),
         },
@@ -240,19 +240,26 @@ fn specimen_section(
         species => specimen.species.clone().unwrap_or_default(),
         generated => specimen.generated,
         failed => specimen.failed.clone().unwrap_or_default(),
-        warnings => specimen.warnings.clone(),
+        warnings => facts::warnings(specimen),
         preview => preview.map(|still| still.show("still", &format!("Preview of {}", specimen.name))),
         facts => fact_values(&facts::of_specimen(specimen)),
         height_map => height_map,
         spectrum => spectrum,
         marks => facts::period_marks(periods),
         scenes => scenes,
-        errors => errors.iter().map(|&(row, over)| error_view(row, over)).collect::<Vec<_>>(),
+        errors => errors
+            .iter()
+            .enumerate()
+            .map(|(index, &(row, over))| {
+                let first = index == 0 || errors[index - 1].0.what != row.what;
+                error_view(row, first, over)
+            })
+            .collect::<Vec<_>>(),
         error_plot => safe(plots::error_plot(&specimen.errors, tolerance)),
         over => if over {
             format!(
-                "Above the tolerance of {} that was asked for.",
-                numbers::percent(tolerance.unwrap_or(f64::NAN))
+                "Highlighted: above the tolerance of {} that was asked for.",
+                numbers::round_percent(tolerance.unwrap_or(f64::NAN))
             )
         } else {
             String::new()
@@ -311,9 +318,10 @@ fn scene_view(scene: &SceneResult, album: &mut Album) -> Result<Value> {
     })
 }
 
-fn error_view(row: &ErrorRow, over: bool) -> Value {
+/// A table row; only the first of a cause names it.
+fn error_view(row: &ErrorRow, first: bool, over: bool) -> Value {
     context! {
-        what => &row.what,
+        what => if first { row.what.as_str() } else { "" },
         region => &row.region,
         directions => numbers::count(row.directions as u64),
         p50 => numbers::percent(row.p50),

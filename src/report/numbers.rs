@@ -3,7 +3,7 @@
 /// What stands for a number that is missing.
 pub const MISSING: &str = "–";
 
-/// `value` to `digits` significant digits: plain between 0.001 and a million, else with a power of
+/// `value` to `digits` significant digits: plain between 0.0001 and a million, else with a power of
 /// ten. Trailing zeros stay, for they are significant; zero is "0".
 pub fn number(value: f64, digits: usize) -> String {
     if !value.is_finite() {
@@ -19,7 +19,7 @@ pub fn number(value: f64, digits: usize) -> String {
         return MISSING.into();
     };
     let exponent: i32 = exponent.parse().unwrap_or(0);
-    let text = if (-3..6).contains(&exponent) {
+    let text = if (-4..6).contains(&exponent) {
         let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
         let plain = format!("{value:.decimals$}");
         group(&plain)
@@ -42,6 +42,14 @@ pub fn round_number(value: f64, digits: usize) -> String {
 /// A relative quantity in per cent: "0.12 %".
 pub fn percent(value: f64) -> String {
     with_unit(value * 100.0, 2, "%")
+}
+
+/// A relative quantity that was chosen, in per cent without needless zeros: "0.1 %".
+pub fn round_percent(value: f64) -> String {
+    if !value.is_finite() {
+        return MISSING.into();
+    }
+    format!("{}\u{a0}%", round_number(value * 100.0, 3))
 }
 
 /// A number and its unit, or a dash alone.
@@ -104,7 +112,8 @@ pub fn seconds(value: f64) -> String {
     format!("{}\u{a0}h {:02}\u{a0}min", minutes / 60, minutes % 60)
 }
 
-fn superscript(exponent: i32) -> String {
+/// An exponent in raised digits.
+pub fn superscript(exponent: i32) -> String {
     exponent
         .to_string()
         .chars()
@@ -152,7 +161,8 @@ mod tests {
             (1234.4, 3, "1234"),
             (12_345.6, 3, "12\u{202f}346"),
             (0.001234, 2, "0.0012"),
-            (0.000_123_4, 2, "1.2 × 10⁻⁴"),
+            (0.000_123_4, 2, "0.00012"),
+            (0.000_012_34, 2, "1.2 × 10⁻⁵"),
             (9.99e-4, 2, "0.0010"),
             (6.5e9, 2, "6.5 × 10⁹"),
         ] {
@@ -179,6 +189,7 @@ mod tests {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert_eq!(number(value, 3), MISSING);
             assert_eq!(percent(value), MISSING);
+            assert_eq!(round_percent(value), MISSING);
             assert_eq!(length_nm(value), MISSING);
             assert_eq!(seconds(value), MISSING);
         }
@@ -197,6 +208,7 @@ mod tests {
         assert_eq!(seconds(99.6), "1\u{a0}min 40\u{a0}s");
         assert_eq!(seconds(7260.0), "2\u{a0}h 01\u{a0}min");
         assert_eq!(percent(0.0012), "0.12\u{a0}%");
+        assert_eq!(round_percent(1e-3), "0.1\u{a0}%");
         assert_eq!(count(61_000_000), "61\u{202f}000\u{202f}000");
         assert_eq!(count(6100), "6100");
     }

@@ -5,7 +5,7 @@ use crate::report::svg::{at, escape, ticks};
 use crate::stages::results::{ErrorRow, PowerSum};
 
 /// Width of every plot in SVG units; text is 12 units high.
-const WIDTH: f64 = 560.0;
+const WIDTH: f64 = 620.0;
 /// Height of one row of a plot of rows.
 const ROW: f64 = 19.0;
 
@@ -14,7 +14,7 @@ const ROW: f64 = 19.0;
 ///
 /// Errors of zero and missing ones are not drawn: a logarithm has no place for them.
 pub fn error_plot(rows: &[ErrorRow], tolerance: Option<f64>) -> String {
-    const LEFT: f64 = 206.0;
+    const LEFT: f64 = 248.0;
     const TOP: f64 = 20.0;
     let span = WIDTH - LEFT - 18.0;
     let values: Vec<f64> = rows
@@ -114,7 +114,7 @@ fn decade_percent(power: i32) -> String {
         let decimals = (-power).max(0) as usize;
         format!("{:.decimals$} %", 10f64.powi(power))
     } else {
-        format!("{} %", numbers::number(10f64.powi(power), 1))
+        format!("10{} %", numbers::superscript(power))
     }
 }
 
@@ -298,7 +298,7 @@ fn wavelength_colour(wavelength_nm: f64) -> String {
 
 /// Named durations in seconds as bars.
 pub fn time_plot(times: &[(String, f64)]) -> String {
-    const LEFT: f64 = 206.0;
+    const LEFT: f64 = 150.0;
     let longest = times
         .iter()
         .map(|time| time.1)
@@ -443,5 +443,6 @@ mod tests {
         assert_eq!(decade_percent(0), "100 %");
         assert_eq!(decade_percent(-3), "0.1 %");
         assert_eq!(decade_percent(-5), "0.001 %");
+        assert_eq!(decade_percent(-9), "10⁻⁷ %");
     }
 }

@@ -50,13 +50,19 @@ pub fn round_step(value: f64) -> f64 {
         .unwrap_or(value)
 }
 
-/// Round numbers within `[low, high]`, about `wanted` of them, with the decimals they need.
+/// Round numbers within `[low, high]`, at most `wanted` steps apart, with the decimals they need.
 pub fn ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
     let span = high - low;
     if !(span.is_finite() && span > 0.0) {
         return Vec::new();
     }
-    let step = round_step(span / wanted.max(1) as f64);
+    // The next round number above: within a factor of 2.5 there always is one.
+    let least = span / wanted.max(1) as f64;
+    let step = [1.0, 2.0, 2.5]
+        .map(|factor| round_step(factor * least))
+        .into_iter()
+        .find(|&step| step >= least * (1.0 - 1e-9))
+        .unwrap_or(least);
     let decimals = (-step.log10().floor()).max(0.0) as usize;
     let first = (low / step - 1e-6).ceil() as i64;
     let last = (high / step + 1e-6).floor() as i64;

@@ -106,6 +106,7 @@ fn crossed_grating(pictures: &mut BTreeMap<String, Vec<u8>>) -> SpecimenResult {
         pictures,
     );
     specimen.errors[1].p95 = 2.4e-3;
+    specimen.scans[0]["warnings"] = serde_json::json!(["the unit was spelt \"nM\", read as nm"]);
     specimen.optics.as_mut().unwrap().material = Material::Conductor { n: 0.18, k: 3.4 };
     specimen
 }
