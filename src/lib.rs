@@ -7,5 +7,6 @@ pub mod manifest;
 pub mod optics;
 pub mod render;
 pub mod scene;
+pub mod report;
 pub mod stages;
 pub mod tables;

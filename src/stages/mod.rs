@@ -10,3 +10,6 @@ pub mod publish;
 pub mod specimen;
 pub mod verify;
 pub mod worked;
+//! Stages floor: the order of the work, its timing, and what it found out.
+
+pub mod results;
