@@ -16,20 +16,14 @@ fn render(sample: &Sample) -> String {
 }
 
 fn parse(html: &str) -> roxmltree::Document<'_> {
-    let options = roxmltree::ParsingOptions {
-        allow_dtd: true,
-        ..Default::default()
-    };
+    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
     roxmltree::Document::parse_with_options(html, options)
         .unwrap_or_else(|error| panic!("{error}: {}", excerpt(html, error.pos())))
 }
 
 fn excerpt(html: &str, place: roxmltree::TextPos) -> String {
     let line = html.lines().nth(place.row as usize - 1).unwrap_or("");
-    line.chars()
-        .skip((place.col as usize).saturating_sub(60))
-        .take(120)
-        .collect()
+    line.chars().skip((place.col as usize).saturating_sub(60)).take(120).collect()
 }
 
 /// What a reader sees: the text outside of the style sheet, pictures' bytes not included.
@@ -103,16 +97,10 @@ fn the_page_is_well_formed_and_says_what_was_found() {
         "the file ends after 31 of 512 rows",
         "tolerance = 1e-3",
     ] {
-        assert!(
-            text.contains(expected),
-            "the page does not say {expected:?}"
-        );
+        assert!(text.contains(expected), "the page does not say {expected:?}");
     }
     let labels = document.descendants().filter_map(|node| node.text());
-    assert!(
-        labels.into_iter().any(|label| label == "5 µm"),
-        "the scale bar's length"
-    );
+    assert!(labels.into_iter().any(|label| label == "5 µm"), "the scale bar's length");
     // Failures come before everything else that is about specimens.
     let place = |what: &str| text.find(what).unwrap();
     assert!(place("the file ends after") < place("How to read this"));
@@ -126,26 +114,16 @@ fn nothing_is_fetched_and_nothing_runs() {
     let document = parse(&html);
     for node in document.descendants().filter(|node| node.is_element()) {
         let tag = node.tag_name().name();
-        assert!(
-            !["script", "link", "iframe", "object", "base"].contains(&tag),
-            "{tag}"
-        );
+        assert!(!["script", "link", "iframe", "object", "base"].contains(&tag), "{tag}");
         for attribute in node.attributes() {
             let (name, value) = (attribute.name(), attribute.value());
             assert!(!name.starts_with("on"), "{name}");
             if name == "href" || name == "src" {
-                assert!(
-                    value.starts_with('#') || value.starts_with("data:image/png;base64,"),
-                    "{value:.60}"
-                );
+                assert!(value.starts_with('#') || value.starts_with("data:image/png;base64,"), "{value:.60}");
             }
         }
     }
-    let css = document
-        .descendants()
-        .find(|node| node.has_tag_name("style"))
-        .and_then(|node| node.text())
-        .unwrap();
+    let css = document.descendants().find(|node| node.has_tag_name("style")).and_then(|node| node.text()).unwrap();
     assert!(!css.contains("url(") && !css.contains("@import"));
 }
 
@@ -154,20 +132,14 @@ fn references_within_the_page_lead_somewhere() {
     let sample = sample();
     let html = render(&sample);
     let document = parse(&html);
-    let mut ids: Vec<&str> = document
-        .descendants()
-        .filter_map(|node| node.attribute("id"))
-        .collect();
+    let mut ids: Vec<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
     let count = ids.len();
     ids.sort_unstable();
     ids.dedup();
     assert_eq!(ids.len(), count, "ids are unique");
     let mut followed = 0;
     for node in document.descendants() {
-        if let Some(target) = node
-            .attribute("href")
-            .and_then(|href| href.strip_prefix('#'))
-        {
+        if let Some(target) = node.attribute("href").and_then(|href| href.strip_prefix('#')) {
             assert!(ids.contains(&target), "#{target}");
             followed += 1;
         }
@@ -222,10 +194,7 @@ fn missing_numbers_are_dashes() {
     for node in document.descendants() {
         for attribute in node.attributes() {
             let value = attribute.value();
-            assert!(
-                value.starts_with("data:") || !value.contains("NaN"),
-                "{value:.80}"
-            );
+            assert!(value.starts_with("data:") || !value.contains("NaN"), "{value:.80}");
         }
     }
     assert!(dashes(&html) > dashes(&complete) + 20);

@@ -39,9 +39,7 @@ fn ramp(order: Order, size: [u32; 2]) -> PageParts {
 
 fn is_ramp(scan: &Scan) -> bool {
     let mut expected = 0..;
-    heights(scan)
-        .iter()
-        .all(|&height| Some(height) == expected.next().map(f64::from))
+    heights(scan).iter().all(|&height| Some(height) == expected.next().map(f64::from))
 }
 
 #[test]
@@ -66,9 +64,7 @@ fn edge_tiles_are_cut_to_the_page() {
         page.tags.push((325, LONG, 4, counts));
         // The page's data start after header, directory and the two lists of four.
         let data_at = 8 + 2 + (page.tags.len() as u64 + 1) * 12 + 4 + 32;
-        let offsets = (0..4)
-            .flat_map(|i| order.bytes(data_at + i * 1024, 4))
-            .collect();
+        let offsets = (0..4).flat_map(|i| order.bytes(data_at + i * 1024, 4)).collect();
         page.tags.push((324, LONG, 4, offsets));
         let scan = read(&tiff_file(order, &[page]), &in_nm()).unwrap();
         assert_eq!(scan.provenance.size, [20, 18]);
@@ -83,12 +79,8 @@ fn floating_point_predictor() {
         let size = [5usize, 3];
         let mut data = Vec::new();
         for row in 0..size[1] {
-            let words: Vec<[u8; 4]> = (0..size[0])
-                .map(|x| ((row * size[0] + x) as f32).to_be_bytes())
-                .collect();
-            let planes: Vec<u8> = (0..4)
-                .flat_map(|b| words.iter().map(move |w| w[b]))
-                .collect();
+            let words: Vec<[u8; 4]> = (0..size[0]).map(|x| ((row * size[0] + x) as f32).to_be_bytes()).collect();
+            let planes: Vec<u8> = (0..4).flat_map(|b| words.iter().map(move |w| w[b])).collect();
             let mut previous = 0u8;
             for byte in planes {
                 data.push(byte.wrapping_sub(previous));
@@ -97,9 +89,7 @@ fn floating_point_predictor() {
         }
         let mut page = PageParts::grey(order, [5, 3], 32, 3, data);
         page.short(order, 317, 3);
-        assert!(is_ramp(
-            &read(&tiff_file(order, &[page.clone()]), &in_nm()).unwrap()
-        ));
+        assert!(is_ramp(&read(&tiff_file(order, &[page.clone()]), &in_nm()).unwrap()));
         // Integers have no such predictor.
         page.short(order, 339, 1);
         assert!(message(&tiff_file(order, &[page]), &in_nm()).contains("predictor 3"));
@@ -111,13 +101,9 @@ fn byte_counts_may_be_missing_or_too_large() {
     let order = Order::Little;
     let mut page = ramp(order, [6, 5]);
     page.byte_count = None;
-    assert!(is_ramp(
-        &read(&tiff_file(order, &[page.clone()]), &in_nm()).unwrap()
-    ));
+    assert!(is_ramp(&read(&tiff_file(order, &[page.clone()]), &in_nm()).unwrap()));
     page.byte_count = Some(6 * 5 * 4 * 8);
-    assert!(is_ramp(
-        &read(&tiff_file(order, &[page.clone()]), &in_nm()).unwrap()
-    ));
+    assert!(is_ramp(&read(&tiff_file(order, &[page.clone()]), &in_nm()).unwrap()));
     page.byte_count = Some(6 * 5 * 4 - 1);
     assert!(message(&tiff_file(order, &[page]), &in_nm()).contains("too few"));
 }
@@ -136,12 +122,9 @@ fn white_is_zero_does_not_invert() {
 #[test]
 fn orientation_mirrors() {
     let order = Order::Little;
-    for (orientation, expected) in [
-        (1, [0., 1., 2., 3.]),
-        (2, [1., 0., 3., 2.]),
-        (3, [3., 2., 1., 0.]),
-        (4, [2., 3., 0., 1.]),
-    ] {
+    for (orientation, expected) in
+        [(1, [0., 1., 2., 3.]), (2, [1., 0., 3., 2.]), (3, [3., 2., 1., 0.]), (4, [2., 3., 0., 1.])]
+    {
         let mut page = ramp(order, [2, 2]);
         page.short(order, 274, orientation);
         let scan = read(&tiff_file(order, &[page]), &in_nm()).unwrap();
@@ -162,29 +145,15 @@ fn several_pages_need_a_choice_unless_the_others_are_previews() {
     let mut colour = ramp(order, [8, 8]);
     colour.short(order, 262, 2);
 
-    let file = tiff_file(
-        order,
-        &[
-            thumbnail,
-            flagged.clone(),
-            colour.clone(),
-            scan_page.clone(),
-        ],
-    );
+    let file = tiff_file(order, &[thumbnail, flagged.clone(), colour.clone(), scan_page.clone()]);
     let scan = read(&file, &in_nm()).unwrap();
     assert_eq!((scan.provenance.page, scan.provenance.size), (3, [8, 8]));
 
     let file = tiff_file(order, &[scan_page.clone(), colour, scan_page]);
     let text = message(&file, &in_nm());
-    assert!(
-        text.contains("page 0: 8 x 8 f32; page 1: 8 x 8 colour picture; page 2"),
-        "{text}"
-    );
+    assert!(text.contains("page 0: 8 x 8 f32; page 1: 8 x 8 colour picture; page 2"), "{text}");
     assert!(text.contains("`page = 0`"), "{text}");
-    let chosen = |page| ReadConfig {
-        page: Some(page),
-        ..in_nm()
-    };
+    let chosen = |page| ReadConfig { page: Some(page), ..in_nm() };
     assert_eq!(read(&file, &chosen(2)).unwrap().provenance.page, 2);
     assert!(message(&file, &chosen(1)).contains("colour picture"));
     assert!(message(&file, &chosen(3)).contains("no page 3"));
@@ -267,18 +236,13 @@ fn imagej_units() {
 fn imagej_info_text() {
     for order in ORDERS {
         let four = |name: &[u8; 4]| order.bytes(u64::from(u32::from_be_bytes(*name)), 4);
-        let utf16 = |text: &str| -> Vec<u8> {
-            text.encode_utf16()
-                .flat_map(|unit| order.bytes(u64::from(unit), 2))
-                .collect()
-        };
+        let utf16 =
+            |text: &str| -> Vec<u8> { text.encode_utf16().flat_map(|unit| order.bytes(u64::from(unit), 2)).collect() };
         let file = |info: &str, magic: &[u8; 4]| {
             let one = order.bytes(1, 4);
             let header = [four(magic), four(b"labl"), one.clone(), four(b"info"), one].concat();
             let blocks = [header, utf16("slice 1"), utf16(info)];
-            let sizes = blocks
-                .iter()
-                .flat_map(|block| order.bytes(block.len() as u64, 4));
+            let sizes = blocks.iter().flat_map(|block| order.bytes(block.len() as u64, 4));
             let data = f32_bytes(order, &[1.0, 2.0, 3.0, 4.0]);
             let mut page = imagej(order, 32, 3, data, "unit=um\n");
             page.tags.push((50838, LONG, 3, sizes.collect()));
@@ -300,10 +264,7 @@ fn imagej_info_text() {
 #[test]
 fn imagej_calibration_lines() {
     let order = Order::Big;
-    let data: Vec<u8> = [0u64, 1, 32768, 65535]
-        .iter()
-        .flat_map(|&v| order.bytes(v, 2))
-        .collect();
+    let data: Vec<u8> = [0u64, 1, 32768, 65535].iter().flat_map(|&v| order.bytes(v, 2)).collect();
     let file = |keys: &str| tiff_file(order, &[imagej(order, 16, 1, data.clone(), keys)]);
     let plain = ReadConfig::default();
 
@@ -312,10 +273,7 @@ fn imagej_calibration_lines() {
     // Without a unit the line is there, but not what it counts; the caller's unit comes after it.
     let no_unit = file("unit=um\ncf=0\nc0=-2\nc1=0.5\n");
     assert!(message(&no_unit, &plain).contains("`height ="));
-    assert_eq!(
-        heights(&read(&no_unit, &in_nm()).unwrap())[..2],
-        [-2.0, -1.5]
-    );
+    assert_eq!(heights(&read(&no_unit, &in_nm()).unwrap())[..2], [-2.0, -1.5]);
     // ImageJ's mark of signed samples is a type, not a calibration.
     let signed = file("unit=um\ncf=0\nc0=-32768\nc1=1\n");
     assert!(message(&signed, &plain).contains("i16"));
@@ -327,10 +285,7 @@ fn imagej_calibration_lines() {
     assert!(message(&file("unit=um\nmin=0\nmax=9\nvunit=nm\n"), &plain).contains("display limits"));
     assert!(message(&file("unit=um\ncf=0\nc0=x\nc1=1\nvunit=nm\n"), &plain).contains("c0"));
     // The manifest overrules, of the stored counts, and the contradiction is mentioned.
-    let config = ReadConfig {
-        height: Some(HeightScale::FullScaleNm(131070.0)),
-        ..plain
-    };
+    let config = ReadConfig { height: Some(HeightScale::FullScaleNm(131070.0)), ..plain };
     let scan = read(&file("unit=um\ncf=0\nc0=-2\nc1=0.5\nvunit=um\n"), &config).unwrap();
     assert_eq!(heights(&scan), [0.0, 2.0, 65536.0, 131070.0]);
     assert!(scan.provenance.warnings[0].contains("overrules"));
@@ -339,20 +294,14 @@ fn imagej_calibration_lines() {
 #[test]
 fn resolution_tags_count_only_where_they_can_be_a_scans() {
     let order = Order::Little;
-    let config = ReadConfig {
-        pitch_nm: None,
-        ..in_nm()
-    };
+    let config = ReadConfig { pitch_nm: None, ..in_nm() };
     for dpi in [72, 96, 150, 300, 600, 1200, 2400] {
         let mut page = ramp(order, [2, 2]);
         page.rational(order, 282, [dpi, 1]);
         page.rational(order, 283, [dpi, 1]);
         page.short(order, 296, 2);
         let text = message(&tiff_file(order, &[page]), &config);
-        assert!(
-            text.contains("screen") && text.contains("`pitch_nm ="),
-            "{dpi}: {text}"
-        );
+        assert!(text.contains("screen") && text.contains("`pitch_nm ="), "{dpi}: {text}");
     }
     let mut page = ramp(order, [2, 2]);
     page.rational(order, 282, [1_000_000, 1]);
@@ -369,10 +318,7 @@ fn resolution_tags_count_only_where_they_can_be_a_scans() {
 #[test]
 fn ome_units_and_images() {
     let order = Order::Little;
-    let config = ReadConfig {
-        pitch_nm: None,
-        ..in_nm()
-    };
+    let config = ReadConfig { pitch_nm: None, ..in_nm() };
     let with = |xml: &str| {
         let mut page = ramp(order, [2, 2]);
         page.text(270, xml);
@@ -392,23 +338,14 @@ fn ome_units_and_images() {
     assert!((pitch[0] - 5.0).abs() < 1e-12 && (pitch[1] - 0.3).abs() < 1e-12);
     for (attributes, words) in [
         ("PhysicalSizeX=\"1\"", "no PhysicalSizeY"),
-        (
-            "PhysicalSizeX=\"1\" PhysicalSizeXUnit=\"pixel\" PhysicalSizeY=\"1\"",
-            "pixel",
-        ),
+        ("PhysicalSizeX=\"1\" PhysicalSizeXUnit=\"pixel\" PhysicalSizeY=\"1\"", "pixel"),
         ("PhysicalSizeX=\"x\" PhysicalSizeY=\"1\"", "not a number"),
     ] {
-        assert!(
-            message(&one(attributes), &config).contains(words),
-            "{attributes}"
-        );
+        assert!(message(&one(attributes), &config).contains(words), "{attributes}");
     }
     let two = "<OME><Image><Pixels PhysicalSizeX=\"1\" PhysicalSizeY=\"1\"><TiffData IFD=\"1\"/></Pixels></Image>\
                <Image><Pixels PhysicalSizeX=\"2\" PhysicalSizeY=\"2\"><TiffData IFD=\"0\"/></Pixels></Image></OME>";
-    assert_eq!(
-        read(&with(two), &config).unwrap().field.pitch_nm,
-        [2000.0, 2000.0]
-    );
+    assert_eq!(read(&with(two), &config).unwrap().field.pitch_nm, [2000.0, 2000.0]);
     assert!(message(&with("<OME><Image>"), &config).contains("not XML"));
 }
 
@@ -416,17 +353,9 @@ fn ome_units_and_images() {
 fn missing_samples_are_counted_filled_and_bounded() {
     let order = Order::Little;
     let size = [20u32, 20];
-    let mut values: Vec<f32> = (0..400)
-        .map(|i| (i % 20) as f32 * 2.0 + (i / 20) as f32)
-        .collect();
+    let mut values: Vec<f32> = (0..400).map(|i| (i % 20) as f32 * 2.0 + (i / 20) as f32).collect();
     let truth: Vec<f64> = values.iter().map(|&value| f64::from(value)).collect();
-    let marks = [
-        f32::NAN,
-        f32::INFINITY,
-        f32::NEG_INFINITY,
-        -9999.0,
-        -f32::MAX,
-    ];
+    let marks = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -9999.0, -f32::MAX];
     for (index, &mark) in marks.iter().enumerate() {
         values[105 + 21 * index] = mark;
     }
@@ -437,26 +366,16 @@ fn missing_samples_are_counted_filled_and_bounded() {
     assert_eq!(scan.provenance.missing_samples, marks.len());
     assert!(scan.provenance.warnings[0].contains("5 missing samples"));
     // A plane is harmonic, so it is restored; the solver leaves 1e-9 of the relief (rms 13 nm).
-    let worst = heights(&scan)
-        .iter()
-        .zip(&truth)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max);
+    let worst = heights(&scan).iter().zip(&truth).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(worst < 1e-6, "{worst}");
-    let strict = ReadConfig {
-        max_missing_share: 0.01,
-        ..in_nm()
-    };
+    let strict = ReadConfig { max_missing_share: 0.01, ..in_nm() };
     assert!(message(&file, &strict).contains("5 of 400 samples are missing"));
     page.text(42113, "none at all");
     assert!(message(&tiff_file(order, &[page]), &in_nm()).contains("no-data"));
 
     let all_missing = f32_bytes(order, &[f32::NAN; 4]);
     let page = PageParts::grey(order, [2, 2], 32, 3, all_missing);
-    let generous = ReadConfig {
-        max_missing_share: 1.0,
-        ..in_nm()
-    };
+    let generous = ReadConfig { max_missing_share: 1.0, ..in_nm() };
     assert!(message(&tiff_file(order, &[page]), &generous).contains("4 of 4"));
 }
 
@@ -464,27 +383,15 @@ fn missing_samples_are_counted_filled_and_bounded() {
 fn heights_and_pitches_out_of_reason_are_refused() {
     let order = Order::Little;
     let file = tiff_file(order, &[ramp(order, [4, 4])]);
-    let metres = ReadConfig {
-        height: Some(HeightScale::Unit(LengthUnit::M)),
-        ..in_nm()
-    };
+    let metres = ReadConfig { height: Some(HeightScale::Unit(LengthUnit::M)), ..in_nm() };
     assert!(message(&file, &metres).contains("more than a metre"));
     for pitch in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e6] {
-        let config = ReadConfig {
-            pitch_nm: Some([10.0, pitch]),
-            ..in_nm()
-        };
+        let config = ReadConfig { pitch_nm: Some([10.0, pitch]), ..in_nm() };
         assert!(message(&file, &config).contains("pitch"), "{pitch}");
     }
     for scale in [0.0, f64::NAN, f64::INFINITY] {
-        let height = HeightScale::Linear {
-            nm_per_count: scale,
-            offset_nm: 0.0,
-        };
-        let config = ReadConfig {
-            height: Some(height),
-            ..in_nm()
-        };
+        let height = HeightScale::Linear { nm_per_count: scale, offset_nm: 0.0 };
+        let config = ReadConfig { height: Some(height), ..in_nm() };
         assert!(message(&file, &config).contains("`height`"), "{scale}");
     }
 }

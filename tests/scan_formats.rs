@@ -48,11 +48,7 @@ const REFUSED: &str = "grid_gwyddion262_rgb8_figure.tiff";
 /// The heights in nm of a simple field, by the plainest reading of its last bytes.
 fn truth_nm(path: &Path) -> Vec<f64> {
     let bytes = std::fs::read(path).unwrap();
-    let header: Vec<u8> = bytes
-        .iter()
-        .copied()
-        .take_while(|&byte| byte != 0)
-        .collect();
+    let header: Vec<u8> = bytes.iter().copied().take_while(|&byte| byte != 0).collect();
     let header = String::from_utf8(header).unwrap();
     let side = |key: &str| -> usize {
         let line = header.lines().find(|line| line.starts_with(key)).unwrap();
@@ -89,10 +85,7 @@ fn every_variant_is_read_to_its_truth() {
         let as_it_is = read_scan(&path, &ReadConfig::default());
         let lacking = [(pitch_by, "`pitch_nm ="), (height_by, "`height =")];
         match &as_it_is {
-            Ok(_) => assert!(
-                lacking.iter().all(|(by, _)| matches!(by, File(_))),
-                "{name}"
-            ),
+            Ok(_) => assert!(lacking.iter().all(|(by, _)| matches!(by, File(_))), "{name}"),
             Err(error) => {
                 for (by, key) in lacking {
                     let named = error.to_string().contains(key);
@@ -110,22 +103,13 @@ fn every_variant_is_read_to_its_truth() {
         };
         let scan = read_scan(&path, &config).unwrap();
         let facts = &scan.provenance;
-        assert_eq!(
-            (&*facts.format, &*facts.sample_format),
-            (*format, *sample),
-            "{name}"
-        );
-        assert_eq!(
-            (facts.size, facts.page, facts.missing_samples),
-            ([256, 256], 0, 0),
-            "{name}"
-        );
+        assert_eq!((&*facts.format, &*facts.sample_format), (*format, *sample), "{name}");
+        assert_eq!((facts.size, facts.page, facts.missing_samples), ([256, 256], 0, 0), "{name}");
         assert_eq!(facts.sha256, sha256_hex(&std::fs::read(&path).unwrap()));
         assert_eq!(&facts.file_name, name);
-        for (by, from, key) in [
-            (pitch_by, &facts.pitch_from, "manifest: pitch_nm"),
-            (height_by, &facts.height_from, "manifest: height"),
-        ] {
+        for (by, from, key) in
+            [(pitch_by, &facts.pitch_from, "manifest: pitch_nm"), (height_by, &facts.height_from, "manifest: height")]
+        {
             match by {
                 File(place) => assert_eq!(from, &format!("file: {place}"), "{name}"),
                 Manifest => assert_eq!(from, key, "{name}"),
@@ -140,25 +124,15 @@ fn every_variant_is_read_to_its_truth() {
         let largest = truth.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
         let tolerance = number("max_abs_residual_nm") + largest * f64::from(f32::EPSILON);
         let difference = largest_difference(&scan, &truth);
-        assert!(
-            difference <= tolerance,
-            "{name}: {difference} > {tolerance}"
-        );
+        assert!(difference <= tolerance, "{name}: {difference} > {tolerance}");
 
         // The comparison can fail: upside down, mirrored, or with a scale off by 1 % it does.
         let [nx, ny] = facts.size;
-        let flipped: Vec<f64> = (0..nx * ny)
-            .map(|i| truth[(ny - 1 - i / nx) * nx + i % nx])
-            .collect();
-        let mirrored: Vec<f64> = (0..nx * ny)
-            .map(|i| truth[i / nx * nx + nx - 1 - i % nx])
-            .collect();
+        let flipped: Vec<f64> = (0..nx * ny).map(|i| truth[(ny - 1 - i / nx) * nx + i % nx]).collect();
+        let mirrored: Vec<f64> = (0..nx * ny).map(|i| truth[i / nx * nx + nx - 1 - i % nx]).collect();
         let scaled: Vec<f64> = truth.iter().map(|height| height * 1.01).collect();
         for wrong in [flipped, mirrored, scaled] {
-            assert!(
-                largest_difference(&scan, &wrong) > 3.0 * tolerance,
-                "{name}"
-            );
+            assert!(largest_difference(&scan, &wrong) > 3.0 * tolerance, "{name}");
         }
     }
     check_table_is_complete(&folder);
@@ -168,9 +142,7 @@ fn every_variant_is_read_to_its_truth() {
 fn check_table_is_complete(folder: &Path) {
     for entry in std::fs::read_dir(folder).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
-        let known = TABLE.iter().any(|row| row.0 == name)
-            || name == REFUSED
-            || name == "park_smartscan_512.tiff";
+        let known = TABLE.iter().any(|row| row.0 == name) || name == REFUSED || name == "park_smartscan_512.tiff";
         assert!(known || !name.contains(".tif"), "{name} is in no test");
     }
 }
@@ -182,10 +154,7 @@ fn simple_fields_are_read_bit_for_bit() {
     };
     for (name, pitch) in [("grid.gsf", 11.71875), ("squares.gsf", 195.3125)] {
         let scan = read_scan(&folder.join(name), &ReadConfig::default()).unwrap();
-        assert_eq!(
-            largest_difference(&scan, &truth_nm(&folder.join(name))),
-            0.0
-        );
+        assert_eq!(largest_difference(&scan, &truth_nm(&folder.join(name))), 0.0);
         assert!((scan.field.pitch_nm[1] - pitch).abs() < 1e-9, "{name}");
         assert_eq!(scan.provenance.format, "GSF");
     }
@@ -196,11 +165,7 @@ fn park_heights_come_from_the_private_tag() {
     let Some(folder) = samples("tiff-variants") else {
         return;
     };
-    let scan = read_scan(
-        &folder.join("park_smartscan_512.tiff"),
-        &ReadConfig::default(),
-    )
-    .unwrap();
+    let scan = read_scan(&folder.join("park_smartscan_512.tiff"), &ReadConfig::default()).unwrap();
     let truth = truth_nm(&folder.join("park_smartscan_512_truth.gsf"));
     let facts = &scan.provenance;
     assert_eq!((&*facts.format, facts.size), ("Park TIFF", [512, 512]));
@@ -238,19 +203,13 @@ fn real_scans_state_their_own_calibration() {
     let mut read = 0;
     for entry in std::fs::read_dir(&folder).unwrap() {
         let sidecar = entry.unwrap().path();
-        if sidecar
-            .extension()
-            .is_none_or(|extension| extension != "toml")
-        {
+        if sidecar.extension().is_none_or(|extension| extension != "toml") {
             continue;
         }
         let facts: toml::Table = std::fs::read_to_string(&sidecar).unwrap().parse().unwrap();
         let number = |key: &str| {
             let value = &facts[key];
-            value
-                .as_float()
-                .or(value.as_integer().map(|n| n as f64))
-                .unwrap()
+            value.as_float().or(value.as_integer().map(|n| n as f64)).unwrap()
         };
         let scan = read_scan(&sidecar.with_extension("tif"), &ReadConfig::default()).unwrap();
         let name = sidecar.display();
@@ -260,25 +219,12 @@ fn real_scans_state_their_own_calibration() {
         assert_eq!(scan.field.pitch_nm, pitch, "{name}");
         assert_eq!(scan.provenance.height_from, "file: description", "{name}");
         assert_eq!(scan.provenance.warnings, [""; 0], "{name}");
-        let low = scan
-            .field
-            .heights_nm
-            .iter()
-            .copied()
-            .fold(f64::MAX, f64::min);
-        let high = scan
-            .field
-            .heights_nm
-            .iter()
-            .copied()
-            .fold(f64::MIN, f64::max);
+        let low = scan.field.heights_nm.iter().copied().fold(f64::MAX, f64::min);
+        let high = scan.field.heights_nm.iter().copied().fold(f64::MIN, f64::max);
         // The sidecar rounds to six digits.
         for (found, key) in [(low, "z_min_nm"), (high, "z_max_nm")] {
             let stated = number(key);
-            assert!(
-                (found - stated).abs() <= 5e-6 * stated.abs() + 1e-9,
-                "{name}: {found} {stated}"
-            );
+            assert!((found - stated).abs() <= 5e-6 * stated.abs() + 1e-9, "{name}: {found} {stated}");
         }
         read += 1;
     }
@@ -291,24 +237,15 @@ fn published_scans() {
     let Some(folder) = samples("specimens") else {
         return;
     };
-    let scan = read_scan(
-        &folder.join("xenopeltis_unicolor.tif"),
-        &ReadConfig::default(),
-    )
-    .unwrap();
+    let scan = read_scan(&folder.join("xenopeltis_unicolor.tif"), &ReadConfig::default()).unwrap();
     assert_eq!(scan.provenance.size, [1332, 1332]);
     assert_eq!(scan.provenance.height_from, "file: ImageJ info text");
     assert!((scan.field.pitch_nm[0] - 65e3 / 1332.0).abs() < 1e-9);
 
     // The other one is silent: both keys are needed, and the whole integer range is the height given.
     let elaphe = folder.join("elaphe_guttata.tif");
-    let message = read_scan(&elaphe, &ReadConfig::default())
-        .unwrap_err()
-        .to_string();
-    assert!(
-        message.contains("`pitch_nm =") && message.contains("full_scale_nm"),
-        "{message}"
-    );
+    let message = read_scan(&elaphe, &ReadConfig::default()).unwrap_err().to_string();
+    assert!(message.contains("`pitch_nm =") && message.contains("full_scale_nm"), "{message}");
     let mut config = ReadConfig {
         pitch_nm: Some([48.8, 48.8]),
         height: Some(HeightScale::FullScaleNm(375.0)),
@@ -317,21 +254,13 @@ fn published_scans() {
     let scan = read_scan(&elaphe, &config).unwrap();
     let in_range = |height: &f64| (0.0..=375.0).contains(height);
     assert!(scan.field.heights_nm.iter().all(in_range));
-    config.height = Some(HeightScale::Linear {
-        nm_per_count: 375.0 / 65535.0,
-        offset_nm: 0.0,
-    });
+    config.height = Some(HeightScale::Linear { nm_per_count: 375.0 / 65535.0, offset_nm: 0.0 });
     assert_eq!(read_scan(&elaphe, &config).unwrap().field, scan.field);
 
     // A full scale makes no sense for floats.
     config.height = Some(HeightScale::FullScaleNm(375.0));
     let error = read_scan(&folder.join("blazed_2500nm.tif"), &config).unwrap_err();
-    assert!(
-        error
-            .to_string()
-            .contains("full_scale_nm is for integer samples"),
-        "{error}"
-    );
+    assert!(error.to_string().contains("full_scale_nm is for integer samples"), "{error}");
     config.height = Some(HeightScale::Unit(LengthUnit::Nm));
     assert!(read_scan(&folder.join("blazed_2500nm.tif"), &config).is_ok());
 }

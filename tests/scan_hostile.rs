@@ -6,9 +6,7 @@ use std::io::Cursor;
 use std::path::Path;
 
 use diffraction_atlas::ground::error::{Error, Result};
-use diffraction_atlas::height::read::{
-    HeightScale, LengthUnit, ReadConfig, Scan, read_scan, scan_from_bytes,
-};
+use diffraction_atlas::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, read_scan, scan_from_bytes};
 use proptest::prelude::*;
 use scan_support::{DOUBLE, LONG, Order, PageParts, f32_bytes, samples, tiff_file};
 use tiff::encoder::{Compression, DeflateLevel, Predictor, TiffEncoder, colortype};
@@ -69,12 +67,8 @@ macro_rules! encode {
     }};
 }
 
-const COMPRESSIONS: [Compression; 4] = [
-    Compression::Uncompressed,
-    Compression::Lzw,
-    Compression::Deflate(DeflateLevel::Balanced),
-    Compression::Packbits,
-];
+const COMPRESSIONS: [Compression; 4] =
+    [Compression::Uncompressed, Compression::Lzw, Compression::Deflate(DeflateLevel::Balanced), Compression::Packbits];
 
 #[derive(Debug, Clone, Copy)]
 struct Setting {
@@ -91,12 +85,7 @@ fn small_files() -> Vec<Vec<u8>> {
     let mut files = Vec::new();
     for compression in 0..COMPRESSIONS.len() {
         for big in [false, true] {
-            let setting = Setting {
-                big,
-                compression,
-                predictor: Predictor::Horizontal,
-                rows_per_strip: 7,
-            };
+            let setting = Setting { big, compression, predictor: Predictor::Horizontal, rows_per_strip: 7 };
             files.push(encode!(colortype::Gray16, &values, [24, 20], setting));
         }
     }
@@ -127,11 +116,7 @@ fn a_file_cut_anywhere_is_refused() {
 fn flipped_bytes_give_a_scan_or_a_refusal() {
     let mut files = small_files();
     if let Some(folder) = samples("tiff-variants") {
-        for name in [
-            "grid_lzw_pred3_tiled_nm.tif",
-            "grid_ome_nm.ome.tif",
-            "grid_imagej153t_ij16_cal.tif",
-        ] {
+        for name in ["grid_lzw_pred3_tiled_nm.tif", "grid_ome_nm.ome.tif", "grid_imagej153t_ij16_cal.tif"] {
             files.push(std::fs::read(folder.join(name)).unwrap());
         }
         files.push(std::fs::read(folder.join("park_smartscan_512.tiff")).unwrap());
@@ -157,12 +142,7 @@ fn flipped_bytes_give_a_scan_or_a_refusal() {
                     let [nx, ny] = scan.provenance.size;
                     assert_eq!(scan.field.heights_nm.dim(), (ny, nx));
                     assert!(nx * ny <= counts().max_samples);
-                    assert!(
-                        scan.field
-                            .heights_nm
-                            .iter()
-                            .all(|height| height.is_finite())
-                    );
+                    assert!(scan.field.heights_nm.iter().all(|height| height.is_finite()));
                 }
                 Err(Error::BadFile { what, fix, .. } | Error::Limit { what, fix }) => {
                     assert!(!what.is_empty() && !fix.is_empty());
@@ -187,10 +167,7 @@ fn claimed_sizes_are_checked_before_memory_is_taken() {
     for compression in [5, 8, 32946, 32773] {
         let mut packed = page([1000, 1000], 64);
         packed.short(Order::Little, 259, compression);
-        assert!(
-            message(&little(packed)).contains("too few"),
-            "{compression}"
-        );
+        assert!(message(&little(packed)).contains("too few"), "{compression}");
     }
     assert!(message(&little(page([0, 5], 64))).contains("width"));
     let mut tiled = page([8, 8], 1024);
@@ -216,19 +193,14 @@ fn overlapping_strips_are_refused() {
     overlapping.byte_count = None;
     overlapping.long(Order::Little, 278, 1);
     let same: Vec<u8> = (0..1000).flat_map(|_| Order::Little.bytes(8, 4)).collect();
-    let ample: Vec<u8> = (0..1000)
-        .flat_map(|_| Order::Little.bytes(4000, 4))
-        .collect();
+    let ample: Vec<u8> = (0..1000).flat_map(|_| Order::Little.bytes(4000, 4)).collect();
     overlapping.short(Order::Little, 259, 8);
     overlapping.tags.push((279, LONG, 1000, ample));
     let mut file = little(overlapping.clone());
     // The support code writes one strip's offset; a list needs the same tag with a longer value.
     let list_at = file.len() as u64;
     file.extend(same);
-    let entry = (10..file.len())
-        .step_by(12)
-        .find(|&at| file[at..at + 2] == [0x11, 0x01])
-        .unwrap();
+    let entry = (10..file.len()).step_by(12).find(|&at| file[at..at + 2] == [0x11, 0x01]).unwrap();
     file[entry + 4..entry + 8].copy_from_slice(&1000u32.to_le_bytes());
     file[entry + 8..entry + 12].copy_from_slice(&Order::Little.bytes(list_at, 4));
     assert!(message(&file).contains("overlap"), "{}", message(&file));
@@ -257,10 +229,7 @@ fn directories_that_loop_or_lead_astray() {
     let mut vast = page([4, 4], 64);
     vast.tags.push((282, DOUBLE, u32::MAX, vec![8, 0, 0, 0]));
     vast.short(Order::Little, 296, 3);
-    let config = ReadConfig {
-        pitch_nm: None,
-        ..counts()
-    };
+    let config = ReadConfig { pitch_nm: None, ..counts() };
     let error = read(&little(vast), &config).unwrap_err().to_string();
     assert!(error.contains("tag 282 lies outside"), "{error}");
 
@@ -314,37 +283,26 @@ fn hostile_xml_is_refused() {
         assert!(text.contains("not XML"), "{text}");
     }
     // Well-formed and deep: parsed, and then lacks a pixel size.
-    let nested = format!(
-        "<OME>{}{}</OME>",
-        "<a>".repeat(20_000),
-        "</a>".repeat(20_000)
-    );
+    let nested = format!("<OME>{}{}</OME>", "<a>".repeat(20_000), "</a>".repeat(20_000));
     assert!(read(&with(&nested), &counts()).is_ok());
 }
 
 fn setting() -> impl Strategy<Value = Setting> {
-    (any::<bool>(), 0..COMPRESSIONS.len(), any::<bool>(), 1u32..9).prop_map(
-        |(big, compression, predict, rows)| Setting {
+    (any::<bool>(), 0..COMPRESSIONS.len(), any::<bool>(), 1u32..9).prop_map(|(big, compression, predict, rows)| {
+        Setting {
             big,
             compression,
-            predictor: if predict {
-                Predictor::Horizontal
-            } else {
-                Predictor::None
-            },
+            predictor: if predict { Predictor::Horizontal } else { Predictor::None },
             rows_per_strip: rows,
-        },
-    )
+        }
+    })
 }
 
 /// Size and as many bit patterns.
 fn field() -> impl Strategy<Value = ([u32; 2], Vec<u32>)> {
     (1u32..13, 1u32..13).prop_flat_map(|(nx, ny)| {
         let samples = (nx * ny) as usize;
-        (
-            Just([nx, ny]),
-            proptest::collection::vec(any::<u32>(), samples),
-        )
+        (Just([nx, ny]), proptest::collection::vec(any::<u32>(), samples))
     })
 }
 

@@ -34,13 +34,7 @@ fn park(source: &str, unit: &str, z_scale: f64) -> Vec<u8> {
     for at in [100, 104] {
         header[at..at + 4].copy_from_slice(&2u32.to_le_bytes());
     }
-    let floats = [
-        (140, 0.25),
-        (148, 0.5),
-        (220, -2.0),
-        (228, z_scale),
-        (236, 0.125),
-    ];
+    let floats = [(140, 0.25), (148, 0.5), (220, -2.0), (228, z_scale), (236, 0.125)];
     for (at, value) in floats {
         header[at..at + 8].copy_from_slice(&f64::to_le_bytes(value));
     }
@@ -50,10 +44,7 @@ fn park(source: &str, unit: &str, z_scale: f64) -> Vec<u8> {
     page.short(order, 262, 3);
     page.long(order, 50432, 0x0E03_1301);
     page.long(order, 50433, 0x0100_0001);
-    let data: Vec<u8> = [1i16, -2, 3, 4]
-        .iter()
-        .flat_map(|v| v.to_le_bytes())
-        .collect();
+    let data: Vec<u8> = [1i16, -2, 3, 4].iter().flat_map(|v| v.to_le_bytes()).collect();
     page.raw(50434, BYTE, &data);
     page.raw(50435, UNDEFINED, &header);
     tiff_file(order, &[page])
@@ -69,10 +60,7 @@ fn park_version_one() {
     assert_eq!(scan.field.pitch_nm, [125.0, 250.0]);
     assert_eq!(scan.provenance.sample_format, "i16");
     let scan = read(&park("Z Height", "nm", 0.5), &plain).unwrap();
-    assert_eq!(
-        heights(&scan),
-        [3.0, 4.0, 1.0, -2.0].map(|raw| -2.0 * (0.5 * raw + 0.125))
-    );
+    assert_eq!(heights(&scan), [3.0, 4.0, 1.0, -2.0].map(|raw| -2.0 * (0.5 * raw + 0.125)));
     assert!(message(&park("NCM Phase", "deg", 1.0), &plain).contains("not a height"));
     assert!(message(&park("Z Height", "V", 1.0), &plain).contains("`height ="));
     assert!(message(&park("Z Height", "um", f64::NAN), &plain).contains("gain"));
@@ -80,18 +68,13 @@ fn park_version_one() {
 
 /// A page of a JPK file: signed 32-bit, slots "base" (volts) and "nominal" (metres).
 fn jpk_page(order: Order, channel: &str, retrace: u16, raw: [i32; 4], scale: f64) -> PageParts {
-    let data = raw
-        .iter()
-        .flat_map(|&v| order.bytes(u64::from(v as u32), 4))
-        .collect();
+    let data = raw.iter().flat_map(|&v| order.bytes(u64::from(v as u32), 4)).collect();
     let mut page = PageParts::grey(order, [2, 2], 32, 2, data);
     page.text(0x8050, channel);
     page.short(order, 0x8051, retrace);
     page.short(order, 0x8080, 2);
     page.text(0x8081, "nominal");
-    for (slot, name, unit, scale, offset) in
-        [(0, "base", "V", 7.0, 1.0), (1, "nominal", "m", scale, 2e-9)]
-    {
+    for (slot, name, unit, scale, offset) in [(0, "base", "V", 7.0, 1.0), (1, "nominal", "m", scale, 2e-9)] {
         let at = 0x30 * slot;
         page.text(0x8090 + at, name);
         page.text(0x80A2 + at, unit);
@@ -108,9 +91,7 @@ fn jpk(reflect: u16, pages: &[PageParts]) -> Vec<u8> {
     thumbnail.short(order, 262, 3);
     thumbnail.double(order, 0x8042, 1e-6);
     thumbnail.double(order, 0x8043, 3e-6);
-    thumbnail
-        .tags
-        .push((0x8045, SHORT, 1, order.bytes(u64::from(reflect), 2)));
+    thumbnail.tags.push((0x8045, SHORT, 1, order.bytes(u64::from(reflect), 2)));
     thumbnail.text(0x8050, "thumbnail");
     let mut all = vec![thumbnail];
     all.extend_from_slice(pages);
@@ -125,23 +106,12 @@ fn jpk_default_slot_of_the_best_height_channel() {
     let height = jpk_page(order, "height", 0, [1, 2, 3, 4], 1e-9);
     let back = jpk_page(order, "measuredHeight", 1, [5, 6, 7, 8], -1e-9);
     let measured = jpk_page(order, "measuredHeight", 0, [-5, 6, 7, 8], -1e-9);
-    let near = |scan: &Scan, expected: [f64; 4]| {
-        heights(scan)
-            .iter()
-            .zip(expected)
-            .all(|(a, b)| (a - b).abs() < 1e-12)
-    };
+    let near = |scan: &Scan, expected: [f64; 4]| heights(scan).iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12);
     // height = multiplier raw + offset, rows from the bottom; forward before backward.
     let all = [error.clone(), height.clone(), back, measured];
     let scan = read(&jpk(0, &all), &plain).unwrap();
-    assert_eq!(
-        (&*scan.provenance.format, scan.provenance.page),
-        ("JPK TIFF", 4)
-    );
-    assert_eq!(
-        scan.provenance.channel.as_deref(),
-        Some("measuredHeight (trace)")
-    );
+    assert_eq!((&*scan.provenance.format, scan.provenance.page), ("JPK TIFF", 4));
+    assert_eq!(scan.provenance.channel.as_deref(), Some("measuredHeight (trace)"));
     assert!(near(&scan, [-5.0, -6.0, 7.0, -4.0]), "{:?}", heights(&scan));
     for axis in 0..2 {
         let pitch = [500.0, 1500.0][axis];
@@ -151,22 +121,13 @@ fn jpk_default_slot_of_the_best_height_channel() {
     let scan = read(&jpk(1, &all), &plain).unwrap();
     assert!(near(&scan, [7.0, -4.0, -5.0, -6.0]), "{:?}", heights(&scan));
     // Another channel by its page, and only the lesser height where there is no better one.
-    let chosen = ReadConfig {
-        page: Some(2),
-        ..plain.clone()
-    };
-    assert!(near(
-        &read(&jpk(0, &all), &chosen).unwrap(),
-        [5.0, 6.0, 3.0, 4.0]
-    ));
+    let chosen = ReadConfig { page: Some(2), ..plain.clone() };
+    assert!(near(&read(&jpk(0, &all), &chosen).unwrap(), [5.0, 6.0, 3.0, 4.0]));
     let scan = read(&jpk(0, &[error.clone(), height.clone()]), &plain).unwrap();
     assert_eq!(scan.provenance.page, 2);
 
     let none = message(&jpk(0, &[error]), &plain);
-    assert!(
-        none.contains("no channel") && none.contains("vDeflection"),
-        "{none}"
-    );
+    assert!(none.contains("no channel") && none.contains("vDeflection"), "{none}");
     let mut volts = height.clone();
     volts.text(0x8081, "base");
     assert!(message(&jpk(0, &[volts]), &plain).contains("\"V\""));

@@ -68,13 +68,7 @@ pub struct ReadConfig {
 
 impl Default for ReadConfig {
     fn default() -> Self {
-        Self {
-            page: None,
-            pitch_nm: None,
-            height: None,
-            max_missing_share: 0.05,
-            max_samples: 1 << 26,
-        }
+        Self { page: None, pitch_nm: None, height: None, max_missing_share: 0.05, max_samples: 1 << 26 }
     }
 }
 
@@ -151,17 +145,11 @@ fn read_file(path: &Path) -> Result<Vec<u8>> {
     let cannot_read = |source| Error::disk(path, "read", source);
     let metadata = std::fs::metadata(path).map_err(cannot_read)?;
     if !metadata.is_file() {
-        return Err(Error::bad_file(
-            path,
-            "this is not a regular file",
-            "name a TIFF or .gsf file",
-        ));
+        return Err(Error::bad_file(path, "this is not a regular file", "name a TIFF or .gsf file"));
     }
     let mut bytes = Vec::new();
     // One byte beyond the announced length is enough to see that the file is being written to.
-    File::open(path)
-        .and_then(|file| file.take(metadata.len() + 1).read_to_end(&mut bytes))
-        .map_err(cannot_read)?;
+    File::open(path).and_then(|file| file.take(metadata.len() + 1).read_to_end(&mut bytes)).map_err(cannot_read)?;
     if bytes.len() as u64 != metadata.len() {
         return Err(Error::bad_file(
             path,
@@ -178,27 +166,19 @@ fn parse(bytes: &[u8], config: &ReadConfig) -> Parsed<stored::RawScan> {
                           or as Gwyddion simple field (.gsf)";
     match bytes {
         [] => Err(Refusal::new("the file is empty", "copy it again")),
-        [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..] => {
-            tiff_scan::read(bytes, config)
-        }
+        [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..] => tiff_scan::read(bytes, config),
         _ if bytes.starts_with(gsf::MAGIC) => match config.page {
             None | Some(0) => gsf::read(bytes, config.max_samples),
-            Some(page) => Err(Refusal::new(
-                format!("a Gwyddion simple field has no page {page}"),
-                "leave `page` out",
-            )),
+            Some(page) => Err(Refusal::new(format!("a Gwyddion simple field has no page {page}"), "leave `page` out")),
         },
         _ if bytes.starts_with(b"GWYP") => Err(Refusal::new(
             "a Gwyddion native file (.gwy) is not read",
             "save the channel from Gwyddion as Gwyddion simple field (.gsf)",
         )),
-        _ if bytes.starts_with(b"\x89PNG") || bytes.starts_with(b"\xff\xd8\xff") => Err(
-            Refusal::new("this is a picture (PNG or JPEG), not a height scan", EXPORT),
-        ),
-        _ => Err(Refusal::new(
-            "neither a TIFF nor a Gwyddion simple field, going by its first bytes",
-            EXPORT,
-        )),
+        _ if bytes.starts_with(b"\x89PNG") || bytes.starts_with(b"\xff\xd8\xff") => {
+            Err(Refusal::new("this is a picture (PNG or JPEG), not a height scan", EXPORT))
+        }
+        _ => Err(Refusal::new("neither a TIFF nor a Gwyddion simple field, going by its first bytes", EXPORT)),
     }
 }
 
@@ -215,27 +195,18 @@ type Parsed<T> = std::result::Result<T, Refusal>;
 
 impl Refusal {
     fn new(what: impl Into<String>, fix: impl Into<String>) -> Self {
-        Self {
-            what: what.into(),
-            fix: fix.into(),
-            limit: false,
-        }
+        Self { what: what.into(), fix: fix.into(), limit: false }
     }
 
     /// Damage: nothing to be done but to fetch the file anew.
     fn damaged(what: impl Into<String>) -> Self {
-        Self::new(
-            what,
-            "the file is damaged or cut short: copy or export it again",
-        )
+        Self::new(what, "the file is damaged or cut short: copy or export it again")
     }
 
     /// More samples than allowed.
     fn too_large([nx, ny]: [u64; 2], max_samples: usize) -> Self {
         Self {
-            what: format!(
-                "the file claims {nx} x {ny} samples; the limit (max_samples) is {max_samples}"
-            ),
+            what: format!("the file claims {nx} x {ny} samples; the limit (max_samples) is {max_samples}"),
             fix: "crop or bin the scan, or raise max_samples".to_owned(),
             limit: true,
         }

@@ -53,10 +53,7 @@ pub fn colour(map: &ColourMap, position: f64) -> [u8; 3] {
     let below = (place as usize).min(map.len() - 2);
     let share = place - below as f64;
     std::array::from_fn(|channel| {
-        let (low, high) = (
-            f64::from(map[below][channel]),
-            f64::from(map[below + 1][channel]),
-        );
+        let (low, high) = (f64::from(map[below][channel]), f64::from(map[below + 1][channel]));
         (low + share * (high - low)).round() as u8
     })
 }
@@ -73,9 +70,7 @@ mod tests {
     #[test]
     fn brightness_rises_all_along() {
         for map in [&VIRIDIS, &INFERNO] {
-            let steps: Vec<f64> = (0..=60)
-                .map(|i| luminance(colour(map, f64::from(i) / 60.0)))
-                .collect();
+            let steps: Vec<f64> = (0..=60).map(|i| luminance(colour(map, f64::from(i) / 60.0))).collect();
             assert!(steps.windows(2).all(|pair| pair[1] > pair[0]), "{steps:?}");
         }
     }

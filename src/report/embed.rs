@@ -29,11 +29,7 @@ pub struct Album<'a> {
 impl<'a> Album<'a> {
     /// An album that asks `source` for the bytes of a path and embeds up to `room_bytes` of them.
     pub fn new(source: &'a dyn Fn(&str) -> Option<Vec<u8>>, room_bytes: usize) -> Self {
-        Self {
-            source,
-            room_bytes,
-            linked: 0,
-        }
+        Self { source, room_bytes, linked: 0 }
     }
 
     /// The picture at `path`; `None` where the source has none. Fails on bytes that are no PNG.
@@ -75,10 +71,7 @@ impl<'a> Album<'a> {
 
 /// What stands in the place of a picture that is not there.
 pub fn missing(path: &str) -> String {
-    format!(
-        r#"<div class="gone">picture missing: {}</div>"#,
-        escape(path)
-    )
+    format!(r#"<div class="gone">picture missing: {}</div>"#, escape(path))
 }
 
 /// Width and height from the header of a PNG file; `None` for anything else.
@@ -108,10 +101,7 @@ fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for chunk in bytes.chunks(3) {
-        let group = chunk
-            .iter()
-            .fold(0u32, |group, &byte| group << 8 | u32::from(byte))
-            << (8 * (3 - chunk.len()));
+        let group = chunk.iter().fold(0u32, |group, &byte| group << 8 | u32::from(byte)) << (8 * (3 - chunk.len()));
         for place in 0..4 {
             // n bytes fill n + 1 digits; the rest is padding.
             text.push(if place <= chunk.len() {

@@ -17,10 +17,7 @@ pub struct Fact {
 }
 
 fn fact(name: &str, text: String) -> Fact {
-    Fact {
-        name: name.into(),
-        text,
-    }
+    Fact { name: name.into(), text }
 }
 
 /// Everything about a specimen that is not a picture or a table.
@@ -34,10 +31,7 @@ pub fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
         }
         facts.push(fact(
             "Good up to",
-            format!(
-                "|(u, v)| = {} (2 is the whole hemisphere)",
-                numbers::number(found.usable_uv_radius, 3)
-            ),
+            format!("|(u, v)| = {} (2 is the whole hemisphere)", numbers::number(found.usable_uv_radius, 3)),
         ));
     }
     if let Some(optics) = &specimen.optics {
@@ -57,17 +51,11 @@ pub fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
             count => format!("{count} cross-term patches"),
         };
         let share = lobe.power_share.map_or_else(String::new, |share| {
-            format!(
-                ", {} of the light at normal incidence",
-                numbers::percent(share)
-            )
+            format!(", {} of the light at normal incidence", numbers::percent(share))
         });
         facts.push(fact(
             "Coherent lobe",
-            format!(
-                "radius {} in (u, v), {cross}{share}",
-                numbers::number(lobe.radius_max, 3)
-            ),
+            format!("radius {} in (u, v), {cross}{share}", numbers::number(lobe.radius_max, 3)),
         ));
     }
     facts
@@ -92,20 +80,9 @@ pub fn of_scan(scan: &serde_json::Value) -> Vec<Fact> {
 /// Every warning about a specimen once: its own, those of its statistics, and those of its scans.
 pub fn warnings(specimen: &SpecimenResult) -> Vec<String> {
     let of_statistics = specimen.statistics.iter().flat_map(|found| &found.warnings);
-    let of_scans = specimen
-        .scans
-        .iter()
-        .filter_map(|scan| scan.get("warnings")?.as_array())
-        .flatten()
-        .map(value_text);
+    let of_scans = specimen.scans.iter().filter_map(|scan| scan.get("warnings")?.as_array()).flatten().map(value_text);
     let mut found: Vec<String> = Vec::new();
-    for warning in specimen
-        .warnings
-        .iter()
-        .chain(of_statistics)
-        .cloned()
-        .chain(of_scans)
-    {
+    for warning in specimen.warnings.iter().chain(of_statistics).cloned().chain(of_scans) {
         if !found.contains(&warning) {
             found.push(warning);
         }
@@ -145,13 +122,7 @@ pub fn period_marks(periods: &[Period]) -> String {
     let marks: Vec<String> = periods
         .iter()
         .enumerate()
-        .map(|(index, period)| {
-            format!(
-                "{}, {}",
-                period_letter(index),
-                numbers::length_nm(period.period_nm)
-            )
-        })
+        .map(|(index, period)| format!("{}, {}", period_letter(index), numbers::length_nm(period.period_nm)))
         .collect();
     marks.join("; ")
 }
@@ -162,11 +133,7 @@ fn scan(specimen: &SpecimenResult) -> String {
     let pitch = if px == py {
         numbers::round_number(px, 4)
     } else {
-        format!(
-            "{} × {}",
-            numbers::round_number(px, 4),
-            numbers::round_number(py, 4)
-        )
+        format!("{} × {}", numbers::round_number(px, 4), numbers::round_number(py, 4))
     };
     format!(
         "{nx} × {ny} samples, pitch {pitch} nm, {} × {}",
@@ -217,15 +184,11 @@ fn light(optics: &OpticsConfig) -> String {
         Illuminant::A => format!("illuminant A, {from} to {to} nm"),
         Illuminant::E => format!("equal energy, {from} to {to} nm"),
         Illuminant::F(number) => format!("F{number}, {from} to {to} nm"),
-        Illuminant::Tabulated { wavelength_nm, .. } => format!(
-            "a table of {} wavelengths, {from} to {to} nm",
-            wavelength_nm.len()
-        ),
+        Illuminant::Tabulated { wavelength_nm, .. } => {
+            format!("a table of {} wavelengths, {from} to {to} nm", wavelength_nm.len())
+        }
         Illuminant::Lines(lines) => {
-            let names: Vec<String> = lines
-                .iter()
-                .map(|line| numbers::with_unit(line.wavelength_nm, 4, "nm"))
-                .collect();
+            let names: Vec<String> = lines.iter().map(|line| numbers::with_unit(line.wavelength_nm, 4, "nm")).collect();
             format!("laser lines at {}", names.join(", "))
         }
     }
@@ -240,27 +203,18 @@ fn coherence(optics: &OpticsConfig) -> String {
         Windows::Grid => "window positions averaged",
         Windows::Centre => "one window in the middle",
     };
-    format!(
-        "σ = {} µm, {edge}, {windows}",
-        numbers::round_number(optics.sigma_nm * 1e-3, 4)
-    )
+    format!("σ = {} µm, {edge}, {windows}", numbers::round_number(optics.sigma_nm * 1e-3, 4))
 }
 
 fn material(optics: &OpticsConfig) -> String {
     let material = match optics.material {
         Material::Ideal => "ideal mirror (reflects everything)".into(),
         Material::Dielectric { n } => format!("transparent, n = {}", numbers::round_number(n, 4)),
-        Material::Conductor { n, k } => format!(
-            "absorbing, n = {}, k = {}",
-            numbers::round_number(n, 4),
-            numbers::round_number(k, 4)
-        ),
+        Material::Conductor { n, k } => {
+            format!("absorbing, n = {}, k = {}", numbers::round_number(n, 4), numbers::round_number(k, 4))
+        }
     };
-    let shadowing = if optics.shadowing {
-        "V-cavity shadowing"
-    } else {
-        "no shadowing"
-    };
+    let shadowing = if optics.shadowing { "V-cavity shadowing" } else { "no shadowing" };
     format!("{material}; {shadowing}")
 }
 
@@ -276,10 +230,7 @@ fn tables(built: &BuildResult) -> String {
 
 fn texels(built: &BuildResult) -> String {
     if built.prefilter_width > 0.0 {
-        format!(
-            "averages over {} in u and v",
-            numbers::round_number(built.prefilter_width, 3)
-        )
+        format!("averages over {} in u and v", numbers::round_number(built.prefilter_width, 3))
     } else {
         "point samples".into()
     }
@@ -289,11 +240,7 @@ fn made_from(built: &BuildResult) -> String {
     let record = &built.record;
     let [shortest, longest] = record.wavelength_step_nm;
     let steps = if longest > 0.0 {
-        format!(
-            " in steps of {} to {}",
-            numbers::number(shortest, 2),
-            numbers::with_unit(longest, 2, "nm")
-        )
+        format!(" in steps of {} to {}", numbers::number(shortest, 2), numbers::with_unit(longest, 2, "nm"))
     } else {
         String::new()
     };
@@ -366,16 +313,9 @@ mod tests {
             "file_name": "a.tif", "pitch_nm": [48.828125, 50], "channel": null, "warnings": [],
             "tiled": false, "level": { "slope": 0.1 }
         });
-        let facts: Vec<(String, String)> = of_scan(&scan)
-            .into_iter()
-            .map(|fact| (fact.name, fact.text))
-            .collect();
-        let expected = [
-            ("file name", "a.tif"),
-            ("pitch nm", "48.828125, 50"),
-            ("tiled", "no"),
-            ("level", "slope: 0.1"),
-        ];
+        let facts: Vec<(String, String)> = of_scan(&scan).into_iter().map(|fact| (fact.name, fact.text)).collect();
+        let expected =
+            [("file name", "a.tif"), ("pitch nm", "48.828125, 50"), ("tiled", "no"), ("level", "slope: 0.1")];
         assert_eq!(facts.len(), expected.len());
         for (found, expected) in facts.iter().zip(expected) {
             assert_eq!((found.0.as_str(), found.1.as_str()), expected);
@@ -384,11 +324,7 @@ mod tests {
 
     #[test]
     fn directions_are_whole_degrees() {
-        let period = |direction_deg| Period {
-            period_nm: 1140.0,
-            direction_deg,
-            relative_power: 1.0,
-        };
+        let period = |direction_deg| Period { period_nm: 1140.0, direction_deg, relative_power: 1.0 };
         let text = periods(&[period(-0.2), period(100.0), period(30.4)]);
         assert_eq!(
             text.replace('\u{a0}', " "),

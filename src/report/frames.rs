@@ -30,11 +30,7 @@ pub fn height_frame(href: &str, id: &str, extent_um: [f64; 2], file: &HeightMapF
     let longer = extent_um[0].max(extent_um[1]);
     let [width, height] = extent_um.map(|extent| {
         let side = SIDE * extent / longer;
-        if side.is_finite() {
-            side.max(LEAST)
-        } else {
-            LEAST
-        }
+        if side.is_finite() { side.max(LEAST) } else { LEAST }
     });
     let area = Area { width, height };
     let mut body = image(href, &area);
@@ -64,10 +60,7 @@ pub fn height_frame(href: &str, id: &str, extent_um: [f64; 2], file: &HeightMapF
 /// The frame of a power spectrum, with rings at round frequencies, named by their period, and the
 /// given periods marked a, b, c, ...
 pub fn spectrum_frame(href: &str, id: &str, file: &SpectrumFile, periods: &[Period]) -> String {
-    let area = Area {
-        width: SIDE,
-        height: SIDE,
-    };
+    let area = Area { width: SIDE, height: SIDE };
     let range = file.half_range_per_um;
     let clip = format!("{id}-clip");
     let mut body = image(href, &area);
@@ -82,10 +75,7 @@ pub fn spectrum_frame(href: &str, id: &str, file: &SpectrumFile, periods: &[Peri
     body += &axis_x(&area, -range, range, "frequency along x (1/µm)");
     body += &axis_y(&area, -range, range, "frequency along y (1/µm)");
     body += &colour_bar(&area, id, &INFERNO, [file.low_db, 0.0], "dB");
-    let label = format!(
-        "Power spectrum of the heights up to {} cycles per µm",
-        numbers::number(range, 3)
-    );
+    let label = format!("Power spectrum of the heights up to {} cycles per µm", numbers::number(range, 3));
     frame(&label, area.height + TOP + BELOW, &body)
 }
 
@@ -241,41 +231,24 @@ mod tests {
     use super::*;
 
     fn spectrum() -> SpectrumFile {
-        SpectrumFile {
-            png: "a/spectrum.png".into(),
-            half_range_per_um: 4.0,
-            low_db: -60.0,
-        }
+        SpectrumFile { png: "a/spectrum.png".into(), half_range_per_um: 4.0, low_db: -60.0 }
     }
 
     fn period(period_nm: f64, direction_deg: f64) -> Period {
-        Period {
-            period_nm,
-            direction_deg,
-            relative_power: 1.0,
-        }
+        Period { period_nm, direction_deg, relative_power: 1.0 }
     }
 
     #[test]
     fn a_period_is_marked_where_its_frequency_lies() {
         // 500 nm along +y: 2 per µm, halfway from the centre to the upper edge.
         let svg = spectrum_frame("x", "s", &spectrum(), &[period(500.0, 90.0)]);
-        let expected = format!(
-            r#"<circle class="mark" cx="{}" cy="{}""#,
-            at(LEFT + SIDE / 2.0),
-            at(TOP + SIDE / 4.0)
-        );
+        let expected = format!(r#"<circle class="mark" cx="{}" cy="{}""#, at(LEFT + SIDE / 2.0), at(TOP + SIDE / 4.0));
         assert!(svg.contains(&expected), "{svg}");
     }
 
     #[test]
     fn periods_out_of_range_or_undefined_are_not_marked() {
-        for odd in [
-            period(100.0, 0.0),
-            period(f64::NAN, 0.0),
-            period(0.0, 0.0),
-            period(500.0, f64::NAN),
-        ] {
+        for odd in [period(100.0, 0.0), period(f64::NAN, 0.0), period(0.0, 0.0), period(500.0, f64::NAN)] {
             let svg = spectrum_frame("x", "s", &spectrum(), &[odd]);
             assert!(!svg.contains("class=\"mark\""), "{odd:?}");
         }
@@ -284,12 +257,7 @@ mod tests {
     #[test]
     fn frames_are_well_formed_and_without_nan_whatever_the_numbers() {
         for value in [0.0, -1.0, 1e-9, 1e12, f64::NAN, f64::INFINITY] {
-            let heights = HeightMapFile {
-                png: "h.png".into(),
-                scale_bar_um: value,
-                low_nm: value,
-                high_nm: 3.0,
-            };
+            let heights = HeightMapFile { png: "h.png".into(), scale_bar_um: value, low_nm: value, high_nm: 3.0 };
             let mut file = spectrum();
             file.half_range_per_um = value;
             file.low_db = value;

@@ -7,9 +7,7 @@ use crate::report::embed::{Album, EMBEDDED_MAX_BYTES, Picture, missing};
 use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
 use crate::report::{frames, numbers, plots};
-use crate::stages::results::{
-    ErrorRow, GpuResult, RunResults, SceneResult, SpecimenResult, StageTime,
-};
+use crate::stages::results::{ErrorRow, GpuResult, RunResults, SceneResult, SpecimenResult, StageTime};
 
 const TEMPLATE: &str = include_str!("templates/report.html");
 
@@ -19,10 +17,7 @@ const TEMPLATE: &str = include_str!("templates/report.html");
 /// picture leaves a visible note. Past 96 MiB of pictures the rest are linked by their paths
 /// (said at the top), so the page belongs into the folder that the paths start from.
 /// The same results and pictures give the same bytes. Fails on a picture that is no PNG.
-pub fn render_html(
-    results: &RunResults,
-    pictures: &dyn Fn(&str) -> Option<Vec<u8>>,
-) -> Result<String> {
+pub fn render_html(results: &RunResults, pictures: &dyn Fn(&str) -> Option<Vec<u8>>) -> Result<String> {
     let mut album = Album::new(pictures, EMBEDDED_MAX_BYTES);
     let mut stills = Stills::default();
     let mut summary = Vec::new();
@@ -33,19 +28,8 @@ pub fn render_html(
             Some(path) => Some(stills.add(path, &mut album)?),
             None => None,
         };
-        summary.push(summary_row(
-            number,
-            specimen,
-            preview.as_ref(),
-            &results.stages,
-        ));
-        specimens.push(specimen_section(
-            number,
-            specimen,
-            preview.as_ref(),
-            &results.stages,
-            &mut album,
-        )?);
+        summary.push(summary_row(number, specimen, preview.as_ref(), &results.stages));
+        specimens.push(specimen_section(number, specimen, preview.as_ref(), &results.stages, &mut album)?);
     }
     let all: Vec<&StageTime> = results.stages.iter().collect();
     let cpu_s: Option<f64> = all.iter().map(|stage| stage.cpu_s).sum();
@@ -79,19 +63,13 @@ pub fn render_html(
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
     environment.set_formatter(|out, state, value| match value.as_str() {
         // Names and messages come from files: control characters would break the page.
-        Some(text)
-            if text
-                .chars()
-                .any(|character| printable(character) != character) =>
-        {
+        Some(text) if text.chars().any(|character| printable(character) != character) => {
             let clean: String = text.chars().map(printable).collect();
             escape_formatter(out, state, &Value::from(clean))
         }
         _ => escape_formatter(out, state, value),
     });
-    environment
-        .add_template("report.html", TEMPLATE)
-        .map_err(bug)?;
+    environment.add_template("report.html", TEMPLATE).map_err(bug)?;
     let template = environment.get_template("report.html").map_err(bug)?;
     template.render(page).map_err(bug)
 }
@@ -116,12 +94,8 @@ impl Stills {
         };
         self.count += 1;
         let name = format!("still-{}", self.count);
-        self.defined += &format!(
-            r#"<image id="{name}" width="{}" height="{}" href="{}"/>"#,
-            size_px[0],
-            size_px[1],
-            escape(&href)
-        );
+        self.defined +=
+            &format!(r#"<image id="{name}" width="{}" height="{}" href="{}"/>"#, size_px[0], size_px[1], escape(&href));
         Ok(Still::Defined { name, size_px })
     }
 
@@ -147,12 +121,7 @@ impl Still {
     }
 }
 
-fn summary_row(
-    number: usize,
-    specimen: &SpecimenResult,
-    preview: Option<&Still>,
-    stages: &[StageTime],
-) -> Value {
+fn summary_row(number: usize, specimen: &SpecimenResult, preview: Option<&Still>, stages: &[StageTime]) -> Value {
     let dash = || numbers::MISSING.to_string();
     let statistics = specimen.statistics.as_ref();
     let build = specimen.build.as_ref();
@@ -198,10 +167,7 @@ fn specimen_section(
     stages: &[StageTime],
     album: &mut Album,
 ) -> Result<Value> {
-    let periods = specimen
-        .statistics
-        .as_ref()
-        .map_or(&[][..], |found| &found.dominant_periods);
+    let periods = specimen.statistics.as_ref().map_or(&[][..], |found| &found.dominant_periods);
     let height_map = match &specimen.height_map {
         Some(file) => Some(safe(match album.picture(&file.png)? {
             Some(picture) => {
@@ -222,17 +188,10 @@ fn specimen_section(
         })),
         None => None,
     };
-    let scenes = specimen
-        .scenes
-        .iter()
-        .map(|scene| scene_view(scene, album))
-        .collect::<Result<Vec<Value>>>()?;
+    let scenes = specimen.scenes.iter().map(|scene| scene_view(scene, album)).collect::<Result<Vec<Value>>>()?;
     let tolerance = specimen.build.as_ref().map(|built| built.tolerance);
-    let errors: Vec<(&ErrorRow, bool)> = specimen
-        .errors
-        .iter()
-        .map(|row| (row, facts::is_over(row, tolerance)))
-        .collect();
+    let errors: Vec<(&ErrorRow, bool)> =
+        specimen.errors.iter().map(|row| (row, facts::is_over(row, tolerance))).collect();
     let over = errors.iter().any(|(_, over)| *over);
     Ok(context! {
         id => anchor(number),
@@ -277,22 +236,15 @@ fn specimen_section(
 
 fn scene_view(scene: &SceneResult, album: &mut Album) -> Result<Value> {
     let mut optional = |path: &Option<String>, alt: &str| -> Result<Option<Value>> {
-        path.as_ref()
-            .map(|path| Ok(safe(album.img(path, alt)?)))
-            .transpose()
+        path.as_ref().map(|path| Ok(safe(album.img(path, alt)?))).transpose()
     };
     let side_by_side = optional(&scene.side_by_side_png, "Tables and reference side by side")?;
     let difference = optional(&scene.difference_png, "Difference from the reference")?;
     let table = safe(album.img(&scene.table_png, &format!("Scene {}", scene.name))?);
     let error = scene.error.as_ref();
-    let cell = |value: Option<f64>, show: &dyn Fn(f64) -> String| {
-        value.map_or_else(|| numbers::MISSING.into(), show)
-    };
+    let cell = |value: Option<f64>, show: &dyn Fn(f64) -> String| value.map_or_else(|| numbers::MISSING.into(), show);
     let delta = |value: f64| numbers::number(value, 2);
-    let pixels = error.map_or_else(
-        || numbers::MISSING.into(),
-        |error| numbers::count(error.pixels as u64),
-    );
+    let pixels = error.map_or_else(|| numbers::MISSING.into(), |error| numbers::count(error.pixels as u64));
     Ok(context! {
         name => &scene.name,
         about => format!(
@@ -337,9 +289,7 @@ fn error_view(row: &ErrorRow, first: bool, over: bool) -> Value {
 fn headline_error(rows: &[ErrorRow]) -> Option<&ErrorRow> {
     let mut totals = rows.iter().filter(|row| row.what == "total");
     let first = totals.clone().next();
-    totals
-        .find(|row| row.region == "whole hemisphere")
-        .or(first)
+    totals.find(|row| row.region == "whole hemisphere").or(first)
 }
 
 fn failures(results: &RunResults) -> Vec<Value> {
@@ -374,10 +324,7 @@ fn gpu(result: &GpuResult) -> Value {
                 ("green", format!("{compared} with the CPU within limits"))
             } else {
                 let of = plural(rows.len(), "comparison");
-                (
-                    "red",
-                    format!("{beyond} of {of} with the CPU beyond the limit"),
-                )
+                ("red", format!("{beyond} of {of} with the CPU beyond the limit"))
             };
             let rows: Vec<Value> = rows
                 .iter()
@@ -410,10 +357,7 @@ fn unembedded(linked: usize) -> String {
 }
 
 fn own_stages<'a>(stages: &'a [StageTime], specimen: &str) -> Vec<&'a StageTime> {
-    stages
-        .iter()
-        .filter(|stage| stage.specimen.as_deref() == Some(specimen))
-        .collect()
+    stages.iter().filter(|stage| stage.specimen.as_deref() == Some(specimen)).collect()
 }
 
 /// Elapsed seconds per stage name, in the order in which the names first occur.
@@ -429,10 +373,7 @@ fn by_stage(stages: &[&StageTime]) -> Vec<(String, f64)> {
 }
 
 fn fact_values(facts: &[Fact]) -> Vec<Value> {
-    facts
-        .iter()
-        .map(|fact| context! { name => &fact.name, text => &fact.text })
-        .collect()
+    facts.iter().map(|fact| context! { name => &fact.name, text => &fact.text }).collect()
 }
 
 fn anchor(number: usize) -> String {

@@ -129,11 +129,8 @@ fn group(plain: &str) -> String {
         Some(rest) => ("-", rest),
         None => ("", plain),
     };
-    let (whole, fraction) = unsigned
-        .split_once('.')
-        .map_or((unsigned, String::new()), |(whole, rest)| {
-            (whole, format!(".{rest}"))
-        });
+    let (whole, fraction) =
+        unsigned.split_once('.').map_or((unsigned, String::new()), |(whole, rest)| (whole, format!(".{rest}")));
     if whole.len() < 5 {
         return plain.into();
     }
@@ -172,14 +169,9 @@ mod tests {
 
     #[test]
     fn round_numbers_lose_zeros_of_the_fraction_only() {
-        for (value, text) in [
-            (20.0, "20"),
-            (100.0, "100"),
-            (0.5, "0.5"),
-            (2.25, "2.25"),
-            (0.0, "0"),
-            (1e-5, "1.00 × 10⁻⁵"),
-        ] {
+        for (value, text) in
+            [(20.0, "20"), (100.0, "100"), (0.5, "0.5"), (2.25, "2.25"), (0.0, "0"), (1e-5, "1.00 × 10⁻⁵")]
+        {
             assert_eq!(round_number(value, 3), text);
         }
     }

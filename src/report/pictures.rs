@@ -5,9 +5,7 @@ use ndarray::{Array2, Array3, Axis};
 use crate::ground::error::{Error, Result};
 use crate::height::HeightField;
 use crate::report::colour_maps::{VIRIDIS, colour};
-pub use crate::report::spectrum_picture::{
-    SpectrumPicture, spectrum_half_range_per_um, spectrum_picture,
-};
+pub use crate::report::spectrum_picture::{SpectrumPicture, spectrum_half_range_per_um, spectrum_picture};
 use crate::report::svg::round_step;
 
 /// Margin of the scale bar from the lower left corner, as a share of the picture's longer side.
@@ -42,20 +40,11 @@ pub fn height_map(field: &HeightField) -> Result<HeightPicture> {
     let span = high_nm - low_nm;
     for ((row, column), &value) in resampled.indexed_iter() {
         // A flat field has no span: it is drawn in the middle colour. Missing heights stay NaN.
-        let position = if span > 0.0 || value.is_nan() {
-            (value - low_nm) / span
-        } else {
-            0.5
-        };
+        let position = if span > 0.0 || value.is_nan() { (value - low_nm) / span } else { 0.5 };
         put(&mut rgb, row, column, colour(&VIRIDIS, position));
     }
     let scale_bar_um = draw_scale_bar(&mut rgb, field.extent_nm()[0] * 1e-3);
-    Ok(HeightPicture {
-        rgb,
-        scale_bar_um,
-        low_nm,
-        high_nm,
-    })
+    Ok(HeightPicture { rgb, scale_bar_um, low_nm, high_nm })
 }
 
 /// The PNG file of an sRGB picture of shape `[rows, columns, 3]`. The same picture gives the same bytes.
@@ -98,12 +87,7 @@ pub(super) fn require_area(field: &HeightField) -> Result<()> {
 
 /// Quantiles of the finite heights; zeros where there are none.
 fn quantiles(field: &HeightField, shares: [f64; 2]) -> [f64; 2] {
-    let mut sorted: Vec<f64> = field
-        .heights_nm
-        .iter()
-        .copied()
-        .filter(|height| height.is_finite())
-        .collect();
+    let mut sorted: Vec<f64> = field.heights_nm.iter().copied().filter(|height| height.is_finite()).collect();
     if sorted.is_empty() {
         return [0.0; 2];
     }
@@ -128,16 +112,12 @@ fn area_average(values: &Array2<f64>, rows: usize, columns: usize) -> Array2<f64
     let mut narrow: Array2<f64> = Array2::zeros((values.nrows(), columns));
     for (source, mut target) in values.axis_iter(Axis(0)).zip(narrow.axis_iter_mut(Axis(0))) {
         for (pixel, (first, weights)) in along_x.iter().enumerate() {
-            target[pixel] = (0..weights.len())
-                .map(|i| weights[i] * source[first + i])
-                .sum::<f64>();
+            target[pixel] = (0..weights.len()).map(|i| weights[i] * source[first + i]).sum::<f64>();
         }
     }
     Array2::from_shape_fn((rows, columns), |(row, column)| {
         let (first, weights) = &along_y[row];
-        (0..weights.len())
-            .map(|i| weights[i] * narrow[(first + i, column)])
-            .sum::<f64>()
+        (0..weights.len()).map(|i| weights[i] * narrow[(first + i, column)]).sum::<f64>()
     })
 }
 
@@ -151,9 +131,8 @@ fn coverage(samples: usize, pixels: usize) -> Vec<(usize, Vec<f64>)> {
             let to = (from + width).min(samples as f64);
             let first = (from as usize).min(samples - 1);
             let last = (to.ceil() as usize).clamp(first + 1, samples);
-            let shares: Vec<f64> = (first..last)
-                .map(|cell| (to.min((cell + 1) as f64) - from.max(cell as f64)).max(0.0))
-                .collect();
+            let shares: Vec<f64> =
+                (first..last).map(|cell| (to.min((cell + 1) as f64) - from.max(cell as f64)).max(0.0)).collect();
             let total: f64 = shares.iter().sum();
             (first, shares.iter().map(|share| share / total).collect())
         })
@@ -173,8 +152,7 @@ fn draw_scale_bar(rgb: &mut Array3<u8>, extent_x_um: f64) -> f64 {
     let top = rows - margin - thickness;
     for row in top - 1..=top + thickness {
         for column in margin - 1..=margin + length {
-            let inside = (top..top + thickness).contains(&row)
-                && (margin..margin + length).contains(&column);
+            let inside = (top..top + thickness).contains(&row) && (margin..margin + length).contains(&column);
             put(rgb, row, column, if inside { [255; 3] } else { [0; 3] });
         }
     }
@@ -192,12 +170,7 @@ pub(super) fn put(rgb: &mut Array3<u8>, row: usize, column: usize, value: [u8; 3
 mod tests {
     use super::*;
 
-    fn field(
-        rows: usize,
-        columns: usize,
-        pitch_nm: [f64; 2],
-        height: impl Fn(usize, usize) -> f64,
-    ) -> HeightField {
+    fn field(rows: usize, columns: usize, pitch_nm: [f64; 2], height: impl Fn(usize, usize) -> f64) -> HeightField {
         HeightField {
             heights_nm: Array2::from_shape_fn((rows, columns), |(row, column)| height(row, column)),
             pitch_nm,
@@ -220,28 +193,24 @@ mod tests {
 
     #[test]
     fn the_bar_is_as_long_as_it_says() {
-        let map = height_map(&field(256, 256, [125.0, 125.0], |row, column| {
-            (row + column) as f64
-        }))
-        .unwrap();
+        let map = height_map(&field(256, 256, [125.0, 125.0], |row, column| (row + column) as f64)).unwrap();
         assert_eq!(map.scale_bar_um, 5.0);
         let row = 600 - 18 - 3;
-        let white = (0..300)
-            .filter(|&column| pixel(&map, row, column) == [255; 3])
-            .count();
+        let white = (0..300).filter(|&column| pixel(&map, row, column) == [255; 3]).count();
         // 5 µm of 32 µm on 600 pixels, to the nearest pixel.
         assert_eq!(white, 94);
     }
 
     #[test]
     fn dust_does_not_set_the_range() {
-        let dusty = field(100, 100, [50.0, 50.0], |row, column| {
-            if (row, column) == (40, 40) {
-                1e4
-            } else {
-                (column % 10) as f64
-            }
-        });
+        let dusty = field(
+            100,
+            100,
+            [50.0, 50.0],
+            |row, column| {
+                if (row, column) == (40, 40) { 1e4 } else { (column % 10) as f64 }
+            },
+        );
         let map = height_map(&dusty).unwrap();
         assert_eq!([map.low_nm, map.high_nm], [0.0, 9.0]);
     }
@@ -271,13 +240,9 @@ mod tests {
 
     #[test]
     fn png_comes_back_as_it_was() {
-        let rgb = Array3::from_shape_fn((5, 9, 3), |(row, column, channel)| {
-            (row * 50 + column * 7 + channel) as u8
-        });
+        let rgb = Array3::from_shape_fn((5, 9, 3), |(row, column, channel)| (row * 50 + column * 7 + channel) as u8);
         let bytes = encode_png(&rgb).unwrap();
-        let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes))
-            .read_info()
-            .unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
         let info = reader.next_frame(&mut pixels).unwrap();
         assert_eq!((info.width, info.height), (9, 5));

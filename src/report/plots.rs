@@ -51,16 +51,9 @@ pub fn error_plot(rows: &[ErrorRow], tolerance: Option<f64>) -> String {
         let y = TOP + ROW * (index as f64 + 0.5);
         if row.what != previous {
             if index > 0 {
-                body += &format!(
-                    r#"<path class="grid" d="M0 {}H{WIDTH}"/>"#,
-                    at(y - ROW / 2.0)
-                );
+                body += &format!(r#"<path class="grid" d="M0 {}H{WIDTH}"/>"#, at(y - ROW / 2.0));
             }
-            body += &format!(
-                r#"<text class="strong" x="0" y="{}">{}</text>"#,
-                at(y + 4.0),
-                escape(&row.what)
-            );
+            body += &format!(r#"<text class="strong" x="0" y="{}">{}</text>"#, at(y + 4.0), escape(&row.what));
             previous = &row.what;
         }
         body += &format!(
@@ -71,11 +64,7 @@ pub fn error_plot(rows: &[ErrorRow], tolerance: Option<f64>) -> String {
         );
         body += &error_range(row, y, &x);
     }
-    svg(
-        "Measured relative errors per cause and region",
-        bottom + 22.0,
-        &body,
-    )
+    svg("Measured relative errors per cause and region", bottom + 22.0, &body)
 }
 
 fn drawable(value: f64) -> bool {
@@ -98,11 +87,7 @@ fn decades(first: i32, last: i32, x: &dyn Fn(f64) -> f64, top: f64, bottom: f64)
             } else {
                 String::new()
             };
-            format!(
-                r#"<path class="grid" d="M{place} {}V{}"/>{label}"#,
-                at(top),
-                at(bottom)
-            )
+            format!(r#"<path class="grid" d="M{place} {}V{}"/>{label}"#, at(top), at(bottom))
         })
         .collect()
 }
@@ -122,12 +107,7 @@ fn error_range(row: &ErrorRow, y: f64, x: &dyn Fn(f64) -> f64) -> String {
     let mut body = String::new();
     let line = |class: &str, from: f64, to: f64| {
         if drawable(from) && drawable(to) {
-            format!(
-                r#"<path class="{class}" d="M{} {}H{}"/>"#,
-                at(x(from)),
-                at(y),
-                at(x(to))
-            )
+            format!(r#"<path class="{class}" d="M{} {}H{}"/>"#, at(x(from)), at(y), at(x(to)))
         } else {
             String::new()
         }
@@ -135,18 +115,10 @@ fn error_range(row: &ErrorRow, y: f64, x: &dyn Fn(f64) -> f64) -> String {
     body += &line("whisker", row.p95, row.p99);
     body += &line("span", row.p50, row.p95);
     if drawable(row.p50) {
-        body += &format!(
-            r#"<circle class="dot" cx="{}" cy="{}" r="3.5"/>"#,
-            at(x(row.p50)),
-            at(y)
-        );
+        body += &format!(r#"<circle class="dot" cx="{}" cy="{}" r="3.5"/>"#, at(x(row.p50)), at(y));
     }
     if drawable(row.worst) {
-        body += &format!(
-            r#"<path class="cross" d="M{} {}l6 6m0 -6l-6 6"/>"#,
-            at(x(row.worst) - 3.0),
-            at(y - 3.0)
-        );
+        body += &format!(r#"<path class="cross" d="M{} {}l6 6m0 -6l-6 6"/>"#, at(x(row.worst) - 3.0), at(y - 3.0));
     }
     body
 }
@@ -158,27 +130,16 @@ pub fn power_plot(sums: &[PowerSum]) -> String {
     const TOP: f64 = 12.0;
     const HEIGHT: f64 = 190.0;
     let span = WIDTH - LEFT - 120.0;
-    let usable: Vec<&PowerSum> = sums
-        .iter()
-        .filter(|sum| sum.sum.is_finite() && (0.0..=90.0).contains(&sum.theta_i_deg))
-        .collect();
+    let usable: Vec<&PowerSum> =
+        sums.iter().filter(|sum| sum.sum.is_finite() && (0.0..=90.0).contains(&sum.theta_i_deg)).collect();
     if usable.is_empty() {
         return String::new();
     }
     // The scalar model can run away towards grazing; the part that matters stays readable.
-    let top_sum = usable
-        .iter()
-        .map(|sum| sum.sum)
-        .fold(1.0, f64::max)
-        .min(3.0)
-        * 1.08;
+    let top_sum = usable.iter().map(|sum| sum.sum).fold(1.0, f64::max).min(3.0) * 1.08;
     let x = |theta_deg: f64| LEFT + span * theta_deg / 90.0;
     let y = |sum: f64| TOP + HEIGHT * (1.0 - (sum / top_sum).clamp(0.0, 1.0));
-    let mut body = format!(
-        r#"<path class="limit" d="M{LEFT} {0}H{1}"/>"#,
-        at(y(1.0)),
-        at(LEFT + span)
-    );
+    let mut body = format!(r#"<path class="limit" d="M{LEFT} {0}H{1}"/>"#, at(y(1.0)), at(LEFT + span));
     for (value, text) in ticks(0.0, top_sum, 5) {
         let place = y(value);
         body += &format!(
@@ -214,37 +175,19 @@ pub fn power_plot(sums: &[PowerSum]) -> String {
             escape(&name)
         );
     }
-    svg(
-        "Power sums against the angle of incidence",
-        TOP + HEIGHT + 40.0,
-        &body,
-    )
+    svg("Power sums against the angle of incidence", TOP + HEIGHT + 40.0, &body)
 }
 
-fn curve(
-    points: &[(f64, f64)],
-    colour: &str,
-    x: &dyn Fn(f64) -> f64,
-    y: &dyn Fn(f64) -> f64,
-) -> String {
-    let path: Vec<String> = points
-        .iter()
-        .map(|&(theta_deg, sum)| format!("{} {}", at(x(theta_deg)), at(y(sum))))
-        .collect();
+fn curve(points: &[(f64, f64)], colour: &str, x: &dyn Fn(f64) -> f64, y: &dyn Fn(f64) -> f64) -> String {
+    let path: Vec<String> =
+        points.iter().map(|&(theta_deg, sum)| format!("{} {}", at(x(theta_deg)), at(y(sum)))).collect();
     let dots: String = points
         .iter()
         .map(|&(theta_deg, sum)| {
-            format!(
-                r#"<circle style="fill:{colour}" cx="{}" cy="{}" r="2.5"/>"#,
-                at(x(theta_deg)),
-                at(y(sum))
-            )
+            format!(r#"<circle style="fill:{colour}" cx="{}" cy="{}" r="2.5"/>"#, at(x(theta_deg)), at(y(sum)))
         })
         .collect();
-    format!(
-        r#"<path style="fill:none;stroke:{colour};stroke-width:1.6" d="M{}"/>{dots}"#,
-        path.join("L")
-    )
+    format!(r#"<path style="fill:none;stroke:{colour};stroke-width:1.6" d="M{}"/>{dots}"#, path.join("L"))
 }
 
 /// Name, colour and points `(theta_i_deg, sum)` of each line: luminous first, then by wavelength.
@@ -255,19 +198,14 @@ fn series(sums: &[&PowerSum]) -> Vec<(String, String, Vec<(f64, f64)>)> {
     kinds
         .into_iter()
         .map(|kind| {
-            let mut points: Vec<(f64, f64)> = sums
-                .iter()
-                .filter(|sum| sum.wavelength_nm == kind)
-                .map(|sum| (sum.theta_i_deg, sum.sum))
-                .collect();
+            let mut points: Vec<(f64, f64)> =
+                sums.iter().filter(|sum| sum.wavelength_nm == kind).map(|sum| (sum.theta_i_deg, sum.sum)).collect();
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
             match kind {
                 None => ("luminous".into(), "currentColor".into(), points),
-                Some(wavelength_nm) => (
-                    format!("{} nm", numbers::number(wavelength_nm, 3)),
-                    wavelength_colour(wavelength_nm),
-                    points,
-                ),
+                Some(wavelength_nm) => {
+                    (format!("{} nm", numbers::number(wavelength_nm, 3)), wavelength_colour(wavelength_nm), points)
+                }
             }
         })
         .collect()
@@ -275,15 +213,8 @@ fn series(sums: &[&PowerSum]) -> Vec<(String, String, Vec<(f64, f64)>)> {
 
 /// A colour that recalls the wavelength and is readable on black and on white.
 fn wavelength_colour(wavelength_nm: f64) -> String {
-    const HUES: [(f64, f64); 7] = [
-        (400.0, 275.0),
-        (450.0, 228.0),
-        (490.0, 190.0),
-        (530.0, 130.0),
-        (580.0, 45.0),
-        (610.0, 20.0),
-        (660.0, 0.0),
-    ];
+    const HUES: [(f64, f64); 7] =
+        [(400.0, 275.0), (450.0, 228.0), (490.0, 190.0), (530.0, 130.0), (580.0, 45.0), (610.0, 20.0), (660.0, 0.0)];
     let above = HUES.iter().position(|&(edge, _)| wavelength_nm < edge);
     let hue = match above {
         Some(0) => HUES[0].1,
@@ -299,11 +230,7 @@ fn wavelength_colour(wavelength_nm: f64) -> String {
 /// Named durations in seconds as bars.
 pub fn time_plot(times: &[(String, f64)]) -> String {
     const LEFT: f64 = 150.0;
-    let longest = times
-        .iter()
-        .map(|time| time.1)
-        .filter(|&time| drawable(time))
-        .fold(0.0, f64::max);
+    let longest = times.iter().map(|time| time.1).filter(|&time| drawable(time)).fold(0.0, f64::max);
     if longest == 0.0 {
         return String::new();
     }
@@ -311,11 +238,7 @@ pub fn time_plot(times: &[(String, f64)]) -> String {
     let mut body = String::new();
     for (index, (name, time)) in times.iter().enumerate() {
         let top = ROW * index as f64;
-        let length = if drawable(*time) {
-            span * time / longest
-        } else {
-            0.0
-        };
+        let length = if drawable(*time) { span * time / longest } else { 0.0 };
         body += &format!(
             r#"<text x="{0}" y="{1}" text-anchor="end">{2}</text><rect class="bar" x="{LEFT}" y="{3}" width="{4}" height="11"/><text x="{5}" y="{1}">{6}</text>"#,
             at(LEFT - 8.0),
@@ -390,21 +313,14 @@ mod tests {
     #[test]
     fn missing_and_zero_errors_are_left_out_of_the_plot() {
         let nan = f64::NAN;
-        check(&error_plot(
-            &[row("a<&", [nan, 0.0, f64::INFINITY, 1e-300])],
-            Some(nan),
-        ));
+        check(&error_plot(&[row("a<&", [nan, 0.0, f64::INFINITY, 1e-300])], Some(nan)));
         assert_eq!(error_plot(&[row("a", [0.0; 4])], None), "");
         assert_eq!(error_plot(&[], None), "");
     }
 
     #[test]
     fn power_sums_are_grouped_by_wavelength_whatever_their_order() {
-        let sum = |theta_i_deg, wavelength_nm, sum| PowerSum {
-            theta_i_deg,
-            wavelength_nm,
-            sum,
-        };
+        let sum = |theta_i_deg, wavelength_nm, sum| PowerSum { theta_i_deg, wavelength_nm, sum };
         let sums = [
             sum(60.0, Some(550.0), 0.9),
             sum(0.0, None, 1.0),
@@ -423,11 +339,7 @@ mod tests {
 
     #[test]
     fn bars_are_as_long_as_their_times() {
-        let svg = time_plot(&[
-            ("read".into(), 1.0),
-            ("build".into(), 4.0),
-            ("x".into(), f64::NAN),
-        ]);
+        let svg = time_plot(&[("read".into(), 1.0), ("build".into(), 4.0), ("x".into(), f64::NAN)]);
         check(&svg);
         let document = roxmltree::Document::parse(&svg).unwrap();
         let widths: Vec<f64> = document

@@ -38,11 +38,7 @@ pub fn spectrum_half_range_per_um(field: &HeightField, periods_nm: &[f64]) -> f6
         .fold(0.0, |highest: f64, period| highest.max(1e3 / period));
     let [x_nm, y_nm] = field.extent_nm();
     let limit = 500.0 / field.pitch_nm[0].max(field.pitch_nm[1]);
-    let wanted = if highest > 0.0 {
-        3.0 * highest
-    } else {
-        limit / 2.0
-    };
+    let wanted = if highest > 0.0 { 3.0 * highest } else { limit / 2.0 };
     wanted.max(8e3 / x_nm.min(y_nm)).min(limit)
 }
 
@@ -75,10 +71,7 @@ pub fn spectrum_picture(field: &HeightField, half_range_per_um: f64) -> Result<S
             mean_power(&power, fx, fy, bins_x, bins_y)
         })
         .collect();
-    let peak = values
-        .iter()
-        .filter(|value| value.is_finite())
-        .fold(0.0, |peak: f64, &value| peak.max(value));
+    let peak = values.iter().filter(|value| value.is_finite()).fold(0.0, |peak: f64, &value| peak.max(value));
     let mut rgb = Array3::zeros((side, side, 3));
     for (index, &value) in values.iter().enumerate() {
         let position = if value.is_nan() {
@@ -88,27 +81,15 @@ pub fn spectrum_picture(field: &HeightField, half_range_per_um: f64) -> Result<S
         } else {
             1.0 + 10.0 * (value / peak).log10() / SPECTRUM_RANGE_DB
         };
-        put(
-            &mut rgb,
-            index / side,
-            index % side,
-            colour(&INFERNO, position),
-        );
+        put(&mut rgb, index / side, index % side, colour(&INFERNO, position));
     }
-    Ok(SpectrumPicture {
-        rgb,
-        half_range_per_um,
-        low_db: -SPECTRUM_RANGE_DB,
-    })
+    Ok(SpectrumPicture { rgb, half_range_per_um, low_db: -SPECTRUM_RANGE_DB })
 }
 
 /// The middle of an array that is too large to transform in bounded memory.
 fn middle(values: &Array2<f64>) -> Array2<f64> {
     let (rows, columns) = values.dim();
-    let (r, c) = (
-        rows.min(SPECTRUM_SAMPLES_MAX),
-        columns.min(SPECTRUM_SAMPLES_MAX),
-    );
+    let (r, c) = (rows.min(SPECTRUM_SAMPLES_MAX), columns.min(SPECTRUM_SAMPLES_MAX));
     let (r0, c0) = ((rows - r) / 2, (columns - c) / 2);
     Array2::from_shape_fn((r, c), |(row, column)| {
         let height = values[(r0 + row, c0 + column)];
@@ -125,17 +106,10 @@ fn power_spectrum(heights: &Array2<f64>) -> Array2<f64> {
     // On a full regular grid the two slopes of the least-squares plane do not depend on each other.
     let slope = |axis: usize| {
         let length = heights.len_of(Axis(axis));
-        let moment: f64 = heights
-            .axis_iter(Axis(axis))
-            .enumerate()
-            .map(|(i, line)| centred(i, length) * line.sum())
-            .sum();
+        let moment: f64 =
+            heights.axis_iter(Axis(axis)).enumerate().map(|(i, line)| centred(i, length) * line.sum()).sum();
         let norm: f64 = (0..length).map(|i| centred(i, length).powi(2)).sum();
-        if norm > 0.0 {
-            moment / (norm * (count / length as f64))
-        } else {
-            0.0
-        }
+        if norm > 0.0 { moment / (norm * (count / length as f64)) } else { 0.0 }
     };
     let (slope_y, slope_x) = (slope(0), slope(1));
     let (window_y, window_x) = (hann(rows), hann(columns));
@@ -155,24 +129,15 @@ fn hann(length: usize) -> Vec<f64> {
     if length < 4 {
         return vec![1.0; length];
     }
-    (0..length)
-        .map(|i| {
-            (std::f64::consts::PI * (i as f64 + 0.5) / length as f64)
-                .sin()
-                .powi(2)
-        })
-        .collect()
+    (0..length).map(|i| (std::f64::consts::PI * (i as f64 + 0.5) / length as f64).sin().powi(2)).collect()
 }
 
 fn transform_rows(field: &mut Array2<Complex<f64>>) {
     let plan = FftPlanner::new().plan_fft_forward(field.ncols());
-    field
-        .axis_iter_mut(Axis(0))
-        .into_par_iter()
-        .for_each(|mut row| {
-            // Rows of a standard layout are contiguous.
-            plan.process(row.as_slice_mut().expect("rows are contiguous"));
-        });
+    field.axis_iter_mut(Axis(0)).into_par_iter().for_each(|mut row| {
+        // Rows of a standard layout are contiguous.
+        plan.process(row.as_slice_mut().expect("rows are contiguous"));
+    });
 }
 
 /// Mean power in a pixel of `width_x` by `width_y` bins centred at the signed bin position
@@ -221,16 +186,11 @@ mod tests {
             let phase = std::f64::consts::TAU * (fx_per_um * x_um + fy_per_um * y_um);
             20.0 * phase.cos() + 9.0 * x_um - 7.0 * y_um
         });
-        HeightField {
-            heights_nm,
-            pitch_nm,
-        }
+        HeightField { heights_nm, pitch_nm }
     }
 
     fn brightness(picture: &SpectrumPicture, row: usize, column: usize) -> u32 {
-        (0..3)
-            .map(|channel| u32::from(picture.rgb[(row, column, channel)]))
-            .sum()
+        (0..3).map(|channel| u32::from(picture.rgb[(row, column, channel)])).sum()
     }
 
     /// The pixel where a frequency belongs by the documentation of the picture.
@@ -244,25 +204,14 @@ mod tests {
     fn a_grating_shows_as_two_bright_spots_where_they_belong() {
         let (fx, fy) = (1.2, 0.7);
         let picture = spectrum_picture(&grating(fx, fy), 4.0).unwrap();
-        for (sign_x, sign_y, expected) in [
-            (1.0, 1.0, true),
-            (-1.0, -1.0, true),
-            (1.0, -1.0, false),
-            (-1.0, 1.0, false),
-        ] {
+        for (sign_x, sign_y, expected) in [(1.0, 1.0, true), (-1.0, -1.0, true), (1.0, -1.0, false), (-1.0, 1.0, false)]
+        {
             let (row, column) = pixel(&picture, sign_x * fx, sign_y * fy);
             // The peak falls between bins: a Hann window loses at most 1.4 dB there, of 60 dB.
-            assert_eq!(
-                brightness(&picture, row, column) > 500,
-                expected,
-                "{sign_x} {sign_y}"
-            );
+            assert_eq!(brightness(&picture, row, column) > 500, expected, "{sign_x} {sign_y}");
         }
         let (row, column) = pixel(&picture, 0.0, 0.0);
-        assert!(
-            brightness(&picture, row, column) < 300,
-            "the tilt of the plane must not show"
-        );
+        assert!(brightness(&picture, row, column) < 300, "the tilt of the plane must not show");
     }
 
     #[test]

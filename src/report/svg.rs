@@ -28,11 +28,7 @@ pub fn printable(character: char) -> char {
 pub fn at(value: f64) -> String {
     let text = format!("{:.2}", if value.is_finite() { value } else { 0.0 });
     let short = text.trim_end_matches('0').trim_end_matches('.');
-    if short == "-0" {
-        "0".into()
-    } else {
-        short.into()
-    }
+    if short == "-0" { "0".into() } else { short.into() }
 }
 
 /// The largest of 1, 2, 5 times a power of ten that does not exceed `value` (which is positive).
@@ -77,11 +73,7 @@ pub fn ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
 
 /// `digit · 10^power`, dividing for negative powers so that 0.1 is the nearest number to 0.1.
 fn power_of_ten(digit: f64, power: i32) -> f64 {
-    if power < 0 {
-        digit / 10f64.powi(-power)
-    } else {
-        digit * 10f64.powi(power)
-    }
+    if power < 0 { digit / 10f64.powi(-power) } else { digit * 10f64.powi(power) }
 }
 
 #[cfg(test)]
@@ -97,14 +89,7 @@ mod tests {
 
     #[test]
     fn steps_are_round_and_never_larger() {
-        for (value, step) in [
-            (8.0, 5.0),
-            (5.0, 5.0),
-            (0.5, 0.5),
-            (0.1, 0.1),
-            (1.99, 1.0),
-            (30.0, 20.0),
-        ] {
+        for (value, step) in [(8.0, 5.0), (5.0, 5.0), (0.5, 0.5), (0.1, 0.1), (1.99, 1.0), (30.0, 20.0)] {
             assert_eq!(round_step(value), step, "{value}");
         }
     }

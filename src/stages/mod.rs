@@ -6,4 +6,6 @@ pub mod format_md;
 pub mod progress;
 pub mod publish;
 pub mod results;
+pub mod specimen;
+pub mod verify;
 pub mod worked;

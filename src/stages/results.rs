@@ -354,15 +354,13 @@ pub fn from_json(text: &str, name: &str) -> Result<RunResults> {
         )
     };
     // The schema comes first: another layout would only fail on some field or other.
-    let value: serde_json::Value =
-        serde_json::from_str(text).map_err(|error| bad(format!("is not JSON: {error}")))?;
+    let value: serde_json::Value = serde_json::from_str(text).map_err(|error| bad(format!("is not JSON: {error}")))?;
     match value.get("schema").and_then(serde_json::Value::as_u64) {
         Some(schema) if schema == u64::from(RESULTS_SCHEMA) => {}
         Some(schema) => return Err(bad(format!("has schema {schema}"))),
         None => return Err(bad("has no `schema`".into())),
     }
-    serde_json::from_value(value)
-        .map_err(|error| bad(format!("does not hold the results of a run: {error}")))
+    serde_json::from_value(value).map_err(|error| bad(format!("does not hold the results of a run: {error}")))
 }
 
 /// JSON has no NaN: it is written as `null` and read back as NaN, and infinities likewise.
@@ -370,11 +368,7 @@ mod null_for_nan {
     use serde::{Deserialize, Deserializer, Serializer};
 
     pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-        if value.is_finite() {
-            serializer.serialize_f64(*value)
-        } else {
-            serializer.serialize_none()
-        }
+        if value.is_finite() { serializer.serialize_f64(*value) } else { serializer.serialize_none() }
     }
 
     pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
@@ -387,14 +381,7 @@ mod tests {
     use super::*;
 
     fn row(worst: f64) -> GpuRow {
-        GpuRow {
-            specimen: "a".into(),
-            what: "sphere".into(),
-            values: 3,
-            relative_l2: 1e-6,
-            worst,
-            limit: 1e-4,
-        }
+        GpuRow { specimen: "a".into(), what: "sphere".into(), values: 3, relative_l2: 1e-6, worst, limit: 1e-4 }
     }
 
     #[test]
@@ -405,8 +392,7 @@ mod tests {
             let back: GpuRow = serde_json::from_str(&text).unwrap();
             assert!(back.worst.is_nan());
         }
-        let back: GpuRow =
-            serde_json::from_str(&serde_json::to_string(&row(2e-5)).unwrap()).unwrap();
+        let back: GpuRow = serde_json::from_str(&serde_json::to_string(&row(2e-5)).unwrap()).unwrap();
         assert_eq!(back, row(2e-5));
     }
 

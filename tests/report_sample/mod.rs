@@ -6,9 +6,7 @@ use std::f64::consts::TAU;
 use diffraction_atlas::ground::spectrum::Illuminant;
 use diffraction_atlas::height::HeightField;
 use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
-use diffraction_atlas::report::pictures::{
-    encode_png, height_map, spectrum_half_range_per_um, spectrum_picture,
-};
+use diffraction_atlas::report::pictures::{encode_png, height_map, spectrum_half_range_per_um, spectrum_picture};
 use diffraction_atlas::stages::results::*;
 use diffraction_atlas::tables::model::{Basis, BuildRecord, Storage};
 use ndarray::{Array2, Array3};
@@ -24,12 +22,7 @@ const MANIFEST: &str = "schema = 1\n\n[atlas]\nname = \"squamates\"\nout = \"out
 /// Three specimens that worked and one that did not.
 pub fn sample() -> Sample {
     let mut pictures = BTreeMap::new();
-    let specimens = vec![
-        corn_snake(&mut pictures),
-        crossed_grating(&mut pictures),
-        blazed(&mut pictures),
-        truncated(),
-    ];
+    let specimens = vec![corn_snake(&mut pictures), crossed_grating(&mut pictures), blazed(&mut pictures), truncated()];
     let stages = stages(&specimens);
     let results = RunResults {
         schema: RESULTS_SCHEMA,
@@ -58,7 +51,8 @@ pub fn sample() -> Sample {
         failures: vec![Failure {
             specimen: Some("torn_scan".into()),
             stage: "read scans".into(),
-            message: "scans/torn.tif: the file ends after 31 of 512 rows\n  copy the scan again from the instrument".into(),
+            message: "scans/torn.tif: the file ends after 31 of 512 rows\n  copy the scan again from the instrument"
+                .into(),
         }],
         peak_memory_mib: Some(1234.5),
         total_wall_s: 151.7,
@@ -75,16 +69,14 @@ fn corn_snake(pictures: &mut BTreeMap<String, Vec<u8>>) -> SpecimenResult {
         let fingers = (TAU * (56.0 * x + 0.35 * (TAU * 5.0 * y).sin())).cos();
         26.0 * rows + 10.0 * fingers * (1.0 + rows) + 8.0 * (TAU * x).cos() * (TAU * y).sin()
     });
-    let field = HeightField {
-        heights_nm,
-        pitch_nm: [62.5, 62.5],
-    };
+    let field = HeightField { heights_nm, pitch_nm: [62.5, 62.5] };
     let periods = [(1143.0, 90.2, 1.0), (571.0, 90.1, 0.31), (571.4, 0.2, 0.12)];
     let mut specimen = specimen("corn_snake_like", &field, &periods, pictures);
     specimen.species = Some("Pantherophis guttatus".into());
     specimen.generated = true;
     specimen.warnings = vec![
-        "4.1 % of the slopes are above 0.5, where the scalar model is doubtful: treat values beyond 60° with care".into(),
+        "4.1 % of the slopes are above 0.5, where the scalar model is doubtful: treat values beyond 60° with care"
+            .into(),
         "the cross term of the lobe is averaged over one window only".into(),
     ];
     specimen
@@ -95,16 +87,8 @@ fn crossed_grating(pictures: &mut BTreeMap<String, Vec<u8>>) -> SpecimenResult {
         let [x, y] = [column as f64 * 11.71875, (255 - row) as f64 * 11.71875];
         27.5 * (TAU * (x + y) / (314.3 * 2f64.sqrt())).cos() + 0.02 * x
     });
-    let field = HeightField {
-        heights_nm,
-        pitch_nm: [11.71875, 11.71875],
-    };
-    let mut specimen = specimen(
-        "grating_nanosurf_314nm",
-        &field,
-        &[(314.3, 45.0, 1.0)],
-        pictures,
-    );
+    let field = HeightField { heights_nm, pitch_nm: [11.71875, 11.71875] };
+    let mut specimen = specimen("grating_nanosurf_314nm", &field, &[(314.3, 45.0, 1.0)], pictures);
     specimen.errors[1].p95 = 2.4e-3;
     specimen.scans[0]["warnings"] = serde_json::json!(["the unit was spelt \"nM\", read as nm"]);
     specimen.optics.as_mut().unwrap().material = Material::Conductor { n: 0.18, k: 3.4 };
@@ -112,13 +96,8 @@ fn crossed_grating(pictures: &mut BTreeMap<String, Vec<u8>>) -> SpecimenResult {
 }
 
 fn blazed(pictures: &mut BTreeMap<String, Vec<u8>>) -> SpecimenResult {
-    let heights_nm = Array2::from_shape_fn((64, 512), |(_, column)| {
-        250.0 * (column as f64 * 50.0 / 2500.0).fract()
-    });
-    let field = HeightField {
-        heights_nm,
-        pitch_nm: [50.0, 50.0],
-    };
+    let heights_nm = Array2::from_shape_fn((64, 512), |(_, column)| 250.0 * (column as f64 * 50.0 / 2500.0).fract());
+    let field = HeightField { heights_nm, pitch_nm: [50.0, 50.0] };
     let periods = [(2500.0, 0.0, 1.0), (1250.0, 0.0, 0.25), (833.3, 0.0, 0.11)];
     let mut specimen = specimen("blazed_2500nm", &field, &periods, pictures);
     specimen.generated = true;
@@ -145,7 +124,9 @@ fn truncated() -> SpecimenResult {
         spectrum: None,
         preview_png: None,
         warnings: vec![],
-        failed: Some("scans/torn.tif: the file ends after 31 of 512 rows\n  copy the scan again from the instrument".into()),
+        failed: Some(
+            "scans/torn.tif: the file ends after 31 of 512 rows\n  copy the scan again from the instrument".into(),
+        ),
     }
 }
 
@@ -157,17 +138,10 @@ fn specimen(
 ) -> SpecimenResult {
     let periods: Vec<Period> = periods
         .iter()
-        .map(|&(period_nm, direction_deg, relative_power)| Period {
-            period_nm,
-            direction_deg,
-            relative_power,
-        })
+        .map(|&(period_nm, direction_deg, relative_power)| Period { period_nm, direction_deg, relative_power })
         .collect();
     let preview = format!("{name}/preview.png");
-    pictures.insert(
-        preview.clone(),
-        encode_png(&sphere(256, &periods[0], 0.0)).unwrap(),
-    );
+    pictures.insert(preview.clone(), encode_png(&sphere(256, &periods[0], 0.0)).unwrap());
     SpecimenResult {
         name: name.into(),
         species: None,
@@ -191,11 +165,7 @@ fn specimen(
         statistics: Some(statistics(field, periods.clone())),
         optics: Some(optics()),
         build: Some(build()),
-        lobe: Some(LobeResult {
-            radius_max: 0.142,
-            cross_tables: 4,
-            power_share: Some(0.37),
-        }),
+        lobe: Some(LobeResult { radius_max: 0.142, cross_tables: 4, power_share: Some(0.37) }),
         errors: errors(),
         power_sums: power_sums(),
         scenes: vec![scene(name, &periods[0], pictures)],
@@ -209,12 +179,7 @@ fn specimen(
 
 fn statistics(field: &HeightField, dominant_periods: Vec<Period>) -> Statistics {
     let mean = field.heights_nm.mean().unwrap();
-    let rms_height_nm = field
-        .heights_nm
-        .mapv(|h| (h - mean).powi(2))
-        .mean()
-        .unwrap()
-        .sqrt();
+    let rms_height_nm = field.heights_nm.mapv(|h| (h - mean).powi(2)).mean().unwrap().sqrt();
     Statistics {
         rms_height_nm,
         rms_slope: 0.214,
@@ -260,32 +225,22 @@ fn build() -> BuildResult {
 }
 
 fn errors() -> Vec<ErrorRow> {
-    let regions = [
-        ("whole hemisphere", 1.0),
-        ("near specular", 0.4),
-        ("grazing", 3.2),
-    ];
-    [
-        ("total", 1.1e-3),
-        ("basis", 6.1e-5),
-        ("wavelength step", 4.0e-4),
-        ("grid", 9.2e-4),
-        ("storage", 2.4e-4),
-    ]
-    .iter()
-    .flat_map(|&(what, median)| {
-        regions.map(|(region, factor)| ErrorRow {
-            what: what.into(),
-            region: region.into(),
-            directions: 2000,
-            relative_l2: median * factor * 1.4,
-            p50: median * factor * 0.2,
-            p95: median * factor,
-            p99: median * factor * 2.6,
-            worst: median * factor * 11.0,
+    let regions = [("whole hemisphere", 1.0), ("near specular", 0.4), ("grazing", 3.2)];
+    [("total", 1.1e-3), ("basis", 6.1e-5), ("wavelength step", 4.0e-4), ("grid", 9.2e-4), ("storage", 2.4e-4)]
+        .iter()
+        .flat_map(|&(what, median)| {
+            regions.map(|(region, factor)| ErrorRow {
+                what: what.into(),
+                region: region.into(),
+                directions: 2000,
+                relative_l2: median * factor * 1.4,
+                p50: median * factor * 0.2,
+                p95: median * factor,
+                p99: median * factor * 2.6,
+                worst: median * factor * 11.0,
+            })
         })
-    })
-    .collect()
+        .collect()
 }
 
 fn power_sums() -> Vec<PowerSum> {
@@ -294,11 +249,7 @@ fn power_sums() -> Vec<PowerSum> {
         for theta_i_deg in [0.0f64, 15.0, 30.0, 45.0, 60.0, 75.0] {
             let tilt = (theta_i_deg / 75.0).powi(3);
             let colour = wavelength_nm.map_or(0.0, |wavelength| (550.0 - wavelength) * 5e-4);
-            sums.push(PowerSum {
-                theta_i_deg,
-                wavelength_nm,
-                sum: 1.012 + colour - 0.21 * tilt * (1.0 + colour),
-            });
+            sums.push(PowerSum { theta_i_deg, wavelength_nm, sum: 1.012 + colour - 0.21 * tilt * (1.0 + colour) });
         }
     }
     sums
@@ -336,20 +287,11 @@ fn scene(name: &str, period: &Period, pictures: &mut BTreeMap<String, Vec<u8>>) 
     }
 }
 
-fn height_file(
-    name: &str,
-    field: &HeightField,
-    pictures: &mut BTreeMap<String, Vec<u8>>,
-) -> HeightMapFile {
+fn height_file(name: &str, field: &HeightField, pictures: &mut BTreeMap<String, Vec<u8>>) -> HeightMapFile {
     let picture = height_map(field).unwrap();
     let png = format!("{name}/heights.png");
     pictures.insert(png.clone(), encode_png(&picture.rgb).unwrap());
-    HeightMapFile {
-        png,
-        scale_bar_um: picture.scale_bar_um,
-        low_nm: picture.low_nm,
-        high_nm: picture.high_nm,
-    }
+    HeightMapFile { png, scale_bar_um: picture.scale_bar_um, low_nm: picture.low_nm, high_nm: picture.high_nm }
 }
 
 fn spectrum_file(
@@ -363,11 +305,7 @@ fn spectrum_file(
     let picture = spectrum_picture(field, range).unwrap();
     let png = format!("{name}/spectrum.png");
     pictures.insert(png.clone(), encode_png(&picture.rgb).unwrap());
-    SpectrumFile {
-        png,
-        half_range_per_um: picture.half_range_per_um,
-        low_db: picture.low_db,
-    }
+    SpectrumFile { png, half_range_per_um: picture.half_range_per_um, low_db: picture.low_db }
 }
 
 /// A stand-in for a rendered scene: orders of a grating on a sphere, shifted by `shift` in u.
@@ -428,11 +366,6 @@ fn stages(specimens: &[SpecimenResult]) -> Vec<StageTime> {
             });
         }
     }
-    stages.push(StageTime {
-        name: "publish".into(),
-        specimen: None,
-        wall_s: 0.61,
-        cpu_s: Some(0.2),
-    });
+    stages.push(StageTime { name: "publish".into(), specimen: None, wall_s: 0.61, cpu_s: Some(0.2) });
     stages
 }

@@ -25,22 +25,16 @@ pub(super) fn calibrate(mut raw: RawScan, config: &ReadConfig) -> Parsed<Scan> {
     if missing_samples > 0 {
         let converged = missing::fill(&mut heights, [nx, ny], pitch.value);
         let share = 100.0 * missing_samples as f64 / heights.len() as f64;
-        raw.warnings.push(format!(
-            "{missing_samples} missing samples ({share:.3} %) were filled in smoothly"
-        ));
+        raw.warnings.push(format!("{missing_samples} missing samples ({share:.3} %) were filled in smoothly"));
         if !converged {
-            raw.warnings
-                .push("the widest gap is filled only approximately".to_owned());
+            raw.warnings.push("the widest gap is filled only approximately".to_owned());
         }
     }
     let size = raw.stored.size;
     let heights_nm = Array2::from_shape_vec((ny, nx), heights)
         .map_err(|_| Refusal::damaged("it does not hold as many samples as it claims"))?;
     Ok(Scan {
-        field: HeightField {
-            heights_nm,
-            pitch_nm: pitch.value,
-        },
+        field: HeightField { heights_nm, pitch_nm: pitch.value },
         provenance: Provenance {
             file_name: String::new(),
             sha256: String::new(),
@@ -93,18 +87,11 @@ fn pitch(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<[f64; 2]>> {
             ));
         }
     };
-    if pitch
-        .value
-        .iter()
-        .all(|side| *side > 0.0 && *side < PITCH_MAX_NM)
-    {
+    if pitch.value.iter().all(|side| *side > 0.0 && *side < PITCH_MAX_NM) {
         Ok(pitch)
     } else {
         Err(Refusal::new(
-            format!(
-                "a pitch of {:?} nm ({}) is not between 0 and 1 mm",
-                pitch.value, pitch.from
-            ),
+            format!("a pitch of {:?} nm ({}) is not between 0 and 1 mm", pitch.value, pitch.from),
             "set `pitch_nm` to the distance between neighbouring samples in nm",
         ))
     }
@@ -113,16 +100,10 @@ fn pitch(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<[f64; 2]>> {
 /// The straight line from stored samples to nm.
 fn line(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<Line>> {
     let kind = raw.stored.kind;
-    let in_unit = |nm: f64| Line {
-        scale: raw.numbers.scale * nm,
-        offset: raw.numbers.offset * nm,
-    };
+    let in_unit = |nm: f64| Line { scale: raw.numbers.scale * nm, offset: raw.numbers.offset * nm };
     let Some(scale) = config.height else {
         return match &raw.unit_nm {
-            Ok(unit) => Ok(Sourced::new(
-                in_unit(unit.value),
-                format!("file: {}", unit.from),
-            )),
+            Ok(unit) => Ok(Sourced::new(in_unit(unit.value), format!("file: {}", unit.from))),
             Err(reason) => {
                 let example = if kind.range().is_some() {
                     "`height = { full_scale_nm = 375 }` (nm from the smallest to the largest value \
@@ -131,10 +112,7 @@ fn line(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<Line>> {
                     "`height = { unit = \"nm\" }`"
                 };
                 Err(Refusal::new(
-                    format!(
-                        "what its {} samples mean in nm is not known: {reason}",
-                        kind.name()
-                    ),
+                    format!("what its {} samples mean in nm is not known: {reason}", kind.name()),
                     format!("add {example} to the specimen"),
                 ))
             }
@@ -142,28 +120,16 @@ fn line(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<Line>> {
     };
     let line = match scale {
         HeightScale::Unit(unit) => in_unit(unit.to_nm()),
-        HeightScale::Linear {
-            nm_per_count,
-            offset_nm,
-        } => Line {
-            scale: nm_per_count,
-            offset: offset_nm,
-        },
+        HeightScale::Linear { nm_per_count, offset_nm } => Line { scale: nm_per_count, offset: offset_nm },
         HeightScale::FullScaleNm(full_scale) => {
             let Some([low, high]) = kind.range() else {
                 return Err(Refusal::new(
-                    format!(
-                        "full_scale_nm is for integer samples; these are {}",
-                        kind.name()
-                    ),
+                    format!("full_scale_nm is for integer samples; these are {}", kind.name()),
                     "use `height = { unit = \"nm\" }` or `height = { nm_per_count, offset_nm }`",
                 ));
             };
             let scale = full_scale / (high - low);
-            Line {
-                scale,
-                offset: -low * scale,
-            }
+            Line { scale, offset: -low * scale }
         }
     };
     if !(line.scale.is_finite() && line.scale != 0.0 && line.offset.is_finite()) {

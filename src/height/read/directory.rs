@@ -36,16 +36,8 @@ impl<'a> TiffFile<'a> {
     /// Looks at the header only; the caller has checked the magic bytes.
     pub(super) fn new(bytes: &'a [u8]) -> Self {
         let little_endian = bytes.first() == Some(&b'I');
-        let version = if little_endian {
-            bytes.get(2)
-        } else {
-            bytes.get(3)
-        };
-        Self {
-            bytes,
-            little_endian,
-            big: version == Some(&43),
-        }
+        let version = if little_endian { bytes.get(2) } else { bytes.get(3) };
+        Self { bytes, little_endian, big: version == Some(&43) }
     }
 
     /// Every directory of the main chain, in order.
@@ -82,52 +74,30 @@ impl<'a> TiffFile<'a> {
         let outside = || Refusal::damaged(format!("no complete directory at byte {at}"));
         let (count_size, entry_size, pointer_size) = if self.big { (8, 20, 8) } else { (2, 12, 4) };
         let start = usize::try_from(at).map_err(|_| outside())?;
-        let count = usize::try_from(self.unsigned(start, count_size).map_err(|_| outside())?)
-            .map_err(|_| outside())?;
+        let count = usize::try_from(self.unsigned(start, count_size).map_err(|_| outside())?).map_err(|_| outside())?;
         *budget = budget.checked_sub(count.max(1)).ok_or_else(outside)?;
         // No overflow: the count is below the file's length, and so is the start.
         let first = start + count_size;
         let end = first + count * entry_size;
         let next = self.unsigned(end, pointer_size).map_err(|_| outside())?;
-        let entries = (0..count)
-            .map(|index| self.entry(first + index * entry_size))
-            .collect::<Parsed<Vec<_>>>()?;
-        Ok((
-            Directory {
-                file: self,
-                entries,
-            },
-            next,
-        ))
+        let entries = (0..count).map(|index| self.entry(first + index * entry_size)).collect::<Parsed<Vec<_>>>()?;
+        Ok((Directory { file: self, entries }, next))
     }
 
     fn entry(self, at: usize) -> Parsed<Entry> {
         let kind = self.unsigned(at + 2, 2)? as u16;
-        let (count, inline_at, inline_size) = if self.big {
-            (self.unsigned(at + 4, 8)?, at + 12, 8)
-        } else {
-            (self.unsigned(at + 4, 4)?, at + 8, 4)
-        };
-        let length = usize::try_from(count)
-            .ok()
-            .and_then(|count| count.checked_mul(type_size(kind)));
+        let (count, inline_at, inline_size) =
+            if self.big { (self.unsigned(at + 4, 8)?, at + 12, 8) } else { (self.unsigned(at + 4, 4)?, at + 8, 4) };
+        let length = usize::try_from(count).ok().and_then(|count| count.checked_mul(type_size(kind)));
         let place = match length {
             Some(length) if length <= inline_size => Some((inline_at, length)),
             Some(length) => usize::try_from(self.unsigned(inline_at, inline_size)?)
                 .ok()
-                .filter(|start| {
-                    start
-                        .checked_add(length)
-                        .is_some_and(|end| end <= self.bytes.len())
-                })
+                .filter(|start| start.checked_add(length).is_some_and(|end| end <= self.bytes.len()))
                 .map(|start| (start, length)),
             None => None,
         };
-        Ok(Entry {
-            tag: self.unsigned(at, 2)? as u16,
-            kind,
-            place,
-        })
+        Ok(Entry { tag: self.unsigned(at, 2)? as u16, kind, place })
     }
 
     fn unsigned(self, at: usize, size: usize) -> Parsed<u64> {
@@ -140,11 +110,7 @@ impl<'a> TiffFile<'a> {
     /// An unsigned number of up to 8 bytes in the file's byte order.
     fn number(self, bytes: &[u8]) -> u64 {
         let join = |sum: u64, byte: &u8| (sum << 8) | u64::from(*byte);
-        if self.little_endian {
-            bytes.iter().rev().fold(0, join)
-        } else {
-            bytes.iter().fold(0, join)
-        }
+        if self.little_endian { bytes.iter().rev().fold(0, join) } else { bytes.iter().fold(0, join) }
     }
 }
 
@@ -175,12 +141,8 @@ impl<'a> Directory<'a> {
             return Ok(None);
         };
         match entry.place {
-            Some((start, length)) => {
-                Ok(Some((entry.kind, &self.file.bytes[start..start + length])))
-            }
-            None => Err(Refusal::damaged(format!(
-                "the value of tag {tag} lies outside the file"
-            ))),
+            Some((start, length)) => Ok(Some((entry.kind, &self.file.bytes[start..start + length]))),
+            None => Err(Refusal::damaged(format!("the value of tag {tag} lies outside the file"))),
         }
     }
 
@@ -197,10 +159,7 @@ impl<'a> Directory<'a> {
         if !matches!(kind, 1 | 3 | 4 | 13 | 16 | 18) {
             return Err(wrong_type(tag, kind));
         }
-        let numbers = bytes
-            .chunks_exact(type_size(kind))
-            .map(|bytes| self.file.number(bytes))
-            .collect();
+        let numbers = bytes.chunks_exact(type_size(kind)).map(|bytes| self.file.number(bytes)).collect();
         Ok(Some(numbers))
     }
 
@@ -220,10 +179,7 @@ impl<'a> Directory<'a> {
         let Some((kind, bytes)) = self.value(tag)? else {
             return Ok(None);
         };
-        let Some(first) = bytes
-            .get(..type_size(kind))
-            .filter(|first| !first.is_empty())
-        else {
+        let Some(first) = bytes.get(..type_size(kind)).filter(|first| !first.is_empty()) else {
             return Err(wrong_type(tag, kind));
         };
         let number = |bytes: &[u8]| self.file.number(bytes);
@@ -234,10 +190,7 @@ impl<'a> Directory<'a> {
             9 => f64::from(number(first) as u32 as i32),
             17 => number(first) as i64 as f64,
             5 => number(&first[..4]) as f64 / number(&first[4..]) as f64,
-            10 => {
-                f64::from(number(&first[..4]) as u32 as i32)
-                    / f64::from(number(&first[4..]) as u32 as i32)
-            }
+            10 => f64::from(number(&first[..4]) as u32 as i32) / f64::from(number(&first[4..]) as u32 as i32),
             11 => f64::from(f32::from_bits(number(first) as u32)),
             12 => f64::from_bits(number(first)),
             _ => return Err(wrong_type(tag, kind)),
@@ -267,7 +220,5 @@ impl<'a> Directory<'a> {
 }
 
 fn wrong_type(tag: u16, kind: u16) -> Refusal {
-    Refusal::damaged(format!(
-        "tag {tag} has an unexpected type or no value ({kind})"
-    ))
+    Refusal::damaged(format!("tag {tag} has an unexpected type or no value ({kind})"))
 }

@@ -11,8 +11,8 @@ const COARSEST_NM: f64 = 10_000.0;
 
 /// Fills in what description and resolution tags say.
 pub(super) fn apply(scan: &mut RawScan, description: &str, directory: &Directory) -> Parsed<()> {
-    scan.unit_nm = height_unit(description, "description")
-        .unwrap_or_else(|| Err("no tag gives a height unit".to_owned()));
+    scan.unit_nm =
+        height_unit(description, "description").unwrap_or_else(|| Err("no tag gives a height unit".to_owned()));
     if scan.unit_nm.is_ok() && !unit_is_enough(scan.stored.kind) {
         scan.unit_nm = Err(format!(
             "its description names a height unit, but {} samples are usually stretched to their \
@@ -24,8 +24,7 @@ pub(super) fn apply(scan: &mut RawScan, description: &str, directory: &Directory
     scan.pitch_nm = match pitch_from_text(description) {
         Some(by_text) => {
             if let (Ok(text), Ok(tags)) = (&by_text, &by_tags) {
-                let differs =
-                    |axis: usize| (text.value[axis] / tags.value[axis] - 1.0).abs() > 0.01;
+                let differs = |axis: usize| (text.value[axis] / tags.value[axis] - 1.0).abs() > 0.01;
                 if differs(0) || differs(1) {
                     scan.warnings.push(format!(
                         "the description's pixel size ({:?} nm) and the resolution tags' ({:?} nm) \
@@ -60,9 +59,7 @@ pub(super) fn height_unit(text: &str, place: &str) -> Option<Found<f64>> {
     let value = value_of(text, &["zunit", "zunits", "heightunit", "heightunits"])?;
     Some(match LengthUnit::parse(value) {
         Some(unit) => Ok(Sourced::new(unit.to_nm(), place)),
-        None => Err(format!(
-            "its {place} names the height unit {value:?}, not a length"
-        )),
+        None => Err(format!("its {place} names the height unit {value:?}, not a length")),
     })
 }
 
@@ -72,9 +69,7 @@ fn pitch_from_text(text: &str) -> Option<Found<[f64; 2]>> {
     let height = value_of(text, &["pixelheightnm"]).unwrap_or(width);
     Some(match (width.parse(), height.parse()) {
         (Ok(width), Ok(height)) => Ok(Sourced::new([width, height], "description")),
-        _ => Err(format!(
-            "its description gives the pixel size {width:?} x {height:?}, not numbers"
-        )),
+        _ => Err(format!("its description gives the pixel size {width:?} x {height:?}, not numbers")),
     })
 }
 
@@ -94,17 +89,12 @@ pub(super) fn pitch_from_resolution(directory: &Directory) -> Parsed<Found<[f64;
         LengthUnit::Inch => "inch",
         _ => "cm",
     };
-    Ok(
-        if pitch
-            .iter()
-            .all(|pitch| *pitch > 0.0 && *pitch < COARSEST_NM)
-        {
-            Ok(Sourced::new(pitch, "resolution tags"))
-        } else {
-            Err(format!(
-                "its resolution of {per_unit_x} x {per_unit_y} per {name} is that of a screen or a \
+    Ok(if pitch.iter().all(|pitch| *pitch > 0.0 && *pitch < COARSEST_NM) {
+        Ok(Sourced::new(pitch, "resolution tags"))
+    } else {
+        Err(format!(
+            "its resolution of {per_unit_x} x {per_unit_y} per {name} is that of a screen or a \
              printer, not of a scan"
-            ))
-        },
-    )
+        ))
+    })
 }

@@ -18,14 +18,11 @@ pub(super) fn read(bytes: &[u8], max_samples: usize) -> Parsed<RawScan> {
         .ok_or_else(|| Refusal::damaged("its header has no end"))?;
     // One to four NULs pad the header to a multiple of four bytes.
     let data_at = (end / 4 + 1) * 4;
-    if bytes
-        .get(end..data_at)
-        .is_none_or(|pad| pad.iter().any(|&byte| byte != 0))
-    {
+    if bytes.get(end..data_at).is_none_or(|pad| pad.iter().any(|&byte| byte != 0)) {
         return Err(Refusal::damaged("its header is not padded with NULs"));
     }
-    let header = std::str::from_utf8(&bytes[MAGIC.len()..end])
-        .map_err(|_| Refusal::damaged("its header is not UTF-8"))?;
+    let header =
+        std::str::from_utf8(&bytes[MAGIC.len()..end]).map_err(|_| Refusal::damaged("its header is not UTF-8"))?;
     let field = |name: &str| {
         header.lines().find_map(|line| {
             let (key, value) = line.split_once('=')?;
@@ -46,11 +43,7 @@ pub(super) fn read(bytes: &[u8], max_samples: usize) -> Parsed<RawScan> {
         format: "GSF",
         page: 0,
         channel: field("Title").map(str::to_owned),
-        stored: Stored {
-            size,
-            kind: SampleKind::F32,
-            values,
-        },
+        stored: Stored { size, kind: SampleKind::F32, values },
         no_data: None,
         numbers: Line::IDENTITY,
         unit_nm: unit(field("ZUnits"), "ZUnits").map(|nm| Sourced::new(nm, "gsf header")),
@@ -63,15 +56,9 @@ fn samples(data: &[u8], [nx, ny]: [usize; 2]) -> Parsed<Vec<f64>> {
     // No overflow: the number of samples has been checked, and sides are 32-bit.
     let needed = nx as u64 * ny as u64 * 4;
     if data.len() as u64 != needed {
-        return Err(Refusal::damaged(format!(
-            "{nx} x {ny} samples need {needed} bytes; the file has {}",
-            data.len()
-        )));
+        return Err(Refusal::damaged(format!("{nx} x {ny} samples need {needed} bytes; the file has {}", data.len())));
     }
-    Ok(data
-        .chunks_exact(4)
-        .map(|word| f64::from(f32::from_le_bytes([word[0], word[1], word[2], word[3]])))
-        .collect())
+    Ok(data.chunks_exact(4).map(|word| f64::from(f32::from_le_bytes([word[0], word[1], word[2], word[3]]))).collect())
 }
 
 fn unit(text: Option<&str>, name: &str) -> Result<f64, String> {
@@ -86,9 +73,7 @@ fn pitch<'h>(size: [usize; 2], field: &impl Fn(&str) -> Option<&'h str>) -> Foun
     let unit_nm = unit(field("XYUnits"), "XYUnits")?;
     let side = |name: &str, samples: usize| {
         let text = field(name).ok_or_else(|| format!("its header has no {name}"))?;
-        let extent: f64 = text
-            .parse()
-            .map_err(|_| format!("its header's {name} is {text:?}, not a number"))?;
+        let extent: f64 = text.parse().map_err(|_| format!("its header's {name} is {text:?}, not a number"))?;
         Ok::<f64, String>(extent * unit_nm / samples as f64)
     };
     let pitch = [side("XReal", size[0])?, side("YReal", size[1])?];
@@ -110,9 +95,8 @@ mod tests {
     #[test]
     fn every_header_length_is_padded_right() {
         for title in ["", "a", "ab", "abc", "abcd"] {
-            let header = format!(
-                "XRes = 2\nYRes = 1\nXReal = 2e-6\nYReal=3e-6\nXYUnits = m\nZUnits = nm\nTitle = {title}\n"
-            );
+            let header =
+                format!("XRes = 2\nYRes = 1\nXReal = 2e-6\nYReal=3e-6\nXYUnits = m\nZUnits = nm\nTitle = {title}\n");
             let scan = read(&field(&header, &[1.5, -2.0]), 10).unwrap();
             assert_eq!(scan.stored.values, [1.5, -2.0]);
             assert_eq!(scan.channel.as_deref(), Some(title));
@@ -127,10 +111,7 @@ mod tests {
         for (size, words) in [
             ("XRes = 4000000000\nYRes = 4000000000\n", "limit"),
             ("XRes = 18446744073709551615\nYRes = 2\n", "limit"),
-            (
-                "XRes = 99999999999999999999\nYRes = 2\n",
-                "number of samples",
-            ),
+            ("XRes = 99999999999999999999\nYRes = 2\n", "number of samples"),
             ("XRes = -1\nYRes = 2\n", "number of samples"),
             ("XRes = 0\nYRes = 2\n", "number of samples"),
             ("YRes = 2\n", "XRes"),
@@ -140,11 +121,7 @@ mod tests {
             assert!(refusal.what.contains(words), "{size}: {}", refusal.what);
         }
         assert!(read(&field("XRes = 2\nYRes = 2\n", &[0.0; 4]), 4).is_ok());
-        assert!(
-            read(&field("XRes = 2\nYRes = 2\n", &[0.0; 4]), 3)
-                .unwrap_err()
-                .limit
-        );
+        assert!(read(&field("XRes = 2\nYRes = 2\n", &[0.0; 4]), 3).unwrap_err().limit);
     }
 
     #[test]

@@ -42,11 +42,7 @@ pub(super) fn parse(text: &str) -> Option<Description> {
 }
 
 /// Refuses to choose from a stack whose images have no directory each, as ImageJ saves very large ones.
-pub(super) fn check_stack(
-    keys: &Description,
-    directories: usize,
-    asked: Option<usize>,
-) -> Parsed<()> {
+pub(super) fn check_stack(keys: &Description, directories: usize, asked: Option<usize>) -> Parsed<()> {
     let images: Option<usize> = keys.images.as_deref().and_then(|text| text.parse().ok());
     match images {
         Some(images) if images > directories && asked.is_none() => Err(Refusal::new(
@@ -67,11 +63,7 @@ pub(super) fn apply(scan: &mut RawScan, keys: &Description, first: &Directory) -
 }
 
 /// Pixel sizes are one over the resolution, in the description's unit.
-fn pitch(
-    keys: &Description,
-    first: &Directory,
-    warnings: &mut Vec<String>,
-) -> Parsed<Found<[f64; 2]>> {
+fn pitch(keys: &Description, first: &Directory, warnings: &mut Vec<String>) -> Parsed<Found<[f64; 2]>> {
     let Some(unit_x) = &keys.unit else {
         return free_text::pitch_from_resolution(first);
     };
@@ -94,17 +86,12 @@ fn pitch(
     };
     let pitch = [meant(x).to_nm() / per_unit_x, meant(y).to_nm() / per_unit_y];
     if quirk {
-        warnings.push(
-            "unit micrometre beside ResolutionUnit cm: read as pixels per cm, as ImageJ does"
-                .to_owned(),
-        );
+        warnings.push("unit micrometre beside ResolutionUnit cm: read as pixels per cm, as ImageJ does".to_owned());
     }
     if pitch.iter().all(|pitch| pitch.is_finite() && *pitch > 0.0) {
         Ok(Ok(Sourced::new(pitch, "ImageJ description")))
     } else {
-        Ok(Err(
-            "its resolution tags are not positive numbers".to_owned()
-        ))
+        Ok(Err("its resolution tags are not positive numbers".to_owned()))
     }
 }
 
@@ -117,14 +104,9 @@ fn apply_line(scan: &mut RawScan, keys: &Description) -> Parsed<()> {
     }
     let number = |key: &str, text: &Option<String>| {
         let text = text.as_deref().unwrap_or("");
-        text.parse::<f64>()
-            .ok()
-            .filter(|number| number.is_finite())
-            .ok_or_else(|| {
-                Refusal::damaged(format!(
-                    "its ImageJ description has a calibration line but {key} is {text:?}"
-                ))
-            })
+        text.parse::<f64>().ok().filter(|number| number.is_finite()).ok_or_else(|| {
+            Refusal::damaged(format!("its ImageJ description has a calibration line but {key} is {text:?}"))
+        })
     };
     let offset = number("c0", &keys.c0)?;
     let scale = number("c1", &keys.c1)?;
@@ -172,8 +154,7 @@ fn unit(scan: &RawScan, keys: &Description, first: &Directory) -> Parsed<Found<f
 /// The first block is a header: the magic "IJIJ", then pairs of a block type and a number of blocks,
 /// all 32-bit numbers in the file's byte order. Text is UTF-16 in the same order.
 fn info_text(directory: &Directory) -> Parsed<Option<String>> {
-    let (Some(sizes), Some(blocks)) = (directory.unsigned_list(50838)?, directory.bytes(50839)?)
-    else {
+    let (Some(sizes), Some(blocks)) = (directory.unsigned_list(50838)?, directory.bytes(50839)?) else {
         return Ok(None);
     };
     let little_endian = directory.file().little_endian;
@@ -186,10 +167,7 @@ fn info_text(directory: &Directory) -> Parsed<Option<String>> {
     let mut start = 0usize;
     let mut pieces = Vec::with_capacity(sizes.len());
     for size in sizes {
-        let end = usize::try_from(size)
-            .ok()
-            .and_then(|size| start.checked_add(size))
-            .ok_or_else(damaged)?;
+        let end = usize::try_from(size).ok().and_then(|size| start.checked_add(size)).ok_or_else(damaged)?;
         pieces.push(blocks.get(start..end).ok_or_else(damaged)?);
         start = end;
     }
@@ -211,9 +189,8 @@ fn info_text(directory: &Directory) -> Parsed<Option<String>> {
                     u16::from_be_bytes([pair[0], pair[1]])
                 }
             });
-            let text = char::decode_utf16(units)
-                .map(|character| character.unwrap_or(char::REPLACEMENT_CHARACTER))
-                .collect();
+            let text =
+                char::decode_utf16(units).map(|character| character.unwrap_or(char::REPLACEMENT_CHARACTER)).collect();
             return Ok(Some(text));
         }
         index = index.saturating_add(pair[1] as usize);

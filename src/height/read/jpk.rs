@@ -26,9 +26,7 @@ const HEIGHTS: [&str; 3] = ["measuredHeight", "capacitiveSensorHeight", "height"
 /// Whether the file carries JPK's private tags.
 pub(super) fn is_jpk(directories: &[Directory]) -> bool {
     SCAN_SIZE.iter().all(|&tag| directories[0].has(tag))
-        && directories
-            .iter()
-            .any(|directory| directory.has(DEFAULT_SLOT))
+        && directories.iter().any(|directory| directory.has(DEFAULT_SLOT))
 }
 
 /// Reads the best height channel, or the page asked for.
@@ -44,14 +42,9 @@ pub(super) fn read(directories: &[Directory], config: &ReadConfig) -> Parsed<Raw
     }
     let mut warnings = Vec::new();
     let chosen = channels.iter().find(|channel| channel.page == page);
-    let others = channels
-        .iter()
-        .filter(|channel| channel.page != page && channel.rank().is_some())
-        .count();
+    let others = channels.iter().filter(|channel| channel.page != page && channel.rank().is_some()).count();
     if config.page.is_none() && others > 0 {
-        warnings.push(format!(
-            "page {page} is read; {others} other pages hold heights too (set `page` to choose)"
-        ));
+        warnings.push(format!("page {page} is read; {others} other pages hold heights too (set `page` to choose)"));
     }
     let (numbers, unit_nm) = default_slot(directory)?;
     Ok(RawScan {
@@ -103,10 +96,8 @@ fn channels(directories: &[Directory]) -> Parsed<Vec<Channel>> {
 
 fn choose(channels: &[Channel], asked: Option<usize>) -> Parsed<usize> {
     let list = || {
-        let names: Vec<_> = channels
-            .iter()
-            .map(|channel| format!("page {}: {}", channel.page, channel.label()))
-            .collect();
+        let names: Vec<_> =
+            channels.iter().map(|channel| format!("page {}: {}", channel.page, channel.label())).collect();
         names.join("; ")
     };
     if let Some(page) = asked {
@@ -119,17 +110,14 @@ fn choose(channels: &[Channel], asked: Option<usize>) -> Parsed<usize> {
             ))
         };
     }
-    channels
-        .iter()
-        .filter_map(|channel| Some((channel.rank()?, channel.page)))
-        .min()
-        .map(|(_, page)| page)
-        .ok_or_else(|| {
+    channels.iter().filter_map(|channel| Some((channel.rank()?, channel.page))).min().map(|(_, page)| page).ok_or_else(
+        || {
             Refusal::new(
                 format!("no channel of this JPK file is a height ({})", list()),
                 "export measuredHeight or height; or set `page` to a channel with a length unit",
             )
-        })
+        },
+    )
 }
 
 /// The line and unit of the slot that the page names as its default. Every slot leads from the stored
@@ -152,9 +140,7 @@ fn default_slot(directory: &Directory) -> Parsed<(Line, Found<f64>)> {
             .ok_or_else(|| format!("its JPK slot {wanted:?} is in {unit:?}, not a length"));
         return Ok((numbers, unit_nm));
     }
-    Err(Refusal::damaged(format!(
-        "its default calibration {wanted:?} is not among the page's {count} slots"
-    )))
+    Err(Refusal::damaged(format!("its default calibration {wanted:?} is not among the page's {count} slots")))
 }
 
 fn scaling(directory: &Directory, tag: impl Fn(u16) -> u16) -> Parsed<Line> {
@@ -165,14 +151,10 @@ fn scaling(directory: &Directory, tag: impl Fn(u16) -> u16) -> Parsed<Line> {
             let scale = directory.number(tag(SLOT_MULTIPLIER))?;
             let offset = directory.number(tag(SLOT_OFFSET))?;
             match (scale, offset) {
-                (Some(scale), Some(offset))
-                    if scale.is_finite() && scale != 0.0 && offset.is_finite() =>
-                {
+                (Some(scale), Some(offset)) if scale.is_finite() && scale != 0.0 && offset.is_finite() => {
                     Ok(Line { scale, offset })
                 }
-                _ => Err(Refusal::damaged(
-                    "its JPK slot has no usable multiplier and offset",
-                )),
+                _ => Err(Refusal::damaged("its JPK slot has no usable multiplier and offset")),
             }
         }
         _ => Err(Refusal::new(

@@ -15,19 +15,13 @@ const RELATIVE_RESIDUAL: f64 = 1e-9;
 /// Replaces every NaN of a field of `size` by a smooth interpolation; `false` if it had to stop before
 /// the solution was reached. The field must have a known sample, and `pitch` be positive.
 pub(super) fn fill(heights: &mut [f64], size: [usize; 2], pitch: [f64; 2]) -> bool {
-    let missing: Vec<usize> = (0..heights.len())
-        .filter(|&index| heights[index].is_nan())
-        .collect();
+    let missing: Vec<usize> = (0..heights.len()).filter(|&index| heights[index].is_nan()).collect();
     if missing.is_empty() || missing.len() == heights.len() {
         return missing.is_empty();
     }
     // Differences from the mean: the residual then scales with the relief, not with the altitude.
     let known = heights.len() - missing.len();
-    let mean = heights
-        .iter()
-        .filter(|height| !height.is_nan())
-        .sum::<f64>()
-        / known as f64;
+    let mean = heights.iter().filter(|height| !height.is_nan()).sum::<f64>() / known as f64;
     for height in heights.iter_mut() {
         *height -= mean;
     }
@@ -54,11 +48,7 @@ pub(super) fn fill(heights: &mut [f64], size: [usize; 2], pitch: [f64; 2]) -> bo
 fn start(heights: &mut [f64], size: [usize; 2]) {
     let at = |size: [usize; 2], x: usize, y: usize| y * size[0] + x;
     let known = |&height: &f64| {
-        if height.is_nan() {
-            [0.0, 0.0]
-        } else {
-            [height, 1.0]
-        }
+        if height.is_nan() { [0.0, 0.0] } else { [height, 1.0] }
     };
     // Sums and counts of known heights, ever coarser.
     let mut levels = vec![(heights.iter().map(known).collect::<Vec<_>>(), size)];
@@ -115,12 +105,8 @@ impl Laplace {
         let weights = pitch.map(|pitch| (finest / pitch).powi(2));
         let [nx, ny] = size;
         let none = missing.len();
-        let mut laplace = Self {
-            neighbours: vec![[none; 4]; none],
-            degree: vec![0.0; none],
-            source: vec![0.0; none],
-            weights,
-        };
+        let mut laplace =
+            Self { neighbours: vec![[none; 4]; none], degree: vec![0.0; none], source: vec![0.0; none], weights };
         for (number, &index) in missing.iter().enumerate() {
             let (x, y) = (index % nx, index / nx);
             let around = [
@@ -190,15 +176,10 @@ mod tests {
     use super::*;
 
     /// Fills a gap cut out of `height(x, y)` and returns the largest error.
-    fn error_of(
-        height: impl Fn(f64, f64) -> f64,
-        gap: impl Fn(usize, usize) -> bool,
-        pitch: [f64; 2],
-    ) -> f64 {
+    fn error_of(height: impl Fn(f64, f64) -> f64, gap: impl Fn(usize, usize) -> bool, pitch: [f64; 2]) -> f64 {
         let [nx, ny] = [61, 47];
-        let truth: Vec<f64> = (0..nx * ny)
-            .map(|i| height((i % nx) as f64 * pitch[0], (i / nx) as f64 * pitch[1]))
-            .collect();
+        let truth: Vec<f64> =
+            (0..nx * ny).map(|i| height((i % nx) as f64 * pitch[0], (i / nx) as f64 * pitch[1])).collect();
         let mut holed = truth.clone();
         for (index, value) in holed.iter_mut().enumerate() {
             if gap(index % nx, index / nx) {
@@ -207,11 +188,7 @@ mod tests {
         }
         assert!(holed.iter().any(|value| value.is_nan()));
         assert!(fill(&mut holed, [nx, ny], pitch));
-        holed
-            .iter()
-            .zip(&truth)
-            .map(|(a, b)| (a - b).abs())
-            .fold(0.0, f64::max)
+        holed.iter().zip(&truth).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
     }
 
     /// Planes and `x² - y²` solve the discrete equation exactly, so they must come back. The residual
@@ -224,9 +201,8 @@ mod tests {
         };
         let plane = |x: f64, y: f64| 700.0 + 3.0 * x - 2.0 * y;
         let saddle = |x: f64, y: f64| x * x - y * y;
-        let specks = |x: usize, y: usize| {
-            (x * 7 + y * 13).is_multiple_of(11) && (1..60).contains(&x) && (1..46).contains(&y)
-        };
+        let specks =
+            |x: usize, y: usize| (x * 7 + y * 13).is_multiple_of(11) && (1..60).contains(&x) && (1..46).contains(&y);
         for pitch in [[1.0, 1.0], [1.0, 2.5]] {
             assert!(error_of(plane, disc, pitch) < 2e-4);
             assert!(error_of(saddle, disc, pitch) < 2e-4);
@@ -244,11 +220,7 @@ mod tests {
             *value = f64::NAN;
         }
         assert!(fill(&mut field, [20, 20], [1.0, 3.0]));
-        assert!(
-            field
-                .iter()
-                .all(|value| (-1e-6..=99.0 + 1e-6).contains(value))
-        );
+        assert!(field.iter().all(|value| (-1e-6..=99.0 + 1e-6).contains(value)));
     }
 
     #[test]

@@ -18,10 +18,7 @@ pub(super) fn is_ome(description: &str) -> bool {
 pub(super) fn apply(scan: &mut RawScan, description: &str) -> Parsed<()> {
     scan.format = "OME-TIFF";
     scan.unit_nm = Err("OME-TIFF has no height unit".to_owned());
-    let options = ParsingOptions {
-        nodes_limit: NODES_MAX,
-        ..ParsingOptions::default()
-    };
+    let options = ParsingOptions { nodes_limit: NODES_MAX, ..ParsingOptions::default() };
     let document = Document::parse_with_options(description.trim(), options)
         .map_err(|error| Refusal::damaged(format!("its OME-XML is not XML: {error}")))?;
     let Some(pixels) = pixels_of(&document, scan.page) else {
@@ -30,9 +27,7 @@ pub(super) fn apply(scan: &mut RawScan, description: &str) -> Parsed<()> {
     };
     scan.pitch_nm = pitch(pixels);
     // Which of several channels a page holds depends on the order of dimensions; one is certain.
-    let mut channels = pixels
-        .children()
-        .filter(|node| node.has_tag_name_of("Channel"));
+    let mut channels = pixels.children().filter(|node| node.has_tag_name_of("Channel"));
     if let (Some(channel), None) = (channels.next(), channels.next()) {
         scan.channel = channel.attribute("Name").map(str::to_owned);
     }
@@ -52,27 +47,20 @@ impl LocalName for Node<'_, '_> {
 
 /// The `Pixels` element of a page: the only one, or the one whose `TiffData` names the page.
 fn pixels_of<'a, 'input>(document: &'a Document<'input>, page: usize) -> Option<Node<'a, 'input>> {
-    let mut all = document
-        .descendants()
-        .filter(|node| node.has_tag_name_of("Pixels"));
+    let mut all = document.descendants().filter(|node| node.has_tag_name_of("Pixels"));
     let first = all.next()?;
     let Some(second) = all.next() else {
         return Some(first);
     };
     let names_page = |pixels: &Node| {
-        pixels
-            .children()
-            .filter(|node| node.has_tag_name_of("TiffData"))
-            .any(|data| {
-                let number = |name: &str, default: usize| {
-                    data.attribute(name)
-                        .map_or(Some(default), |text| text.parse().ok())
-                };
-                let Some((start, count)) = number("IFD", 0).zip(number("PlaneCount", 1)) else {
-                    return false;
-                };
-                page.checked_sub(start).is_some_and(|offset| offset < count)
-            })
+        pixels.children().filter(|node| node.has_tag_name_of("TiffData")).any(|data| {
+            let number =
+                |name: &str, default: usize| data.attribute(name).map_or(Some(default), |text| text.parse().ok());
+            let Some((start, count)) = number("IFD", 0).zip(number("PlaneCount", 1)) else {
+                return false;
+            };
+            page.checked_sub(start).is_some_and(|offset| offset < count)
+        })
     };
     [first, second].into_iter().chain(all).find(names_page)
 }
@@ -87,15 +75,12 @@ fn pitch(pixels: Node) -> Found<[f64; 2]> {
             .map_err(|_| format!("its OME-XML's {size} is not a number"))?;
         // The schema's default unit is the micrometre.
         let unit = pixels.attribute(unit).unwrap_or("\u{b5}m");
-        let unit = LengthUnit::parse(unit)
-            .ok_or_else(|| format!("its OME-XML measures {size} in {unit:?}, not a length"))?;
+        let unit =
+            LengthUnit::parse(unit).ok_or_else(|| format!("its OME-XML measures {size} in {unit:?}, not a length"))?;
         Ok::<f64, String>(length * unit.to_nm())
     };
     Ok(Sourced::new(
-        [
-            side("PhysicalSizeX", "PhysicalSizeXUnit")?,
-            side("PhysicalSizeY", "PhysicalSizeYUnit")?,
-        ],
+        [side("PhysicalSizeX", "PhysicalSizeXUnit")?, side("PhysicalSizeY", "PhysicalSizeYUnit")?],
         "OME-XML",
     ))
 }

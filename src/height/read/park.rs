@@ -36,19 +36,12 @@ struct Header {
 /// Reads the height map.
 pub(super) fn read(directory: &Directory, config: &ReadConfig) -> Parsed<RawScan> {
     if config.page.is_some_and(|page| page > 0) {
-        return Err(Refusal::new(
-            "a Park TIFF has one page (page 0)",
-            "leave `page` out",
-        ));
+        return Err(Refusal::new("a Park TIFF has one page (page 0)", "leave `page` out"));
     }
-    let header = Header::new(
-        directory.bytes(TAG_HEADER)?.unwrap_or_default(),
-        directory.unsigned(50433)?.unwrap_or(0),
-    )?;
+    let header =
+        Header::new(directory.bytes(TAG_HEADER)?.unwrap_or_default(), directory.unsigned(50433)?.unwrap_or(0))?;
     let channel = header.source.to_lowercase();
-    let is_height = ["height", "topography", "z detector", "z drive"]
-        .iter()
-        .any(|name| channel.contains(name));
+    let is_height = ["height", "topography", "z detector", "z drive"].iter().any(|name| channel.contains(name));
     if !is_height && config.height.is_none() {
         return Err(Refusal::new(
             format!("its channel is {:?}, not a height", header.source),
@@ -57,26 +50,13 @@ pub(super) fn read(directory: &Directory, config: &ReadConfig) -> Parsed<RawScan
         ));
     }
     let size = checked_size(header.size, config.max_samples)?;
-    let values = samples(
-        directory.bytes(TAG_DATA)?.unwrap_or_default(),
-        size,
-        header.kind,
-    )?;
-    let mut stored = Stored {
-        size: size.map(|side| side as usize),
-        kind: header.kind,
-        values,
-    };
+    let values = samples(directory.bytes(TAG_DATA)?.unwrap_or_default(), size, header.kind)?;
+    let mut stored = Stored { size: size.map(|side| side as usize), kind: header.kind, values };
     // The bottom row comes first.
     stored.flip_rows();
     let unit_nm = LengthUnit::parse(&header.z_unit)
         .map(|unit| Sourced::new(unit.to_nm(), "Park header"))
-        .ok_or_else(|| {
-            format!(
-                "its Park header's z unit is {:?}, not a length",
-                header.z_unit
-            )
-        });
+        .ok_or_else(|| format!("its Park header's z unit is {:?}, not a length", header.z_unit));
     let pitch = [0, 1].map(|axis| header.extent_um[axis] * 1e3 / header.size[axis] as f64);
     Ok(RawScan {
         format: "Park TIFF",
@@ -84,10 +64,7 @@ pub(super) fn read(directory: &Directory, config: &ReadConfig) -> Parsed<RawScan
         channel: Some(header.source),
         stored,
         no_data: None,
-        numbers: Line {
-            scale: header.gain * header.z_scale,
-            offset: header.gain * header.z_offset,
-        },
+        numbers: Line { scale: header.gain * header.z_scale, offset: header.gain * header.z_offset },
         unit_nm,
         pitch_nm: Ok(Sourced::new(pitch, "Park header")),
         warnings: Vec::new(),
@@ -114,9 +91,7 @@ impl Header {
             (_, 1) => SampleKind::I32,
             (_, 2) => SampleKind::F32,
             (_, kind) => {
-                return Err(Refusal::damaged(format!(
-                    "its Park header names data type {kind}, which is not known"
-                )));
+                return Err(Refusal::damaged(format!("its Park header names data type {kind}, which is not known")));
             }
         };
         let side = |at: usize| {
@@ -139,9 +114,7 @@ impl Header {
         };
         let line = [header.gain, header.z_scale, header.z_offset];
         if line.iter().any(|number| !number.is_finite()) || header.gain == 0.0 {
-            return Err(Refusal::damaged(
-                "its Park header has no usable gain, scale and offset",
-            ));
+            return Err(Refusal::damaged("its Park header has no usable gain, scale and offset"));
         }
         Ok(header)
     }
@@ -161,13 +134,8 @@ fn float(bytes: &[u8], at: usize) -> f64 {
 
 /// UTF-16LE of fixed width, ended by NUL.
 fn text(bytes: &[u8]) -> String {
-    let units = bytes
-        .chunks_exact(2)
-        .map(|pair| u16::from_le_bytes([pair[0], pair[1]]))
-        .take_while(|&unit| unit != 0);
-    char::decode_utf16(units)
-        .map(|character| character.unwrap_or(char::REPLACEMENT_CHARACTER))
-        .collect()
+    let units = bytes.chunks_exact(2).map(|pair| u16::from_le_bytes([pair[0], pair[1]])).take_while(|&unit| unit != 0);
+    char::decode_utf16(units).map(|character| character.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
 }
 
 fn samples(bytes: &[u8], size: [u32; 2], kind: SampleKind) -> Parsed<Vec<f64>> {
@@ -182,12 +150,8 @@ fn samples(bytes: &[u8], size: [u32; 2], kind: SampleKind) -> Parsed<Vec<f64>> {
     };
     let values = bytes.chunks_exact(kind.bytes());
     Ok(match kind {
-        SampleKind::I16 => values
-            .map(|word| f64::from(i16::from_le_bytes([word[0], word[1]])))
-            .collect(),
+        SampleKind::I16 => values.map(|word| f64::from(i16::from_le_bytes([word[0], word[1]]))).collect(),
         SampleKind::I32 => values.map(|word| f64::from(integer(word, 0))).collect(),
-        _ => values
-            .map(|word| f64::from(f32::from_bits(integer(word, 0) as u32)))
-            .collect(),
+        _ => values.map(|word| f64::from(f32::from_bits(integer(word, 0) as u32))).collect(),
     })
 }

@@ -101,10 +101,7 @@ pub(super) struct Sourced<T> {
 
 impl<T> Sourced<T> {
     pub(super) fn new(value: T, from: impl Into<String>) -> Self {
-        Self {
-            value,
-            from: from.into(),
-        }
+        Self { value, from: from.into() }
     }
 }
 
@@ -116,10 +113,7 @@ pub(super) struct Line {
 }
 
 impl Line {
-    pub(super) const IDENTITY: Self = Self {
-        scale: 1.0,
-        offset: 0.0,
-    };
+    pub(super) const IDENTITY: Self = Self { scale: 1.0, offset: 0.0 };
 }
 
 /// What every format reader hands over for calibration.
@@ -146,20 +140,12 @@ mod tests {
 
     #[test]
     fn flips_of_odd_and_even_sizes() {
-        let mut odd = Stored {
-            size: [2, 3],
-            kind: SampleKind::F64,
-            values: vec![1., 2., 3., 4., 5., 6.],
-        };
+        let mut odd = Stored { size: [2, 3], kind: SampleKind::F64, values: vec![1., 2., 3., 4., 5., 6.] };
         odd.flip_rows();
         assert_eq!(odd.values, [5., 6., 3., 4., 1., 2.]);
         odd.flip_columns();
         assert_eq!(odd.values, [6., 5., 4., 3., 2., 1.]);
-        let mut even = Stored {
-            size: [1, 2],
-            kind: SampleKind::F64,
-            values: vec![1., 2.],
-        };
+        let mut even = Stored { size: [1, 2], kind: SampleKind::F64, values: vec![1., 2.] };
         even.flip_rows();
         assert_eq!(even.values, [2., 1.]);
     }

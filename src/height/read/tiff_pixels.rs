@@ -116,21 +116,14 @@ pub(super) fn decode(directory: &Directory, max_samples: usize) -> Parsed<Stored
         limits.intermediate_buffer_size = packed.len();
         limits
     };
-    let cannot_decode =
-        |error: tiff::TiffError| Refusal::damaged(format!("its pixels cannot be decoded: {error}"));
-    let mut decoder = Decoder::new(Cursor::new(packed))
-        .map_err(cannot_decode)?
-        .with_limits(limits);
+    let cannot_decode = |error: tiff::TiffError| Refusal::damaged(format!("its pixels cannot be decoded: {error}"));
+    let mut decoder = Decoder::new(Cursor::new(packed)).map_err(cannot_decode)?.with_limits(limits);
     let values = as_f64(decoder.read_image().map_err(cannot_decode)?);
     match values {
-        Some(values) if values.len() == samples => Ok(Stored {
-            size: layout.size.map(|side| side as usize),
-            kind: layout.kind,
-            values,
-        }),
-        _ => Err(Refusal::damaged(
-            "its pixels decode to another number of samples than it claims",
-        )),
+        Some(values) if values.len() == samples => {
+            Ok(Stored { size: layout.size.map(|side| side as usize), kind: layout.kind, values })
+        }
+        _ => Err(Refusal::damaged("its pixels decode to another number of samples than it claims")),
     }
 }
 
@@ -170,10 +163,7 @@ impl<'a> Layout<'a> {
         };
         if !fits {
             return Err(Refusal::new(
-                format!(
-                    "predictor {predictor} does not go with {} samples",
-                    kind.name()
-                ),
+                format!("predictor {predictor} does not go with {} samples", kind.name()),
                 "save the TIFF without compression",
             ));
         }
@@ -193,15 +183,7 @@ impl<'a> Layout<'a> {
         if chunk_size.contains(&0) {
             return Err(Refusal::damaged("its strips or tiles are empty"));
         }
-        let mut layout = Self {
-            size,
-            kind,
-            compression,
-            predictor,
-            tiled,
-            chunk_size,
-            chunks: Vec::new(),
-        };
+        let mut layout = Self { size, kind, compression, predictor, tiled, chunk_size, chunks: Vec::new() };
         layout.chunks = layout.find_chunks(directory)?;
         Ok(layout)
     }
@@ -220,16 +202,13 @@ impl<'a> Layout<'a> {
 
     /// The compressed bytes of every chunk, checked against file and decoded size.
     fn find_chunks(&self, directory: &Directory<'a>) -> Parsed<Vec<&'a [u8]>> {
-        let [across, down] =
-            [0, 1].map(|axis| self.size[axis].div_ceil(self.chunk_size[axis]) as usize);
+        let [across, down] = [0, 1].map(|axis| self.size[axis].div_ceil(self.chunk_size[axis]) as usize);
         let count = across * down;
         let (offsets_tag, counts_tag) = if self.tiled { (324, 325) } else { (273, 279) };
         let offsets = directory.unsigned_list(offsets_tag)?.unwrap_or_default();
         let counts = directory.unsigned_list(counts_tag)?;
         if offsets.len() < count || counts.as_ref().is_some_and(|counts| counts.len() < count) {
-            return Err(Refusal::damaged(format!(
-                "it needs {count} strips or tiles but lists fewer"
-            )));
+            return Err(Refusal::damaged(format!("it needs {count} strips or tiles but lists fewer")));
         }
         let file = directory.file().bytes;
         let mut total = 0;
@@ -380,18 +359,13 @@ fn heights_kind(page: &Page) -> Parsed<SampleKind> {
              colours, rulers and legends have no heights",
             EXPORT,
         )),
-        Content::Palette => Err(Refusal::new(
-            "this is a preview in palette colours, not a height scan",
-            EXPORT,
-        )),
+        Content::Palette => Err(Refusal::new("this is a preview in palette colours, not a height scan", EXPORT)),
     }
 }
 
 /// Sides as `u32`, their product within the limit.
 pub(super) fn checked_size(size: [u64; 2], max_samples: usize) -> Parsed<[u32; 2]> {
-    let within = size[0]
-        .checked_mul(size[1])
-        .is_some_and(|samples| samples <= max_samples as u64);
+    let within = size[0].checked_mul(size[1]).is_some_and(|samples| samples <= max_samples as u64);
     match size.map(u32::try_from) {
         [Ok(nx), Ok(ny)] if within => Ok([nx, ny]),
         _ => Err(Refusal::too_large(size, max_samples)),

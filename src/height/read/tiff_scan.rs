@@ -19,10 +19,7 @@ pub(super) fn read(bytes: &[u8], config: &ReadConfig) -> Parsed<RawScan> {
 
 /// A TIFF whose pixels are the scan and whose calibration, if any, is in standard tags.
 fn read_plain(directories: &[Directory], config: &ReadConfig) -> Parsed<RawScan> {
-    let pages = directories
-        .iter()
-        .map(Page::new)
-        .collect::<Parsed<Vec<_>>>()?;
+    let pages = directories.iter().map(Page::new).collect::<Parsed<Vec<_>>>()?;
     let page = choose(&pages, config.page)?;
     let directory = &directories[page];
     let mut warnings = Vec::new();
@@ -66,10 +63,8 @@ fn read_plain(directories: &[Directory], config: &ReadConfig) -> Parsed<RawScan>
 fn choose(pages: &[Page], asked: Option<usize>) -> Parsed<usize> {
     let list = || {
         let shown = pages.iter().enumerate().take(20);
-        let mut lines = shown
-            .map(|(index, page)| format!("page {index}: {}", page.summary()))
-            .collect::<Vec<_>>()
-            .join("; ");
+        let mut lines =
+            shown.map(|(index, page)| format!("page {index}: {}", page.summary())).collect::<Vec<_>>().join("; ");
         if pages.len() > 20 {
             lines += &format!("; ... {} pages in all", pages.len());
         }
@@ -85,35 +80,21 @@ fn choose(pages: &[Page], asked: Option<usize>) -> Parsed<usize> {
             ))
         };
     }
-    let is_scan = |page: &Page| {
-        matches!(page.content, Content::Grey(_) | Content::OddGrey { .. }) && !page.preview
-    };
+    let is_scan = |page: &Page| matches!(page.content, Content::Grey(_) | Content::OddGrey { .. }) && !page.preview;
     let area = |page: &Page| page.size[0].saturating_mul(page.size[1]);
-    let Some(largest) = pages
-        .iter()
-        .filter(|page| is_scan(page))
-        .max_by_key(|page| area(page))
-    else {
+    let Some(largest) = pages.iter().filter(|page| is_scan(page)).max_by_key(|page| area(page)) else {
         // Nothing grey: the first page's own refusal explains best.
         return Ok(0);
     };
     // Thumbnails that do not say so are smaller than half the scan.
-    let full_size =
-        |page: &Page| (0..2).all(|axis| page.size[axis].saturating_mul(2) >= largest.size[axis]);
-    let candidates: Vec<_> = (0..pages.len())
-        .filter(|&index| is_scan(&pages[index]) && full_size(&pages[index]))
-        .collect();
+    let full_size = |page: &Page| (0..2).all(|axis| page.size[axis].saturating_mul(2) >= largest.size[axis]);
+    let candidates: Vec<_> =
+        (0..pages.len()).filter(|&index| is_scan(&pages[index]) && full_size(&pages[index])).collect();
     match candidates[..] {
         [only] => Ok(only),
         _ => Err(Refusal::new(
-            format!(
-                "the file has several pages that may be the scan ({})",
-                list()
-            ),
-            format!(
-                "add `page = {}` or another, counted from 0, to say which one",
-                candidates[0]
-            ),
+            format!("the file has several pages that may be the scan ({})", list()),
+            format!("add `page = {}` or another, counted from 0, to say which one", candidates[0]),
         )),
     }
 }
@@ -139,9 +120,7 @@ fn orient(stored: &mut Stored, page: &Page, warnings: &mut Vec<String>) -> Parse
     if columns {
         stored.flip_columns();
     }
-    warnings.push(format!(
-        "mirrored, as its orientation tag ({orientation}) asks"
-    ));
+    warnings.push(format!("mirrored, as its orientation tag ({orientation}) asks"));
     Ok(())
 }
 

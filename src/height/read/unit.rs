@@ -97,17 +97,8 @@ mod tests {
 
     #[test]
     fn usual_spellings() {
-        let micrometre = [
-            "um",
-            " um ",
-            "\u{b5}m",
-            "\u{3bc}m",
-            "\\u00B5m",
-            "\\u03bcm",
-            "micron",
-            "Microns",
-            "micrometre",
-        ];
+        let micrometre =
+            ["um", " um ", "\u{b5}m", "\u{3bc}m", "\\u00B5m", "\\u03bcm", "micron", "Microns", "micrometre"];
         for text in micrometre {
             assert_eq!(LengthUnit::parse(text), Some(LengthUnit::Um), "{text}");
         }
@@ -125,9 +116,7 @@ mod tests {
         ] {
             assert_eq!(LengthUnit::parse(text), Some(unit), "{text}");
         }
-        for text in [
-            "", " ", "pixel", "Mm", "V", "deg", "\\u", "\\u00", "nm2", "NM",
-        ] {
+        for text in ["", " ", "pixel", "Mm", "V", "deg", "\\u", "\\u00", "nm2", "NM"] {
             assert_eq!(LengthUnit::parse(text), None, "{text}");
         }
     }
