@@ -2,6 +2,7 @@
 
 #![allow(dead_code)] // Each test program uses its own part.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Field types of TIFF.
@@ -168,7 +169,9 @@ pub fn samples(folder: &str) -> Option<PathBuf> {
     if path.is_dir() {
         return Some(path);
     }
-    eprintln!(
+    // Past the test harness, which swallows what passing tests print with macros.
+    let _ = writeln!(
+        std::io::stderr(),
         "SKIPPED: {} is not there, its files are not read",
         path.display()
     );
