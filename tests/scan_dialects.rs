@@ -379,6 +379,36 @@ fn missing_samples_are_counted_filled_and_bounded() {
     assert!(message(&tiff_file(order, &[page]), &generous).contains("4 of 4"));
 }
 
+/// The smallest value of the type is 0 nm and the largest the full scale, signed or not.
+#[test]
+fn full_scale_spans_the_integer_type() {
+    let order = Order::Big;
+    for (bits, format, ends) in [
+        (8, 1, [0, 255]),
+        (8, 2, [-128, 127]),
+        (16, 1, [0, 65535]),
+        (16, 2, [-32768, 32767]),
+        (32, 1, [0, 0xFFFF_FFFF]),
+        (32, 2, [i64::from(i32::MIN), i64::from(i32::MAX)]),
+    ] {
+        let size = usize::from(bits) / 8;
+        let data = ends
+            .iter()
+            .flat_map(|&end| order.bytes((end as u64) << (64 - bits) >> (64 - bits), size));
+        let page = PageParts::grey(order, [2, 1], bits, format, data.collect());
+        let config = ReadConfig {
+            height: Some(HeightScale::FullScaleNm(300.0)),
+            ..in_nm()
+        };
+        let found = heights(&read(&tiff_file(order, &[page]), &config).unwrap());
+        // Two roundings of 300.
+        assert!(
+            found[0].abs() < 1e-13 && (found[1] - 300.0).abs() < 2e-13,
+            "{bits} {format}: {found:?}"
+        );
+    }
+}
+
 #[test]
 fn heights_and_pitches_out_of_reason_are_refused() {
     let order = Order::Little;

@@ -115,9 +115,9 @@ fn every_variant_is_read_to_its_truth() {
                 Manifest => assert_eq!(from, key, "{name}"),
             }
         }
-        for axis in 0..2 {
+        for (found, expected) in scan.field.pitch_nm.iter().zip(pitch) {
             // ImageJ's fractions of a million are good to 4e-6 where the unit is the nanometre.
-            let relative = scan.field.pitch_nm[axis] / pitch[axis] - 1.0;
+            let relative = found / expected - 1.0;
             assert!(relative.abs() < 4.1e-6, "{name}: {:?}", scan.field.pitch_nm);
         }
         let truth = truth_nm(&folder.join(format!("{}.gsf", name.split('_').next().unwrap())));
