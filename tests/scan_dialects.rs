@@ -392,20 +392,12 @@ fn full_scale_spans_the_integer_type() {
         (32, 2, [i64::from(i32::MIN), i64::from(i32::MAX)]),
     ] {
         let size = usize::from(bits) / 8;
-        let data = ends
-            .iter()
-            .flat_map(|&end| order.bytes((end as u64) << (64 - bits) >> (64 - bits), size));
+        let data = ends.iter().flat_map(|&end| order.bytes((end as u64) << (64 - bits) >> (64 - bits), size));
         let page = PageParts::grey(order, [2, 1], bits, format, data.collect());
-        let config = ReadConfig {
-            height: Some(HeightScale::FullScaleNm(300.0)),
-            ..in_nm()
-        };
+        let config = ReadConfig { height: Some(HeightScale::FullScaleNm(300.0)), ..in_nm() };
         let found = heights(&read(&tiff_file(order, &[page]), &config).unwrap());
         // Two roundings of 300.
-        assert!(
-            found[0].abs() < 1e-13 && (found[1] - 300.0).abs() < 2e-13,
-            "{bits} {format}: {found:?}"
-        );
+        assert!(found[0].abs() < 1e-13 && (found[1] - 300.0).abs() < 2e-13, "{bits} {format}: {found:?}");
     }
 }
 

@@ -46,11 +46,7 @@ pub struct PageParts {
 impl PageParts {
     /// A grey page of `bits` per sample in TIFF sample format `format`.
     pub fn grey(order: Order, [nx, ny]: [u32; 2], bits: u16, format: u16, data: Vec<u8>) -> Self {
-        let mut page = Self {
-            byte_count: Some(data.len() as u32),
-            data,
-            ..Self::default()
-        };
+        let mut page = Self { byte_count: Some(data.len() as u32), data, ..Self::default() };
         page.long(order, 256, nx);
         page.long(order, 257, ny);
         for (tag, value) in [(258, bits), (259, 1), (262, 1), (277, 1), (339, format)] {
@@ -73,9 +69,7 @@ impl PageParts {
     }
 
     pub fn rational(&mut self, order: Order, tag: u16, value: [u32; 2]) {
-        let bytes = value
-            .iter()
-            .flat_map(|&part| order.bytes(u64::from(part), 4));
+        let bytes = value.iter().flat_map(|&part| order.bytes(u64::from(part), 4));
         self.set((tag, RATIONAL, 1, bytes.collect()));
     }
 
@@ -119,11 +113,7 @@ fn append_page(file: &mut Vec<u8>, order: Order, page: &PageParts) -> usize {
     let tiled = tags.iter().any(|tag| tag.0 == 324);
     let mut values_at = file.len() + 2 + 12 * tags.len() + 4;
     values_at += if tiled { 0 } else { 12 } + if page.byte_count.is_some() { 12 } else { 0 };
-    let long_values: usize = tags
-        .iter()
-        .map(|tag| tag.3.len())
-        .filter(|&size| size > 4)
-        .sum();
+    let long_values: usize = tags.iter().map(|tag| tag.3.len()).filter(|&size| size > 4).sum();
     if !tiled {
         let data_at = (values_at + long_values) as u64;
         tags.push((273, LONG, 1, order.bytes(data_at, 4)));
@@ -155,25 +145,16 @@ fn append_page(file: &mut Vec<u8>, order: Order, page: &PageParts) -> usize {
 
 /// 32-bit floats in a byte order.
 pub fn f32_bytes(order: Order, values: &[f32]) -> Vec<u8> {
-    values
-        .iter()
-        .flat_map(|value| order.bytes(u64::from(value.to_bits()), 4))
-        .collect()
+    values.iter().flat_map(|value| order.bytes(u64::from(value.to_bits()), 4)).collect()
 }
 
 /// The folder with sample files beside the project, or `None` and a loud word.
 pub fn samples(folder: &str) -> Option<PathBuf> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../shared")
-        .join(folder);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared").join(folder);
     if path.is_dir() {
         return Some(path);
     }
     // Past the test harness, which swallows what passing tests print with macros.
-    let _ = writeln!(
-        std::io::stderr(),
-        "SKIPPED: {} is not there, its files are not read",
-        path.display()
-    );
+    let _ = writeln!(std::io::stderr(), "SKIPPED: {} is not there, its files are not read", path.display());
     None
 }
