@@ -66,28 +66,17 @@ pub enum Error {
 impl Error {
     /// A damaged or unsuitable file.
     pub fn bad_file(path: &Path, what: impl Into<String>, fix: impl Into<String>) -> Self {
-        Self::BadFile {
-            path: path.to_owned(),
-            what: what.into(),
-            fix: fix.into(),
-        }
+        Self::BadFile { path: path.to_owned(), what: what.into(), fix: fix.into() }
     }
 
     /// A refusal of the operating system, with what was being done.
     pub fn disk(path: &Path, doing: &'static str, source: std::io::Error) -> Self {
-        Self::Disk {
-            path: path.to_owned(),
-            doing,
-            source,
-        }
+        Self::Disk { path: path.to_owned(), doing, source }
     }
 
     /// A request beyond a limit.
     pub fn limit(what: impl Into<String>, fix: impl Into<String>) -> Self {
-        Self::Limit {
-            what: what.into(),
-            fix: fix.into(),
-        }
+        Self::Limit { what: what.into(), fix: fix.into() }
     }
 
     /// The process exit status this error calls for: 2 for a wrong call or manifest, 1 otherwise.

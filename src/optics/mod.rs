@@ -1,3 +1,8 @@
 //! Optics floor: Fresnel reflectance, coherence windows, the transforms of `exp(i s h)`, the reference.
 
 pub mod config;
+pub mod fresnel;
+pub mod kernel;
+pub mod reference;
+pub mod spectra;
+pub mod window;

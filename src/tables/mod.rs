@@ -1,4 +1,10 @@
 //! Tables floor: bases, building, storage, evaluation.
 
+pub mod accumulate;
+pub mod build;
+pub mod evaluate;
+pub mod lobe;
 pub mod model;
+pub mod pilot;
+pub mod plan;
 pub mod storage;

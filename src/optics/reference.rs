@@ -1,0 +1,297 @@
+//! The yardstick: Eq. 1 of Dhillon et al. 2014 summed directly over every sample, in double precision.
+//!
+//! No Fourier transform, no table, no interpolation in `s`: for one pair of directions and every
+//! wavelength, `P = ΣΣ g exp(i k w h) exp(2πi(ξx + ηy))` over the scan. Slow and obvious on purpose; the
+//! only economy is that from one wavenumber to the next each sample's phasor is multiplied by a
+//! constant instead of being computed from its phase.
+
+use std::f64::consts::{PI, TAU};
+
+use rayon::prelude::*;
+use rustfft::num_complex::Complex;
+
+use super::config::OpticsConfig;
+use super::fresnel::{cos_half_angle, reflectance};
+use super::kernel::Kernel;
+use super::window::{Placement, WindowAxis, placements, window_axis};
+use crate::ground::direction::{Vec3, Xyz, geometry_factor, v_cavity_shadowing, wave_vector_change};
+use crate::ground::error::Result;
+use crate::ground::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers};
+use crate::height::HeightField;
+
+/// Fewest wavelengths of the reference; more follow from the window and the direction.
+const WAVELENGTHS_MIN: usize = 160;
+
+/// Wavenumber step of the reference in units of the window's frequency width divided by `|(u, v)|`:
+/// aliasing is then `exp(-(π/0.5)²)`, below rounding.
+const STEP_FACTOR: f64 = 0.5;
+
+/// Reflectance, geometry and shadowing: everything in front of the window's power spectrum. Zero for
+/// directions not above the surface.
+pub fn prefactor(optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> f64 {
+    if !(wi[2] > 0.0 && wo[2] > 0.0) {
+        return 0.0;
+    }
+    let shadowing = if optics.shadowing { v_cavity_shadowing(wi, wo) } else { 1.0 };
+    reflectance(optics.material, cos_half_angle(wi, wo)) * geometry_factor(wi, wo) * shadowing
+}
+
+/// The wavelengths that resolve every spectral feature of the window in a direction, with XYZ weights.
+///
+/// # Errors
+/// `Error::Call` if the light is invisible.
+pub fn full_resolution(optics: &OpticsConfig, q: Vec3) -> Result<SpectralQuadrature> {
+    let [low_nm, high_nm] = optics.wavelength_nm;
+    let span = 1.0 / low_nm - 1.0 / high_nm;
+    let rho = q[0].hypot(q[1]);
+    let needed = span * rho * TAU * optics.sigma_nm / STEP_FACTOR;
+    let fewest = match optics.illuminant {
+        // Spiky or arbitrary spectra: fine enough for the tables' 5 nm structure.
+        Illuminant::F(_) | Illuminant::Tabulated { .. } => 3 * WAVELENGTHS_MIN,
+        _ => WAVELENGTHS_MIN,
+    };
+    uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, (needed.ceil() as usize).max(fewest))
+}
+
+/// XYZ of the BRDF in 1/sr, averaged over a specimen's prepared scans and their windows.
+///
+/// # Errors
+/// A scan too small for the window, or an invisible light.
+pub fn brdf_xyz(fields: &[HeightField], optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> Result<Xyz> {
+    let quadrature = full_resolution(optics, wave_vector_change(wi, wo))?;
+    let spectrum = brdf_spectrum(fields, optics, wi, wo, &quadrature.wavelengths_nm)?;
+    let mut xyz = [0.0; 3];
+    for (f, weight) in spectrum.iter().zip(&quadrature.weights) {
+        for c in 0..3 {
+            xyz[c] += weight[c] * f;
+        }
+    }
+    Ok(xyz)
+}
+
+/// XYZ of the BRDF for many pairs of directions, in parallel.
+///
+/// # Errors
+/// As [`brdf_xyz`].
+pub fn brdf_xyz_batch(fields: &[HeightField], optics: &OpticsConfig, pairs: &[(Vec3, Vec3)]) -> Result<Vec<Xyz>> {
+    pairs.par_iter().map(|&(wi, wo)| brdf_xyz(fields, optics, wi, wo)).collect()
+}
+
+/// The BRDF in 1/sr at each wavelength.
+///
+/// # Errors
+/// A scan too small for the window.
+pub fn brdf_spectrum(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    wi: Vec3,
+    wo: Vec3,
+    wavelengths_nm: &[f64],
+) -> Result<Vec<f64>> {
+    let front = prefactor(optics, wi, wo);
+    let mut sum = vec![0.0; wavelengths_nm.len()];
+    if front == 0.0 {
+        return Ok(sum);
+    }
+    let q = wave_vector_change(wi, wo);
+    for field in fields {
+        let windows = placements(field, optics)?;
+        let share = 1.0 / (fields.len() * windows.len()) as f64;
+        for placement in windows {
+            let power = window_power(field, placement, optics.sigma_nm, q, wavelengths_nm);
+            for ((sum, power), nm) in sum.iter_mut().zip(power).zip(wavelengths_nm) {
+                *sum += share * front * power / (nm * nm * q[2] * q[2]);
+            }
+        }
+    }
+    Ok(sum)
+}
+
+/// `|P|² / A` in nm² at each wavelength for one window.
+fn window_power(field: &HeightField, placement: Placement, sigma_nm: f64, q: Vec3, wavelengths_nm: &[f64]) -> Vec<f64> {
+    let size = field.size();
+    let axes: [WindowAxis; 2] =
+        std::array::from_fn(|axis| window_axis(placement, axis, size[axis], field.pitch_nm[axis], sigma_nm));
+    let weights: [Vec<AxisWeights>; 2] = std::array::from_fn(|axis| {
+        let along = Along { axis: &axes[axis], count: size[axis], pitch_nm: field.pitch_nm[axis], sigma_nm };
+        wavelengths_nm.iter().map(|nm| axis_weights(placement, &along, q[axis] / nm)).collect()
+    });
+    let amplitudes = phasor_sums(field, &axes, &weights, q[2], wavelengths_nm);
+    amplitudes
+        .iter()
+        .zip(weights[0].iter().zip(&weights[1]))
+        .map(|(lines, (x, y))| {
+            let powers = lines
+                .iter()
+                .enumerate()
+                .map(|(i, amplitude)| x.power[i % x.power.len()] * y.power[i / x.power.len()] * amplitude.norm_sqr());
+            powers.sum()
+        })
+        .collect()
+}
+
+struct Along<'a> {
+    axis: &'a WindowAxis,
+    count: usize,
+    pitch_nm: f64,
+    sigma_nm: f64,
+}
+
+/// Complex weights of the samples along one axis, one vector per line (one line unless the mean over
+/// all positions is taken), and the factor of each line's power.
+struct AxisWeights {
+    re: Vec<Vec<f64>>,
+    im: Vec<Vec<f64>>,
+    power: Vec<f64>,
+}
+
+fn axis_weights(placement: Placement, along: &Along, frequency: f64) -> AxisWeights {
+    let mut weights = AxisWeights { re: Vec::new(), im: Vec::new(), power: Vec::new() };
+    let positions = &along.axis.position_nm;
+    // Past the sampling's own limit the surface is unknown; its alias would be a wrong answer.
+    if frequency.abs() * along.pitch_nm > 0.5 && along.count > 1 {
+        return AxisWeights {
+            re: vec![vec![0.0; positions.len()]],
+            im: vec![vec![0.0; positions.len()]],
+            power: vec![0.0],
+        };
+    }
+    let mut push = |samples: Vec<Complex<f64>>, power: f64| {
+        weights.re.push(samples.iter().map(|s| s.re).collect());
+        weights.im.push(samples.iter().map(|s| s.im).collect());
+        weights.power.push(power);
+    };
+    let period = along.count as f64 * along.pitch_nm;
+    match placement {
+        Placement::Inside { .. } => {
+            let samples = positions.iter().zip(&along.axis.amplitude);
+            let scale = along.pitch_nm / along.axis.norm_nm.sqrt();
+            push(samples.map(|(x, g)| Complex::from_polar(scale * g, TAU * frequency * x)).collect(), 1.0);
+        }
+        Placement::TileCentre => {
+            let reach = (8.0 * along.sigma_nm / period).ceil() as i64 + 1;
+            let scale = along.pitch_nm / (PI.sqrt() * along.sigma_nm).sqrt();
+            let samples = positions.iter().map(|x| {
+                let images = (-reach..=reach).map(|j| {
+                    let x = x + j as f64 * period;
+                    let g = (-0.5 * (x / along.sigma_nm).powi(2)).exp();
+                    Complex::from_polar(scale * g, TAU * frequency * x)
+                });
+                images.sum()
+            });
+            push(samples.collect(), 1.0);
+        }
+        Placement::TileMean => {
+            let kernel = Kernel::GaussianPower { sigma_nm: along.sigma_nm };
+            let half = kernel.half_width(1.0 / period, 0.0) * period;
+            let centre = frequency * period;
+            for line in (centre - half).ceil() as i64..=(centre + half).floor() as i64 {
+                let at = line as f64 / period;
+                let scale = 1.0 / along.count as f64;
+                let samples = positions.iter().map(|x| Complex::from_polar(scale, TAU * at * x)).collect();
+                push(samples, kernel.value(frequency - at, 1.0 / period, 0.0));
+            }
+            if weights.power.is_empty() {
+                weights = AxisWeights {
+                    re: vec![vec![0.0; positions.len()]],
+                    im: vec![vec![0.0; positions.len()]],
+                    power: vec![0.0],
+                };
+            }
+        }
+    }
+    weights
+}
+
+/// Rows handled together: their phasors stay in cache while all wavelengths pass.
+const ROW_BLOCK: usize = 4;
+
+/// `ΣΣ W_x W_y exp(i k w h)` for every pair of lines at every wavelength; `[wavelength][y line · x line]`.
+fn phasor_sums(
+    field: &HeightField,
+    axes: &[WindowAxis; 2],
+    weights: &[Vec<AxisWeights>; 2],
+    w: f64,
+    wavelengths_nm: &[f64],
+) -> Vec<Vec<Complex<f64>>> {
+    let [x, y] = axes;
+    let columns = x.position_nm.len();
+    let mut sums: Vec<Vec<Complex<f64>>> = weights[0]
+        .iter()
+        .zip(&weights[1])
+        .map(|(x, y)| vec![Complex::default(); x.power.len() * y.power.len()])
+        .collect();
+    let steps = wavelengths_nm.len().saturating_sub(1).max(1) as f64;
+    let first = 1.0 / wavelengths_nm[0];
+    let step = (1.0 / wavelengths_nm[wavelengths_nm.len() - 1] - first) / steps;
+    let uniform =
+        wavelengths_nm.iter().enumerate().all(|(i, nm)| (1.0 / nm - first - i as f64 * step).abs() < 1e-9 * first);
+    for block in (0..y.position_nm.len()).step_by(ROW_BLOCK) {
+        let rows: Vec<usize> = (block..(block + ROW_BLOCK).min(y.position_nm.len())).collect();
+        let heights: Vec<f64> = rows
+            .iter()
+            .flat_map(|row| (0..columns).map(move |column| field.heights_nm[[y.first + row, x.first + column]]))
+            .collect();
+        let mut phasors = Phasors::new(&heights, TAU * w * first, TAU * w * step);
+        for (index, sums) in sums.iter_mut().enumerate() {
+            if index > 0 && uniform {
+                phasors.advance();
+            } else if index > 0 {
+                phasors = Phasors::new(&heights, TAU * w / wavelengths_nm[index], 0.0);
+            }
+            let (wx, wy) = (&weights[0][index], &weights[1][index]);
+            for (local, &row) in rows.iter().enumerate() {
+                for lx in 0..wx.power.len() {
+                    let sum = phasors.dot(local * columns, &wx.re[lx], &wx.im[lx]);
+                    for ly in 0..wy.power.len() {
+                        sums[ly * wx.power.len() + lx] += sum * Complex::new(wy.re[ly][row], wy.im[ly][row]);
+                    }
+                }
+            }
+        }
+    }
+    sums
+}
+
+/// `exp(i phase h)` of a run of heights, and the factor that advances each by one step of phase.
+struct Phasors {
+    re: Vec<f64>,
+    im: Vec<f64>,
+    step_re: Vec<f64>,
+    step_im: Vec<f64>,
+}
+
+impl Phasors {
+    fn new(heights_nm: &[f64], phase: f64, phase_step: f64) -> Self {
+        let (im, re) = heights_nm.iter().map(|h| (phase * h).sin_cos()).unzip();
+        let (step_im, step_re) = heights_nm.iter().map(|h| (phase_step * h).sin_cos()).unzip();
+        Self { re, im, step_re, step_im }
+    }
+
+    /// One complex product per sample; after a thousand the rounding is about 1e-13.
+    fn advance(&mut self) {
+        let steps = self.step_re.iter().zip(&self.step_im);
+        for ((re, im), (step_re, step_im)) in self.re.iter_mut().zip(&mut self.im).zip(steps) {
+            (*re, *im) = (*re * step_re - *im * step_im, *re * step_im + *im * step_re);
+        }
+    }
+
+    /// `Σ (wr + i wi) p` over the samples from `start`; four partial sums let the loop use vectors.
+    fn dot(&self, start: usize, wr: &[f64], wi: &[f64]) -> Complex<f64> {
+        let (re, im) = (&self.re[start..start + wr.len()], &self.im[start..start + wr.len()]);
+        let (mut sum_re, mut sum_im) = ([0.0; 4], [0.0; 4]);
+        let quads = wr.len() / 4 * 4;
+        for i in (0..quads).step_by(4) {
+            let (re, im, wr, wi) = (&re[i..i + 4], &im[i..i + 4], &wr[i..i + 4], &wi[i..i + 4]);
+            for lane in 0..4 {
+                sum_re[lane] += wr[lane] * re[lane] - wi[lane] * im[lane];
+                sum_im[lane] += wr[lane] * im[lane] + wi[lane] * re[lane];
+            }
+        }
+        let mut sum = Complex::new(sum_re.iter().sum(), sum_im.iter().sum());
+        for i in quads..wr.len() {
+            sum += Complex::new(wr[i], wi[i]) * Complex::new(re[i], im[i]);
+        }
+        sum
+    }
+}

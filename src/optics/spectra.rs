@@ -1,0 +1,373 @@
+//! Transforms of `exp(-i s h)` at a few nodes of `s = k |w|`, from which every wavelength and every
+//! `w` follow.
+//!
+//! For a fixed frequency `(ξ, η)` the transform `P` is an entire function of `s` of bandwidth
+//! `max |h|`, so a Chebyshev interpolant over `[0, s_max]` replaces all transforms over wavelength and
+//! `w`. Stored is `E = (P - c G̃) / s`, with `c(s)` the window's mean phasor and `G̃` its transform:
+//! `P - c G̃` vanishes with `s`, hence `|P - c G̃|² / w² = k² |E|²` without cancellation at any `w`.
+
+use std::f64::consts::TAU;
+
+use ndarray::Array2;
+use rayon::prelude::*;
+use rustfft::num_complex::Complex;
+use rustfft::{Fft, FftPlanner};
+
+use super::config::OpticsConfig;
+use super::kernel::{Kernel, OVERSAMPLING, SEMICIRCLE_TAPS, semicircle_transform};
+use super::window::{Placement, WindowAxis, window_axis};
+use crate::ground::chebyshev;
+use crate::ground::error::{Error, Result};
+use crate::height::HeightField;
+
+/// What decides size and accuracy of the transforms.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpectraConfig {
+    /// Largest `s` in 1/nm: `2 · 2π / λ_min` for the whole hemisphere.
+    pub s_max: f64,
+    /// Largest frequency wanted in 1/nm.
+    pub frequency_max: f64,
+    /// Amplitude error of the interpolation in `s`, relative to the window's whole amplitude.
+    pub tolerance: f64,
+    /// Bytes that the transforms may take.
+    pub memory_bytes: u64,
+}
+
+/// The transforms of one window on one scan.
+#[derive(Debug, Clone)]
+pub struct Spectra {
+    /// Number of nodes in `s`.
+    pub nodes: usize,
+    /// Upper end of the interval of the nodes, in 1/nm.
+    pub s_max: f64,
+    /// `E / sqrt(A)` in nm² (nm for the tile's lines) at each node; layout `[η line][ξ line][node]`.
+    pub data: Vec<Complex<f32>>,
+    /// Index of the first stored line along ξ and η.
+    pub first: [i32; 2],
+    /// Number of stored lines along ξ and η.
+    pub lines: [usize; 2],
+    /// Distance of the lines in 1/nm.
+    pub step: [f64; 2],
+    /// How the spectrum between the lines follows.
+    pub kernel: Kernel,
+    /// Mean phasor `c` at each node.
+    pub mean_phasor: Vec<Complex<f64>>,
+    /// `(∬ g)² / A` in nm²: the lobe's peak for `c = 1`.
+    pub lobe_peak_nm2: f64,
+    /// Whether the lines' powers are averaged over all window positions.
+    pub mean_power: bool,
+    /// The window along x and y.
+    pub axes: [WindowAxis; 2],
+}
+
+/// Half the peak-to-valley range of the heights in nm: the bandwidth in `s` after centring.
+pub fn bandwidth_nm(field: &HeightField) -> f64 {
+    let (low, high) = field.heights_nm.iter().fold((f64::MAX, f64::MIN), |(low, high), &h| (low.min(h), high.max(h)));
+    0.5 * (high - low).max(0.0)
+}
+
+/// What one axis of the transform looks like.
+struct AxisPlan {
+    window: WindowAxis,
+    /// Factor of each sample besides the phasor.
+    factor: Vec<f64>,
+    padded: usize,
+    step: f64,
+    first: i32,
+    lines: usize,
+}
+
+fn axis_plan(placement: Placement, axis: usize, count: usize, pitch_nm: f64, sigma_nm: f64, reach: f64) -> AxisPlan {
+    let window = window_axis(placement, axis, count, pitch_nm, sigma_nm);
+    let samples = window.position_nm.len();
+    let inside = matches!(placement, Placement::Inside { .. });
+    let padded = if inside { smooth_size((samples as f64 * OVERSAMPLING).ceil() as usize) } else { samples };
+    let step = 1.0 / (padded as f64 * pitch_nm);
+    let factor = if inside {
+        let scale = pitch_nm / window.norm_nm.sqrt();
+        let positions = window.position_nm.iter().zip(&window.amplitude);
+        positions.map(|(&x, g)| scale * g / semicircle_transform(x, step)).collect()
+    } else {
+        vec![1.0 / samples as f64; samples]
+    };
+    // Lines past the sampling's own limit would be aliases: the surface has no information there.
+    let last = ((reach / step).ceil() as i32).min((padded as i32 - 1) / 2);
+    AxisPlan { window, factor, padded, step, first: -last, lines: 2 * last as usize + 1 }
+}
+
+/// Smallest number of at least `size` with prime factors 2, 3 and 5 only: fast for the FFT.
+fn smooth_size(size: usize) -> usize {
+    (size..)
+        .find(|&n| {
+            let mut rest = n;
+            for p in [2, 3, 5] {
+                while rest % p == 0 {
+                    rest /= p;
+                }
+            }
+            rest == 1
+        })
+        .unwrap_or(size)
+}
+
+/// Transforms one window of a prepared (centred) height field.
+///
+/// # Errors
+/// `Error::Limit` if the transforms would need more memory than allowed; nothing is computed then.
+pub fn transform(
+    field: &HeightField,
+    placement: Placement,
+    optics: &OpticsConfig,
+    config: &SpectraConfig,
+) -> Result<Spectra> {
+    let size = field.size();
+    let sigma_nm = optics.sigma_nm;
+    let kernel = match placement {
+        Placement::Inside { .. } => Kernel::Semicircle,
+        Placement::TileCentre => Kernel::GaussianAmplitude { sigma_nm },
+        Placement::TileMean => Kernel::GaussianPower { sigma_nm },
+    };
+    let plans: [AxisPlan; 2] = std::array::from_fn(|axis| {
+        let step = 1.0 / (size[axis] as f64 * field.pitch_nm[axis]);
+        let reach = config.frequency_max + kernel.half_width(step, 0.0);
+        axis_plan(placement, axis, size[axis], field.pitch_nm[axis], sigma_nm, reach)
+    });
+    let nodes = chebyshev::nodes_for_exponential(bandwidth_nm(field), config.s_max, config.tolerance);
+    let values = plans[0].lines as u64 * plans[1].lines as u64 * nodes as u64;
+    let bytes = values * size_of::<Complex<f32>>() as u64;
+    if bytes > config.memory_bytes {
+        return Err(Error::limit(
+            format!(
+                "the transforms need {} MiB ({nodes} depth nodes on {} x {} frequencies) and {} MiB are allowed",
+                bytes >> 20,
+                plans[0].lines,
+                plans[1].lines,
+                config.memory_bytes >> 20
+            ),
+            "raise tables.memory_mib, clip outliers with despike (depth sets the nodes), or lower tables.tolerance's demand",
+        ));
+    }
+    let mut spectra = Spectra {
+        nodes,
+        s_max: config.s_max,
+        data: vec![Complex::default(); values as usize],
+        first: [plans[0].first, plans[1].first],
+        lines: [plans[0].lines, plans[1].lines],
+        step: [plans[0].step, plans[1].step],
+        kernel,
+        mean_phasor: Vec::with_capacity(nodes),
+        lobe_peak_nm2: plans.iter().map(|p| p.window.integral_nm.powi(2) / p.window.norm_nm).product(),
+        mean_power: placement == Placement::TileMean,
+        axes: [plans[0].window.clone(), plans[1].window.clone()],
+    };
+    let heights = window_heights(field, &plans);
+    let mut engine = Engine::new(&plans);
+    for (node, s) in chebyshev::gauss_nodes(nodes, 0.0, config.s_max).into_iter().enumerate() {
+        let phasor = heights.mapv(|h| Complex::cis(-s * h));
+        let mean = mean_phasor(&phasor, &plans);
+        spectra.mean_phasor.push(mean);
+        engine.run(&phasor, mean, s, &plans);
+        engine.store(&mut spectra.data, node, nodes, &plans);
+    }
+    Ok(spectra)
+}
+
+/// The heights under the window, shape `[rows, columns]`.
+fn window_heights(field: &HeightField, plans: &[AxisPlan; 2]) -> Array2<f64> {
+    let [x, y] = [&plans[0].window, &plans[1].window];
+    Array2::from_shape_fn((y.position_nm.len(), x.position_nm.len()), |(row, column)| {
+        field.heights_nm[[y.first + row, x.first + column]]
+    })
+}
+
+/// `Σ g p / Σ g` over the window, row sums first: a fixed order.
+fn mean_phasor(phasor: &Array2<Complex<f64>>, plans: &[AxisPlan; 2]) -> Complex<f64> {
+    let [gx, gy] = [&plans[0].window.amplitude, &plans[1].window.amplitude];
+    let rows: Vec<Complex<f64>> =
+        phasor.outer_iter().into_par_iter().map(|row| row.iter().zip(gx).map(|(p, g)| p * g).sum()).collect();
+    let sum: Complex<f64> = rows.iter().zip(gy).map(|(p, g)| p * g).sum();
+    sum / (gx.iter().sum::<f64>() * gy.iter().sum::<f64>())
+}
+
+/// Plans and buffers of the two-dimensional transform, reused for every node.
+struct Engine {
+    along_x: std::sync::Arc<dyn Fft<f64>>,
+    along_y: std::sync::Arc<dyn Fft<f64>>,
+    /// `[row][ξ line]` after the first pass.
+    half_done: Vec<Complex<f64>>,
+    /// `[ξ line][η line]` after the second.
+    done: Vec<Complex<f64>>,
+    /// `exp(2πi ξ x_first)` per line, and the same for η.
+    phase: [Vec<Complex<f64>>; 2],
+}
+
+impl Engine {
+    fn new(plans: &[AxisPlan; 2]) -> Self {
+        let mut planner = FftPlanner::new();
+        let phase = [0, 1].map(|axis| {
+            let plan = &plans[axis];
+            let start = plan.window.position_nm[0];
+            (0..plan.lines).map(|line| Complex::cis(TAU * plan.frequency(line) * start)).collect()
+        });
+        Self {
+            // Positions ascend along x and descend along y: opposite signs make both exp(+2πi ξx).
+            along_x: planner.plan_fft_inverse(plans[0].padded),
+            along_y: planner.plan_fft_forward(plans[1].padded),
+            half_done: vec![Complex::default(); plans[1].window.position_nm.len() * plans[0].lines],
+            done: vec![Complex::default(); plans[0].lines * plans[1].lines],
+            phase,
+        }
+    }
+
+    fn run(&mut self, phasor: &Array2<Complex<f64>>, mean: Complex<f64>, s: f64, plans: &[AxisPlan; 2]) {
+        let [x, y] = plans;
+        let (along_x, along_y) = (&self.along_x, &self.along_y);
+        let [phase_x, phase_y] = &self.phase;
+        self.half_done.par_chunks_mut(x.lines).enumerate().for_each_init(
+            || Buffers::new(along_x.as_ref()),
+            |buffers, (row, out)| {
+                let scale = y.factor[row] / s;
+                buffers.line.fill(Complex::default());
+                for ((slot, p), factor) in buffers.line.iter_mut().zip(phasor.row(row)).zip(&x.factor) {
+                    *slot = (p - mean) * (scale * factor);
+                }
+                along_x.process_with_scratch(&mut buffers.line, &mut buffers.scratch);
+                pick(&buffers.line, x, phase_x, out);
+            },
+        );
+        let half_done = &self.half_done;
+        self.done.par_chunks_mut(y.lines).enumerate().for_each_init(
+            || Buffers::new(along_y.as_ref()),
+            |buffers, (column, out)| {
+                buffers.line.fill(Complex::default());
+                for (slot, row) in buffers.line.iter_mut().zip(half_done.chunks_exact(x.lines)) {
+                    *slot = row[column];
+                }
+                along_y.process_with_scratch(&mut buffers.line, &mut buffers.scratch);
+                pick(&buffers.line, y, phase_y, out);
+            },
+        );
+    }
+
+    /// Interleaves the finished transform as one node of the stored layout.
+    fn store(&self, data: &mut [Complex<f32>], node: usize, nodes: usize, plans: &[AxisPlan; 2]) {
+        let lines_y = plans[1].lines;
+        data.par_chunks_mut(plans[0].lines * nodes).enumerate().for_each(|(row, out)| {
+            for (column, slot) in out.iter_mut().skip(node).step_by(nodes).enumerate() {
+                let value = self.done[column * lines_y + row];
+                *slot = Complex::new(value.re as f32, value.im as f32);
+            }
+        });
+    }
+}
+
+impl AxisPlan {
+    fn frequency(&self, line: usize) -> f64 {
+        f64::from(self.first + line as i32) * self.step
+    }
+}
+
+struct Buffers {
+    line: Vec<Complex<f64>>,
+    scratch: Vec<Complex<f64>>,
+}
+
+impl Buffers {
+    fn new(fft: &dyn Fft<f64>) -> Self {
+        Self {
+            line: vec![Complex::default(); fft.len()],
+            scratch: vec![Complex::default(); fft.get_inplace_scratch_len()],
+        }
+    }
+}
+
+/// Takes the wanted lines out of a transform, times the phase of the first sample's position.
+fn pick(line: &[Complex<f64>], plan: &AxisPlan, phase: &[Complex<f64>], out: &mut [Complex<f64>]) {
+    let length = line.len() as i32;
+    for ((index, slot), phase) in out.iter_mut().enumerate().zip(phase) {
+        *slot = line[(plan.first + index as i32).rem_euclid(length) as usize] * phase;
+    }
+}
+
+impl Spectra {
+    /// Weights that interpolate the nodes to `s` (1/nm).
+    pub fn node_weights(&self, s: f64) -> Vec<f64> {
+        chebyshev::interpolation_weights(self.nodes, 0.0, self.s_max, s)
+    }
+
+    /// The mean phasor `c(s)`.
+    pub fn mean_phasor_at(&self, s: f64) -> Complex<f64> {
+        self.node_weights(s).iter().zip(&self.mean_phasor).map(|(w, c)| c * w).sum()
+    }
+
+    /// Transform of the window along one axis at a frequency (1/nm), divided by the root of the axis'
+    /// norm: `G̃ / sqrt(A)` is the product of both axes.
+    pub fn window_transform(&self, axis: usize, frequency: f64) -> f64 {
+        let window = &self.axes[axis];
+        match self.kernel {
+            Kernel::Semicircle => {
+                let samples = window.position_nm.iter().zip(&window.amplitude);
+                let pitch = if window.position_nm.len() > 1 {
+                    (window.position_nm[1] - window.position_nm[0]).abs()
+                } else {
+                    window.integral_nm
+                };
+                samples.map(|(x, g)| g * (TAU * frequency * x).cos()).sum::<f64>() * pitch / window.norm_nm.sqrt()
+            }
+            Kernel::GaussianAmplitude { sigma_nm } | Kernel::GaussianPower { sigma_nm } => {
+                Kernel::GaussianAmplitude { sigma_nm }.value(frequency, 1.0, 0.0)
+            }
+        }
+    }
+
+    /// `|E|² / A` at one frequency for several `s`, given [`Self::node_weights`] of each: straight from
+    /// the transforms in double precision, the slow path against which grid and basis are measured.
+    pub fn power_at(&self, frequency: [f64; 2], node_weights: &[Vec<f64>]) -> Vec<f64> {
+        let taps: [_; 2] =
+            std::array::from_fn(|axis| self.kernel.taps(&[frequency[axis]], self.step[axis], 0.0));
+        let combined = |nodes: &[Complex<f64>], weights: &[f64]| -> f64 {
+            nodes.iter().zip(weights).map(|(e, w)| e * w).sum::<Complex<f64>>().norm_sqr()
+        };
+        let mut interpolated = vec![Complex::<f64>::default(); self.nodes];
+        let mut power = vec![0.0; node_weights.len()];
+        for (ty, wy) in taps[1].weight.iter().enumerate() {
+            for (tx, wx) in taps[0].weight.iter().enumerate() {
+                let Some(line) = self.line(taps[0].first[0] + tx as i32, taps[1].first[0] + ty as i32) else {
+                    continue;
+                };
+                let tap = f64::from(*wx) * f64::from(*wy);
+                let wide = line.iter().map(|e| Complex::new(f64::from(e.re), f64::from(e.im)));
+                if self.mean_power {
+                    let wide: Vec<_> = wide.collect();
+                    for (power, weights) in power.iter_mut().zip(node_weights) {
+                        *power += tap * combined(&wide, weights);
+                    }
+                } else {
+                    interpolated.iter_mut().zip(wide).for_each(|(sum, e)| *sum += e * tap);
+                }
+            }
+        }
+        if self.mean_power {
+            return power;
+        }
+        node_weights.iter().map(|weights| combined(&interpolated, weights)).collect()
+    }
+
+    /// All nodes of one pair of lines, `None` outside what is stored.
+    fn line(&self, column: i32, row: i32) -> Option<&[Complex<f32>]> {
+        let (column, row) = (column - self.first[0], row - self.first[1]);
+        let inside = (0..self.lines[1] as i32).contains(&row) && (0..self.lines[0] as i32).contains(&column);
+        inside.then(|| {
+            let start = (row as usize * self.lines[0] + column as usize) * self.nodes;
+            &self.data[start..start + self.nodes]
+        })
+    }
+
+    /// The kernel's width in lines along both axes: what one interpolated value costs.
+    pub fn taps_per_axis(&self) -> [usize; 2] {
+        [0, 1].map(|axis| match self.kernel {
+            Kernel::Semicircle => SEMICIRCLE_TAPS,
+            _ => (2.0 * self.kernel.half_width(self.step[axis], 0.0) / self.step[axis]).ceil() as usize,
+        })
+    }
+}

@@ -1,0 +1,116 @@
+//! Evaluating a table set for a pair of directions, as a renderer would.
+
+use ndarray::{Array3, ArrayView3};
+
+use super::model::{Basis, Lobe, TableSet};
+use super::plan::w_reach;
+use crate::ground::chebyshev;
+use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
+use crate::optics::reference::prefactor;
+
+/// How values between texels are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Interpolation {
+    /// Two by two texels, as graphics hardware does.
+    Bilinear,
+    /// Four by four texels, the cubic through each four: for offline use.
+    Cubic,
+}
+
+/// XYZ of the BRDF in 1/sr; zero for directions not above the surface.
+pub fn brdf_xyz(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> Xyz {
+    let front = prefactor(&set.optics, wi, wo);
+    if front == 0.0 {
+        return [0.0; 3];
+    }
+    let value = window_power(set, interpolation, wave_vector_change(wi, wo));
+    value.map(|v| front * v)
+}
+
+/// The BRDF without reflectance, geometry and shadowing at `q = (u, v, w)`, in 1/sr: what the tables hold.
+pub fn window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xyz {
+    let w = q[2].abs();
+    let basis = match set.basis {
+        Basis::Chebyshev => chebyshev::shifted_values(set.tables.len(), t_of(q)),
+        // I_p w^p / w².
+        Basis::Taylor => (0..set.tables.len()).map(|p| w.powi(p as i32 - 2)).collect(),
+    };
+    let size = set.size() as f64 - 1.0;
+    let at = [(2.0 - q[1]) / 4.0 * size, (q[0] + 2.0) / 4.0 * size];
+    let mut sum = expansion(&set.tables, &basis, interpolation, at);
+    if let Some(lobe) = &set.lobe {
+        let add = lobe_value(lobe, interpolation, q);
+        sum.iter_mut().zip(add).for_each(|(sum, add)| *sum += add);
+    }
+    sum
+}
+
+/// `t = |w| / sqrt(4 - u² - v²)`, in [0, 1] for directions above the surface.
+fn t_of(q: Vec3) -> f64 {
+    let reach = w_reach(q[0].hypot(q[1]));
+    if reach == 0.0 { 0.0 } else { (q[2].abs() / reach).min(1.0) }
+}
+
+fn lobe_value(lobe: &Lobe, interpolation: Interpolation, q: Vec3) -> Xyz {
+    let (radius, w, t) = (q[0].hypot(q[1]), q[2].abs(), t_of(q));
+    let mut value = [0.0; 3];
+    if radius < lobe.radius_max {
+        let (rows, columns, _) = lobe.coherent.dim();
+        let at = [t * (rows - 1) as f64, radius / lobe.radius_max * (columns - 1) as f64];
+        value = sample(lobe.coherent.view(), interpolation, at).map(|v| v / (w * w));
+    }
+    if !lobe.cross.is_empty() && q[0].abs().max(q[1].abs()) < lobe.radius_max {
+        let size = lobe.cross[0].dim().0 as f64 - 1.0;
+        let at = [q[1], -q[0]].map(|x| (lobe.radius_max - x) / (2.0 * lobe.radius_max) * size);
+        let basis = chebyshev::shifted_values(lobe.cross.len(), t);
+        let cross = expansion(&lobe.cross, &basis, interpolation, at);
+        value.iter_mut().zip(cross).for_each(|(value, cross)| *value += cross / w);
+    }
+    value
+}
+
+/// `Σ basis_n table_n` at a position in texels (row, column).
+fn expansion(tables: &[Array3<f32>], basis: &[f64], interpolation: Interpolation, at: [f64; 2]) -> Xyz {
+    let mut sum = [0.0; 3];
+    for (table, factor) in tables.iter().zip(basis) {
+        let value = sample(table.view(), interpolation, at);
+        sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += factor * value);
+    }
+    sum
+}
+
+/// One table at a position in texels (row, column), clamped to its edges.
+pub fn sample(table: ArrayView3<f32>, interpolation: Interpolation, at: [f64; 2]) -> Xyz {
+    let (rows, columns, _) = table.dim();
+    let (row, wy) = stencil(interpolation, at[0], rows);
+    let (column, wx) = stencil(interpolation, at[1], columns);
+    let mut sum = [0.0; 3];
+    for (dy, wy) in wy.iter().enumerate().take(rows - row) {
+        for (dx, wx) in wx.iter().enumerate().take(columns - column) {
+            for (c, sum) in sum.iter_mut().enumerate() {
+                *sum += wy * wx * f64::from(table[[row + dy, column + dx, c]]);
+            }
+        }
+    }
+    sum
+}
+
+/// First texel and weights along one axis.
+fn stencil(interpolation: Interpolation, at: f64, count: usize) -> (usize, [f64; 4]) {
+    let at = at.clamp(0.0, (count - 1) as f64);
+    if interpolation == Interpolation::Bilinear || count < 4 {
+        let first = (at as usize).min(count.saturating_sub(2));
+        let share = at - first as f64;
+        return (first, [1.0 - share, share, 0.0, 0.0]);
+    }
+    let first = (at as usize).saturating_sub(1).min(count - 4);
+    let x = at - first as f64;
+    // Lagrange's cubic through the nodes 0, 1, 2, 3.
+    let weights = [
+        -(x - 1.0) * (x - 2.0) * (x - 3.0) / 6.0,
+        x * (x - 2.0) * (x - 3.0) / 2.0,
+        -x * (x - 1.0) * (x - 3.0) / 2.0,
+        x * (x - 1.0) * (x - 2.0) / 6.0,
+    ];
+    (first, weights)
+}

@@ -1,0 +1,102 @@
+//! The coherent lobe: what the mean phasor reflects around the mirror direction, and its cross term.
+
+use std::f64::consts::{PI, TAU};
+
+use ndarray::Array3;
+use rayon::prelude::*;
+use rustfft::num_complex::Complex;
+
+use super::plan::{Grid, lobe_width, w_reach};
+use crate::ground::error::Result;
+use crate::ground::spectrum::uniform_wavenumbers;
+use crate::optics::config::OpticsConfig;
+use crate::optics::spectra::Spectra;
+
+/// Texels per standard deviation of the narrowest lobe, along its radius and in the cross patch.
+const TEXELS_PER_WIDTH: [f64; 2] = [12.0, 4.0];
+
+/// Wavelengths over which the lobe is integrated: it is a smooth function of `1/λ`.
+const WAVELENGTHS: usize = 200;
+
+/// `|c|²` of every window as a function of `s`, without the window's shape.
+#[derive(Debug, Clone)]
+pub struct PhasorPower {
+    nodes: usize,
+    s_max: f64,
+    mean_phasor: Vec<Complex<f64>>,
+    lobe_peak_nm2: f64,
+}
+
+impl PhasorPower {
+    /// Keeps what the lobe needs of a window's transforms.
+    pub fn of(spectra: &Spectra) -> Self {
+        Self {
+            nodes: spectra.nodes,
+            s_max: spectra.s_max,
+            mean_phasor: spectra.mean_phasor.clone(),
+            lobe_peak_nm2: spectra.lobe_peak_nm2,
+        }
+    }
+
+    /// `|c(s)|² (∬g)² / A` in nm².
+    fn at(&self, s: f64) -> f64 {
+        let weights = crate::ground::chebyshev::interpolation_weights(self.nodes, 0.0, self.s_max, s);
+        let c: Complex<f64> = weights.iter().zip(&self.mean_phasor).map(|(w, c)| c * w).sum();
+        c.norm_sqr() * self.lobe_peak_nm2
+    }
+}
+
+/// Rows of `t` that a linear interpolation needs: near `w = 0`, `|c|² = 1 - (k w h_rms)²`, whose second
+/// difference over a step `Δw` is `2 (k h_rms Δw)²`, an eighth of it the error.
+fn rows_needed(rms_nm: f64, wavelength_min_nm: f64, tolerance: f64) -> usize {
+    let step = (4.0 * tolerance).sqrt() / (TAU / wavelength_min_nm * rms_nm).max(1e-9);
+    ((2.0 / step).ceil() as usize).clamp(32, 1024) + 1
+}
+
+/// The coherent table, shape `[t, radius, 3]`, averaged over the windows.
+///
+/// # Errors
+/// `Error::Call` for an invisible light.
+pub fn coherent(
+    windows: &[PhasorPower],
+    optics: &OpticsConfig,
+    radius_max: f64,
+    rms_nm: f64,
+    tolerance: f64,
+) -> Result<Array3<f32>> {
+    let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, WAVELENGTHS)?;
+    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    let columns = (radius_max / lobe_width(optics.sigma_nm, low_nm) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1;
+    let rows = rows_needed(rms_nm, low_nm, tolerance);
+    let mut table = Array3::<f32>::zeros((rows, columns, 3));
+    table.outer_iter_mut().into_par_iter().enumerate().for_each(|(row, mut line)| {
+        let t = row as f64 / (rows - 1) as f64;
+        for (column, mut texel) in line.outer_iter_mut().enumerate() {
+            let radius = radius_max * column as f64 / (columns - 1) as f64;
+            let mut sum = [0.0; 3];
+            for (nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
+                let shape = (-(TAU * optics.sigma_nm * radius / nm).powi(2)).exp();
+                let s = TAU / nm * t * w_reach(radius);
+                let power = windows.iter().map(|w| w.at(s)).sum::<f64>() / windows.len() as f64;
+                for c in 0..3 {
+                    sum[c] += weight[c] / (nm * nm) * power * shape;
+                }
+            }
+            texel.iter_mut().zip(sum).for_each(|(slot, value)| *slot = value as f32);
+        }
+    });
+    Ok(table)
+}
+
+/// The grid of the cross-term patch.
+pub fn patch_grid(optics: &OpticsConfig, radius_max: f64) -> Grid {
+    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    let half = (radius_max / lobe_width(optics.sigma_nm, low_nm) * TEXELS_PER_WIDTH[1]).ceil() as usize;
+    Grid { size: 2 * half + 1, half_width: radius_max }
+}
+
+/// Peak of a mirror's lobe in 1/sr at normal incidence for one wavelength: `4πσ²/λ²`, for orientation in
+/// reports.
+pub fn mirror_peak(sigma_nm: f64, wavelength_nm: f64) -> f64 {
+    4.0 * PI * (sigma_nm / wavelength_nm).powi(2)
+}

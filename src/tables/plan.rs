@@ -1,0 +1,161 @@
+//! What a table set needs for a tolerance: its grid, the wavelengths each ring of (u, v) asks for.
+
+use std::f64::consts::{PI, SQRT_2, TAU};
+
+use crate::ground::error::Result;
+use crate::ground::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers};
+use crate::optics::config::OpticsConfig;
+
+/// Texel positions over [-2, 2] in u and v.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grid {
+    /// Texels along each axis; odd, so that one lies at (0, 0).
+    pub size: usize,
+    /// Half width of the square: 2 for a whole table, the lobe's radius for its patch.
+    pub half_width: f64,
+}
+
+impl Grid {
+    /// Distance between texels.
+    pub fn texel(&self) -> f64 {
+        2.0 * self.half_width / (self.size - 1) as f64
+    }
+
+    /// `u` of a column.
+    pub fn u(&self, column: usize) -> f64 {
+        -self.half_width + column as f64 * self.texel()
+    }
+
+    /// `v` of a row: row 0 is the +v edge.
+    pub fn v(&self, row: usize) -> f64 {
+        -self.u(row)
+    }
+
+    /// Columns with `|u| <= reach`, as a half-open range.
+    pub fn columns_within(&self, reach: f64) -> std::ops::Range<usize> {
+        let middle = (self.size - 1) / 2;
+        if reach < 0.0 {
+            return middle..middle;
+        }
+        let steps = ((reach / self.texel()) as usize).min(middle);
+        middle - steps..middle + steps + 1
+    }
+}
+
+/// `sqrt(4 - ρ²)`: the largest `|w|` that directions above the surface reach at radius ρ.
+pub fn w_reach(rho: f64) -> f64 {
+    (4.0 - rho * rho).max(0.0).sqrt()
+}
+
+/// A ring of (u, v) whose texels share their wavelengths.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ring {
+    /// Inner (included) and outer radius.
+    pub rho: [f64; 2],
+    /// Wavelengths with XYZ weights.
+    pub quadrature: SpectralQuadrature,
+}
+
+impl Ring {
+    /// Largest `|w|` any texel of the ring can ask for.
+    pub fn w_max(&self) -> f64 {
+        w_reach(self.rho[0])
+    }
+}
+
+/// Fewest wavelengths of a continuous spectrum: enough for the observer's curves.
+const WAVELENGTHS_MIN: usize = 24;
+
+/// Spectra with lines need this many times more: their structure passes high lags on to XYZ.
+const SPIKY_FACTOR: f64 = 1.6;
+
+/// How many wavelengths a radius needs for a tolerance.
+///
+/// Along a direction, `|P|²` as a function of `1/λ` is a sum over pairs of surface points of waves at the
+/// lag `ρ Δx + |w| Δh`; the window weights the lags by `exp(-Δx²/4σ²)`. Sampling with step `δ` folds the
+/// lag `1/δ` onto zero, so `exp(-(1/δ)²/(4 ρ² σ²)) <= tolerance / 3` sets the step: `1/δ = 2 ρ σ
+/// sqrt(ln(3 / tolerance))`, plus the lag of the depth.
+pub fn wavelengths_needed(optics: &OpticsConfig, bandwidth_nm: f64, rho: f64, tolerance: f64) -> usize {
+    let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
+    if let Illuminant::Lines(lines) = &optics.illuminant {
+        return lines.len();
+    }
+    let lag_nm = 2.0 * rho * optics.sigma_nm * (3.0 / tolerance).ln().sqrt() + 4.0 * bandwidth_nm * w_reach(rho);
+    let spiky = matches!(optics.illuminant, Illuminant::F(_) | Illuminant::Tabulated { .. });
+    let factor = if spiky { SPIKY_FACTOR } else { 1.0 };
+    let count = (factor * lag_nm * (1.0 / low_nm - 1.0 / high_nm)).ceil() as usize + 1;
+    count.max((factor * WAVELENGTHS_MIN as f64) as usize)
+}
+
+/// Rings from the outside in, each narrower by the root of two, until the fewest wavelengths suffice.
+///
+/// # Errors
+/// `Error::Call` for an invisible light.
+pub fn rings(
+    optics: &OpticsConfig,
+    bandwidth_nm: f64,
+    rho_max: f64,
+    tolerance: f64,
+    step_nm: Option<f64>,
+) -> Result<Vec<Ring>> {
+    let range_nm = optics.illuminant.reach_nm(optics.wavelength_nm);
+    let mut rings = Vec::new();
+    let mut outer = rho_max;
+    loop {
+        let count = match step_nm {
+            Some(step) => ((range_nm[1] - range_nm[0]) / step).ceil() as usize + 1,
+            None => wavelengths_needed(optics, bandwidth_nm, outer, tolerance),
+        };
+        let inner = outer / SQRT_2;
+        let settled = count == wavelengths_needed(optics, bandwidth_nm, 0.0, tolerance) || step_nm.is_some();
+        // The interpolation in `w` profits from a small reach even where the wavelengths do not.
+        let last = settled && w_reach(inner) > 0.9 * w_reach(0.0) || inner < 0.02;
+        rings.push(Ring {
+            rho: [if last { 0.0 } else { inner }, outer],
+            quadrature: uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?,
+        });
+        if last {
+            return Ok(rings);
+        }
+        outer = inner;
+    }
+}
+
+/// Standard deviation in (u, v) of a coherence lobe at a wavelength: `λ σ_f / √2`, `σ_f = 1/(2πσ)`.
+pub fn lobe_width(sigma_nm: f64, wavelength_nm: f64) -> f64 {
+    wavelength_nm / (TAU * sigma_nm * SQRT_2)
+}
+
+/// Radius beyond which the coherent lobe is below 1e-9 of its peak at the longest wavelength.
+pub fn lobe_radius(optics: &OpticsConfig) -> f64 {
+    let high_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[1];
+    // exp(-r²/2) = 1e-9 at r = 6.44 standard deviations.
+    (6.44 * lobe_width(optics.sigma_nm, high_nm)).min(2.0)
+}
+
+/// Side of the table whose interpolation by cubics resolves the lobe of the shortest wavelength to the
+/// tolerance: the local cubic errs by `3/128 (Δ/w)⁴` times a fourth derivative of at most 3.
+pub fn resolving_size(optics: &OpticsConfig, tolerance: f64) -> usize {
+    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    let texel = lobe_width(optics.sigma_nm, low_nm) * (tolerance * 128.0 / 9.0).powf(0.25);
+    2 * (2.0 / texel).ceil().min(1e6) as usize + 1
+}
+
+/// Radius of the (u, v) disc for which the scan's sampling holds every frequency at every wavelength.
+pub fn usable_radius(optics: &OpticsConfig, pitch_nm: [f64; 2]) -> f64 {
+    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    (0.5 * low_nm / pitch_nm[0].max(pitch_nm[1])).min(2.0)
+}
+
+/// Samples per texel and axis that average a box of this width over a lobe of the shortest wavelength:
+/// spaced 1.2 standard deviations, the midpoint rule errs by `2 exp(-2π²/1.2²)` = 2e-6.
+pub fn box_samples(optics: &OpticsConfig, width: f64) -> usize {
+    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    ((width / (1.2 * lobe_width(optics.sigma_nm, low_nm))).ceil() as usize).max(1)
+}
+
+/// Numbers of nodes in `w` that a surface can at most need: Chebyshev terms of a function of bandwidth
+/// `2 max|h|` in `k w` over the whole reach.
+pub fn nodes_bound(bandwidth_nm: f64, wavelength_min_nm: f64, tolerance: f64) -> usize {
+    crate::ground::chebyshev::nodes_for_exponential(2.0 * bandwidth_nm, 2.0 * 2.0 * PI / wavelength_min_nm, tolerance)
+}

@@ -1,0 +1,97 @@
+//! What several integration tests share: the shared scans, and the independent evaluator's figures.
+
+#![allow(dead_code)] // each test file uses its own part
+
+use std::path::{Path, PathBuf};
+
+use diffraction_atlas::ground::direction::{Vec3, Xyz, from_angles_deg};
+use diffraction_atlas::ground::spectrum::Illuminant;
+use diffraction_atlas::height::HeightField;
+use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
+use ndarray::Array2;
+use tiff::decoder::{Decoder, DecodingResult};
+
+/// The folder of shared scans beside the checkout, or `None` with a loud line.
+pub fn shared(test: &str) -> Option<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared");
+    if folder.is_dir() {
+        return Some(folder);
+    }
+    eprintln!("SKIPPED {test}: the folder ../shared with the real scans and reference figures is not here");
+    None
+}
+
+/// A scan as plain numbers times a scale.
+pub fn load(path: &Path, pitch_nm: [f64; 2], scale_nm: f64) -> HeightField {
+    let mut decoder = Decoder::new(std::fs::File::open(path).unwrap()).unwrap();
+    let (columns, rows) = decoder.dimensions().unwrap();
+    let values: Vec<f64> = match decoder.read_image().unwrap() {
+        DecodingResult::F32(v) => v.into_iter().map(f64::from).collect(),
+        DecodingResult::U16(v) => v.into_iter().map(f64::from).collect(),
+        _ => panic!("unexpected sample format in {}", path.display()),
+    };
+    let heights = Array2::from_shape_vec((rows as usize, columns as usize), values).unwrap();
+    HeightField { heights_nm: heights * scale_nm, pitch_nm }
+}
+
+/// The settings of the independent evaluator.
+pub fn reference_optics(sigma_nm: f64, edge: Edge) -> OpticsConfig {
+    OpticsConfig {
+        illuminant: Illuminant::D65,
+        wavelength_nm: [380.0, 780.0],
+        sigma_nm,
+        edge,
+        windows: Windows::Centre,
+        material: Material::Ideal,
+        shadowing: false,
+    }
+}
+
+/// One scan with its settings and the independent evaluator's rows.
+pub struct Case {
+    pub name: &'static str,
+    pub field: HeightField,
+    pub optics: OpticsConfig,
+    pub rows: Vec<Row>,
+}
+
+/// Directions and XYZ in 1/sr.
+#[derive(Clone, Copy)]
+pub struct Row {
+    pub wi: Vec3,
+    pub wo: Vec3,
+    pub xyz: Xyz,
+}
+
+const SNAKE_PITCH_NM: f64 = 65_000.0 / 1332.0;
+
+/// All cases of the independent evaluator.
+pub fn cases(shared: &Path) -> Vec<Case> {
+    let snake = [SNAKE_PITCH_NM, SNAKE_PITCH_NM];
+    let list = [
+        ("blazed_2500nm", "blazed_2500nm", [50.0, 50.0], 1.0, 5_000.0, Edge::Fade),
+        ("sinusoid_1600nm", "sinusoid_1600nm", [40.0, 80.0], 1.0, 5_000.0, Edge::Fade),
+        ("elaphe_guttata", "elaphe_guttata", snake, 375.0 / 65535.0, 8_125.0, Edge::Fade),
+        ("xenopeltis_unicolor", "xenopeltis_unicolor", snake, 1.0, 8_125.0, Edge::Fade),
+        ("elaphe_guttata_tile", "elaphe_guttata", snake, 375.0 / 65535.0, 16_250.0, Edge::Tile),
+    ];
+    list.into_iter()
+        .map(|(name, scan, pitch_nm, scale, sigma_nm, edge)| Case {
+            name,
+            field: load(&shared.join(format!("specimens/{scan}.tif")), pitch_nm, scale),
+            optics: reference_optics(sigma_nm, edge),
+            rows: rows(&shared.join(format!("reference/{name}.csv"))),
+        })
+        .collect()
+}
+
+fn rows(path: &Path) -> Vec<Row> {
+    let text = std::fs::read_to_string(path).unwrap();
+    text.lines()
+        .skip(1)
+        .map(|line| {
+            let n: Vec<f64> = line.split(',').map(|cell| cell.trim().parse().unwrap()).collect();
+            Row { wi: from_angles_deg(n[0], n[1]), wo: from_angles_deg(n[2], n[3]), xyz: [n[4], n[5], n[6]] }
+        })
+        .collect()
+}
