@@ -6,11 +6,12 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use atlas_example::{index, random_tables, reflectance, write_specimen};
+use atlas_example::{index, random_tables, write_specimen};
 use diffraction_atlas::ground::files;
 use diffraction_atlas::stages::format_md::format_md;
 use diffraction_atlas::stages::worked::work_number;
 use diffraction_atlas::stages::{atlas, publish, specimen, verify};
+use diffraction_atlas::tables::evaluate::{self, Interpolation};
 use diffraction_atlas::tables::model::{Basis, Storage, TableSet};
 use diffraction_atlas::tables::storage::{self, StoredTables};
 use ndarray::Array3;
@@ -137,7 +138,7 @@ fn a_specimen_is_loaded_as_it_was_written() {
     let (file, tables) = specimen::load(&version.join("two")).unwrap();
     assert_eq!(tables, random_tables(9, Basis::Taylor, 17));
     assert_eq!((file.name.as_str(), file.check_values.len()), ("two", 20));
-    let worked = work_number(&tables, angles(&file.check_values[1]), reflectance);
+    let worked = work_number(&tables, angles(&file.check_values[1]));
     assert_eq!(worked.xyz, file.check_values[1].xyz);
     let found = atlas::read_index(&version).unwrap();
     assert_eq!(atlas::specimen_folder(&version, &found, "two").unwrap(), version.join("two"));
@@ -147,6 +148,27 @@ fn a_specimen_is_loaded_as_it_was_written() {
 
 fn angles(check: &specimen::CheckValue) -> [f64; 4] {
     [check.theta_i_deg, check.phi_i_deg, check.theta_r_deg, check.phi_r_deg]
+}
+
+#[test]
+fn the_worked_number_is_what_the_fast_evaluation_gives() {
+    // Both in double precision; steep random tables (neighbours up to 1e9 apart) magnify rounding of the position.
+    for (seed, basis) in [(13, Basis::Chebyshev), (14, Basis::Taylor)] {
+        let set = random_tables(seed, basis, 33);
+        let mut random = fastrand::Rng::with_seed(seed);
+        for n in 0..200 {
+            let theta = 85.0 * random.f64();
+            let spread = if n % 2 == 0 { 80.0 } else { 2.0 };
+            let angles =
+                [theta, 20.0, (theta + spread * (random.f64() - 0.5)).abs().min(85.0), 200.0 + spread * random.f64()];
+            let worked = work_number(&set, angles);
+            let fast = evaluate::brdf_xyz(&set, Interpolation::Bilinear, worked.wi, worked.wo);
+            let largest = fast.iter().fold(0f64, |largest, value| largest.max(value.abs()));
+            for (slow, fast) in worked.xyz.iter().zip(fast) {
+                assert!((slow - fast).abs() <= 1e-9 * largest, "{basis:?} {angles:?}: {slow} against {fast}");
+            }
+        }
+    }
 }
 
 #[test]
@@ -206,7 +228,7 @@ fn the_format_page_holds_the_worked_number() {
     let set = random_tables(12, Basis::Chebyshev, 33);
     let file = write_specimen(folder.path(), "one", &set, Storage::Half);
     let (_, stored) = specimen::load(&folder.path().join("one")).unwrap();
-    let worked = work_number(&stored, [40.0, 10.0, 40.5, 190.2], reflectance);
+    let worked = work_number(&stored, [40.0, 10.0, 40.5, 190.2]);
     assert!(worked.lobe.as_ref().unwrap().lookup.is_some(), "the example shows the lobe");
     let page = format_md(&file, &worked);
     // The page's last line is the number itself, to seven digits.

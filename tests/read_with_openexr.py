@@ -90,11 +90,12 @@ class Specimen:
         while len(chebyshev) < max(len(values), len(self.cross) if self.lobe else 0):
             chebyshev.append(2 * (2 * t - 1) * chebyshev[-1] - chebyshev[-2])
         total = sum(basis * value for basis, value in zip(chebyshev, values))
-        if self.lobe and np.hypot(u, v) < self.lobe["radius_max"]:
+        if self.lobe:
             r = self.lobe["radius_max"]
             rows, columns, _ = self.coherent.shape
-            total = total + bilinear(self.coherent, (columns - 1) * np.hypot(u, v) / r, (rows - 1) * t) / w**2
-            for basis, patch in zip(chebyshev, self.cross):
+            if np.hypot(u, v) < r:
+                total = total + bilinear(self.coherent, (columns - 1) * np.hypot(u, v) / r, (rows - 1) * t) / w**2
+            for basis, patch in zip(chebyshev, self.cross if max(abs(u), abs(v)) < r else []):
                 side = patch.shape[0] - 1
                 total = total + basis * bilinear(patch, side * (u + r) / (2 * r), side * (r - v) / (2 * r)) / abs(w)
         return factor * total

@@ -72,11 +72,11 @@ fn lobe_files(lobe: &StoredLobe) -> String {
 fn evaluation(tables: &StoredTables) -> String {
     let steps = match tables.basis {
         Basis::Chebyshev => {
-            "2. `t = |w| / sqrt(4 - u^2 - v^2)`, at most 1 (1 where the root is 0); `x = 2 t - 1`.
+            "2. `t = |w| / sqrt(4 - u^2 - v^2)`, at most 1 (0 where the root is 0); `x = 2 t - 1`.
 3. `T_0 = 1`, `T_1 = x`, `T_n = 2 x T_(n-1) - T_(n-2)`.
 4. `body` = sum over n of `T_n` times table n at (u, v).
-5. `glint = coherent(radius, t) / w^2 + (sum over n of T_n times cross patch n at (u, v)) / |w|`
-   where `radius = sqrt(u^2 + v^2) < radius_max`, otherwise 0. Without cross files that sum is 0.
+5. `glint = coherent(radius, t) / w^2 + (sum over n of T_n times cross patch n at (u, v)) / |w|`; the first where
+   `radius = sqrt(u^2 + v^2) < radius_max`, the second where `|u|` and `|v|` both are, otherwise 0.
 6. `f = R G (glint + body)`, times the shadowing factor where it is switched on."
         }
         Basis::Taylor => {
@@ -174,15 +174,16 @@ Specimen `{name}`, light at theta {theta_i}, phi {phi_i}, viewer at theta {theta
     }
     text += &format!("\n- `body` = {}\n", triple(worked.sum));
     if let Some(lobe) = &worked.lobe {
-        let inside = lobe.lookup.as_ref().map_or("beyond the lobe, `glint` = 0".to_owned(), |lookup| {
-            format!(
-                "in `lobe.exr`: {}; coherent = {}, cross sum = {}",
-                place(lookup),
-                triple(lobe.coherent),
-                triple(lobe.cross)
-            )
-        });
-        text += &format!("- `radius` = {}, {inside}\n", digits(lobe.radius));
+        let inside = lobe
+            .lookup
+            .as_ref()
+            .map_or("beyond the lobe".to_owned(), |lookup| format!("in `lobe.exr`: {}", place(lookup)));
+        text += &format!(
+            "- `radius` = {}, {inside}; coherent = {}, cross sum = {}\n",
+            digits(lobe.radius),
+            triple(lobe.coherent),
+            triple(lobe.cross)
+        );
     }
     text += &format!(
         "- `G` = {}, `c` = {}, `R` = {}, shadowing {}\n- **`f` = {}** (X, Y, Z in 1/sr)\n",

@@ -7,6 +7,7 @@ use ndarray::Array3;
 use serde::Serialize;
 
 use crate::ground::direction::{self, Vec3, Xyz};
+use crate::optics::fresnel;
 use crate::tables::model::{Basis, Lobe, TableSet};
 
 /// A look-up between four texels.
@@ -36,11 +37,11 @@ pub struct Term {
 pub struct LobeShare {
     /// `sqrt(u² + v²)`.
     pub radius: f64,
-    /// Where in the coherent image; `None` beyond the lobe's radius, where both parts are zero.
+    /// Where in the coherent image; `None` beyond the lobe's radius, where it is zero.
     pub lookup: Option<Lookup>,
     /// Interpolated coherent part in 1/sr.
     pub coherent: Xyz,
-    /// Sum of the cross term in 1/sr, before the division by `|w|`.
+    /// Sum of the cross term in 1/sr, before the division by `|w|`; zero beyond its square.
     pub cross: Xyz,
 }
 
@@ -77,9 +78,9 @@ pub struct WorkedNumber {
     pub xyz: Xyz,
 }
 
-/// Evaluates the tables at one pair of directions above the surface. `reflectance_at` gives the material's Fresnel
-/// reflectance from the cosine at the half vector.
-pub fn work_number(tables: &TableSet, angles_deg: [f64; 4], reflectance_at: impl Fn(f64) -> f64) -> WorkedNumber {
+/// Evaluates the tables at theta_i, phi_i, theta_r, phi_r in degrees, linear between texels. Both directions must lie
+/// above the surface.
+pub fn work_number(tables: &TableSet, angles_deg: [f64; 4]) -> WorkedNumber {
     let wi = direction::from_angles_deg(angles_deg[0], angles_deg[1]);
     let wo = direction::from_angles_deg(angles_deg[2], angles_deg[3]);
     assert!(wi[2] > 0.0 && wo[2] > 0.0, "both directions lie above the surface");
@@ -94,8 +95,8 @@ pub fn work_number(tables: &TableSet, angles_deg: [f64; 4], reflectance_at: impl
     let lobe = tables.lobe.as_ref().map(|lobe| lobe_share(lobe, q, t));
 
     let geometry_factor = direction::geometry_factor(wi, wo);
-    let cos_half = direction::dot(q, q).sqrt() / 2.0;
-    let reflectance = reflectance_at(cos_half);
+    let cos_half = fresnel::cos_half_angle(wi, wo);
+    let reflectance = fresnel::reflectance(tables.optics.material, cos_half);
     let shadowing = if tables.optics.shadowing { direction::v_cavity_shadowing(wi, wo) } else { 1.0 };
     let xyz = std::array::from_fn(|channel| {
         let body = match tables.basis {
@@ -123,10 +124,10 @@ pub fn work_number(tables: &TableSet, angles_deg: [f64; 4], reflectance_at: impl
     }
 }
 
-/// `t` in [0, 1]; 1 at the rim of the disc, where `|w|` can only be 0.
+/// `t` in [0, 1]; 0 at the rim of the disc, where `|w|` can only be 0.
 fn relative_w([u, v, w]: Vec3) -> f64 {
     let w_max_squared = 4.0 - u * u - v * v;
-    if w_max_squared <= 0.0 { 1.0 } else { (w.abs() / w_max_squared.sqrt()).min(1.0) }
+    if w_max_squared <= 0.0 { 0.0 } else { (w.abs() / w_max_squared.sqrt()).min(1.0) }
 }
 
 /// From positions in [0, 1] between the first and the last texel centre.
@@ -174,29 +175,24 @@ fn weighted_sum(terms: &[Term]) -> Xyz {
 
 fn lobe_share(lobe: &Lobe, q: Vec3, t: f64) -> LobeShare {
     let [u, v, w] = q;
-    let radius = u.hypot(v);
-    if radius >= lobe.radius_max {
-        return LobeShare { radius, lookup: None, coherent: [0.0; 3], cross: [0.0; 3] };
+    let (radius, width) = (u.hypot(v), 2.0 * lobe.radius_max);
+    let mut share = LobeShare { radius, lookup: None, coherent: [0.0; 3], cross: [0.0; 3] };
+    if radius < lobe.radius_max {
+        let (t_samples, radius_samples, _) = lobe.coherent.dim();
+        let lookup = look_up([radius / lobe.radius_max, t], [radius_samples, t_samples]);
+        share.coherent = interpolated(&corners(&lobe.coherent, &lookup));
+        share.lookup = Some(lookup);
     }
-    let (t_samples, radius_samples, _) = lobe.coherent.dim();
-    let lookup = look_up([radius / lobe.radius_max, t], [radius_samples, t_samples]);
-    let cross: Vec<Term> = lobe
-        .cross
-        .iter()
-        .enumerate()
-        .map(|(n, patch)| {
-            let width = 2.0 * lobe.radius_max;
+    if u.abs().max(v.abs()) < lobe.radius_max {
+        let relative = [(u + lobe.radius_max) / width, (lobe.radius_max - v) / width];
+        let patch_term = |(n, patch): (usize, &Array3<f32>)| {
             let (rows, columns, _) = patch.dim();
-            let place = look_up([(u + lobe.radius_max) / width, (lobe.radius_max - v) / width], [columns, rows]);
-            term(Basis::Chebyshev, n, w, t, patch, &place)
-        })
-        .collect();
-    LobeShare {
-        radius,
-        coherent: interpolated(&corners(&lobe.coherent, &lookup)),
-        lookup: Some(lookup),
-        cross: weighted_sum(&cross),
+            term(Basis::Chebyshev, n, w, t, patch, &look_up(relative, [columns, rows]))
+        };
+        let terms: Vec<Term> = lobe.cross.iter().enumerate().map(patch_term).collect();
+        share.cross = weighted_sum(&terms);
     }
+    share
 }
 
 #[cfg(test)]
@@ -233,7 +229,7 @@ mod tests {
 
     #[test]
     fn linear_tables_give_the_formula_in_closed_form() {
-        let worked = work_number(&linear_tables(Basis::Chebyshev, None), ANGLES, |_| 0.5);
+        let worked = work_number(&linear_tables(Basis::Chebyshev, None), ANGLES);
         let [u, v, w] = worked.q;
         let t = w.abs() / (4.0 - u * u - v * v).sqrt();
         let x = 2.0 * t - 1.0;
@@ -241,11 +237,11 @@ mod tests {
         let sum = tables[0] + tables[1] * x + tables[2] * (2.0 * x * x - 1.0);
         let g = (1.0 + direction::dot(worked.wi, worked.wo)).powi(2) / (worked.wi[2] * worked.wo[2]);
         for channel in 0..3 {
-            let expected = 0.5 * g * sum * (1 + channel) as f64;
+            let expected = g * sum * (1 + channel) as f64;
             assert!((worked.xyz[channel] / expected - 1.0).abs() < 1e-12, "{channel}");
         }
-        let taylor = work_number(&linear_tables(Basis::Taylor, None), ANGLES, |_| 0.5);
-        let expected = 0.5 * g * (tables[0] + tables[1] * w.abs() + tables[2] * w * w) / (w * w);
+        let taylor = work_number(&linear_tables(Basis::Taylor, None), ANGLES);
+        let expected = g * (tables[0] + tables[1] * w.abs() + tables[2] * w * w) / (w * w);
         assert!((taylor.xyz[0] / expected - 1.0).abs() < 1e-12);
     }
 
@@ -255,14 +251,14 @@ mod tests {
         let cross = vec![Array3::from_elem((3, 3, 3), 0.25f32), Array3::from_elem((3, 3, 3), 2.0f32)];
         let set = linear_tables(Basis::Chebyshev, Some(Lobe { coherent, radius_max: 0.2, cross }));
         let without = linear_tables(Basis::Chebyshev, None);
-        assert_eq!(work_number(&set, ANGLES, |_| 1.0).xyz, work_number(&without, ANGLES, |_| 1.0).xyz);
+        assert_eq!(work_number(&set, ANGLES).xyz, work_number(&without, ANGLES).xyz);
 
         let near_mirror = [40.0, 0.0, 43.0, 180.0];
-        let worked = work_number(&set, near_mirror, |_| 1.0);
+        let worked = work_number(&set, near_mirror);
         let [u, v, w] = worked.q;
         let (radius, x) = (u.hypot(v), 2.0 * worked.t - 1.0);
         let glint = (1.0 + 2.0 * worked.t) * (4.0 - 4.0 * radius / 0.2) / (w * w) + (0.25 + 2.0 * x) / w.abs();
-        let difference = worked.xyz[1] - work_number(&without, near_mirror, |_| 1.0).xyz[1];
+        let difference = worked.xyz[1] - work_number(&without, near_mirror).xyz[1];
         assert!((difference / (worked.geometry_factor * glint) - 1.0).abs() < 1e-12);
     }
 }

@@ -55,7 +55,7 @@ pub struct StoredArray {
 /// The lobe's files.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StoredLobe {
-    /// Radius `sqrt(u² + v²)` at and beyond which lobe and cross term are zero.
+    /// Radius `sqrt(u² + v²)` at and beyond which the coherent part is zero; half the side of the cross term's square.
     pub radius_max: f64,
     /// Columns of the coherent image.
     pub radius: Axis,
