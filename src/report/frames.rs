@@ -127,8 +127,9 @@ fn ring_label(period_nm: f64) -> String {
 
 fn period_mark(range: f64, index: usize, period: &Period) -> String {
     let frequency = 1e3 / period.period_nm;
-    // Written so that a frequency that is not a number is left out too.
-    if !(frequency > 0.0 && frequency <= range) || !period.direction_deg.is_finite() {
+    // A frequency that is not a number lies in no range.
+    let shown = (f64::MIN_POSITIVE..=range).contains(&frequency);
+    if !shown || !period.direction_deg.is_finite() {
         return String::new();
     }
     let (sin, cos) = period.direction_deg.to_radians().sin_cos();
@@ -136,14 +137,21 @@ fn period_mark(range: f64, index: usize, period: &Period) -> String {
     let [dx, dy] = [radius * cos, -radius * sin];
     let centre = [LEFT + SIDE / 2.0, TOP + SIDE / 2.0];
     let (x, y) = (centre[0] + dx, centre[1] + dy);
-    // The letter stands outward of its mark, away from the ring of marks around the origin.
-    let (tx, ty) = (x + 14.0 * cos, y - 14.0 * sin + 4.0);
+    // The letter stands outward of its mark, where the spectrum is usually dark.
+    let (tx, ty) = (x + 15.0 * cos, y - 15.0 * sin + 4.0);
+    let rings: String = [(x, y), (centre[0] - dx, centre[1] - dy)]
+        .iter()
+        .flat_map(|place| ["under", "mark"].map(|class| (place, class)))
+        .map(|((x, y), class)| {
+            format!(
+                r#"<circle class="{class}" cx="{}" cy="{}" r="7"/>"#,
+                at(*x),
+                at(*y)
+            )
+        })
+        .collect();
     format!(
-        r#"<circle class="mark" cx="{}" cy="{}" r="6"/><circle class="mark" cx="{}" cy="{}" r="6"/><text class="on" x="{}" y="{}" text-anchor="middle">{}</text>"#,
-        at(x),
-        at(y),
-        at(centre[0] - dx),
-        at(centre[1] - dy),
+        r#"{rings}<text class="on" x="{}" y="{}" text-anchor="middle">{}</text>"#,
         at(tx),
         at(ty),
         period_letter(index),

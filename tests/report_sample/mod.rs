@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
+use std::sync::LazyLock;
 
 use diffraction_atlas::ground::spectrum::Illuminant;
 use diffraction_atlas::height::HeightField;
@@ -14,6 +15,7 @@ use diffraction_atlas::tables::model::{Basis, BuildRecord, Storage};
 use ndarray::{Array2, Array3};
 
 /// Results and the pictures they name.
+#[derive(Clone)]
 pub struct Sample {
     pub results: RunResults,
     pub pictures: BTreeMap<String, Vec<u8>>,
@@ -21,8 +23,13 @@ pub struct Sample {
 
 const MANIFEST: &str = "schema = 1\n\n[atlas]\nname = \"squamates\"\nout = \"out/atlas\"\n\n[tables]\nbasis = \"chebyshev\"\ntolerance = 1e-3   # of <95 %> of directions & no more\n\n[[specimen]]\nname = \"corn_snake_like\"\nscans = [\"specimens/corn_snake_like.tif\"]\n";
 
-/// Three specimens that worked and one that did not.
+/// Three specimens that worked and one that did not. Made once, for the pictures take a moment.
 pub fn sample() -> Sample {
+    static SAMPLE: LazyLock<Sample> = LazyLock::new(make_sample);
+    SAMPLE.clone()
+}
+
+fn make_sample() -> Sample {
     let mut pictures = BTreeMap::new();
     let specimens = vec![
         corn_snake(&mut pictures),
