@@ -137,8 +137,9 @@ fn period_mark(range: f64, index: usize, period: &Period) -> String {
     let [dx, dy] = [radius * cos, -radius * sin];
     let centre = [LEFT + SIDE / 2.0, TOP + SIDE / 2.0];
     let (x, y) = (centre[0] + dx, centre[1] + dy);
-    // The letter stands outward of its mark, where the spectrum is usually dark.
-    let (tx, ty) = (x + 15.0 * cos, y - 15.0 * sin + 4.0);
+    // The letter stands beside the line of its mark and the origin, where its overtones are not.
+    let side = if cos < 0.0 { -15.0 } else { 15.0 };
+    let (tx, ty) = (x - side * sin, y - side * cos + 4.0);
     let rings: String = [(x, y), (centre[0] - dx, centre[1] - dy)]
         .iter()
         .flat_map(|place| ["under", "mark"].map(|class| (place, class)))
@@ -177,7 +178,7 @@ fn image(href: &str, area: &Area) -> String {
 fn axis_x(area: &Area, low: f64, high: f64, name: &str) -> String {
     let bottom = TOP + area.height;
     let mut body = String::new();
-    for (value, text) in ticks(low, high, (area.width / 50.0) as usize) {
+    for (value, text) in ticks(low, high, ((area.width / 50.0) as usize).max(2)) {
         let x = at(LEFT + (value - low) / (high - low) * area.width);
         body += &format!(
             r#"<path class="tick" d="M{x} {}v4"/><text x="{x}" y="{}" text-anchor="middle">{text}</text>"#,
@@ -195,7 +196,7 @@ fn axis_x(area: &Area, low: f64, high: f64, name: &str) -> String {
 
 fn axis_y(area: &Area, low: f64, high: f64, name: &str) -> String {
     let mut body = String::new();
-    for (value, text) in ticks(low, high, (area.height / 50.0) as usize) {
+    for (value, text) in ticks(low, high, ((area.height / 50.0) as usize).max(2)) {
         let y = TOP + (1.0 - (value - low) / (high - low)) * area.height;
         body += &format!(
             r#"<path class="tick" d="M{LEFT} {}h-4"/><text x="{}" y="{}" text-anchor="end">{text}</text>"#,
@@ -231,7 +232,7 @@ fn colour_bar(area: &Area, id: &str, map: &ColourMap, range: [f64; 2], unit: &st
         at(TOP - 7.0),
     );
     let [low, high] = range;
-    for (value, text) in ticks(low, high, (area.height / 40.0) as usize) {
+    for (value, text) in ticks(low, high, ((area.height / 40.0) as usize).max(2)) {
         let y = TOP + (1.0 - (value - low) / (high - low)) * area.height;
         body += &format!(
             r#"<path class="tick" d="M{} {}h4"/><text x="{}" y="{}">{text}</text>"#,
