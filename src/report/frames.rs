@@ -117,8 +117,9 @@ fn ring_label(period_nm: f64) -> String {
 
 fn period_mark(range: f64, index: usize, period: &Period) -> String {
     let frequency = 1e3 / period.period_nm;
-    // Written so that a frequency that is not a number is left out too.
-    if !(frequency > 0.0 && frequency <= range) || !period.direction_deg.is_finite() {
+    // A frequency that is not a number lies in no range.
+    let shown = (f64::MIN_POSITIVE..=range).contains(&frequency);
+    if !shown || !period.direction_deg.is_finite() {
         return String::new();
     }
     let (sin, cos) = period.direction_deg.to_radians().sin_cos();
@@ -126,14 +127,16 @@ fn period_mark(range: f64, index: usize, period: &Period) -> String {
     let [dx, dy] = [radius * cos, -radius * sin];
     let centre = [LEFT + SIDE / 2.0, TOP + SIDE / 2.0];
     let (x, y) = (centre[0] + dx, centre[1] + dy);
-    // The letter stands outward of its mark, away from the ring of marks around the origin.
-    let (tx, ty) = (x + 14.0 * cos, y - 14.0 * sin + 4.0);
+    // The letter stands beside the line of its mark and the origin, where its overtones are not.
+    let side = if cos < 0.0 { -15.0 } else { 15.0 };
+    let (tx, ty) = (x - side * sin, y - side * cos + 4.0);
+    let rings: String = [(x, y), (centre[0] - dx, centre[1] - dy)]
+        .iter()
+        .flat_map(|place| ["under", "mark"].map(|class| (place, class)))
+        .map(|((x, y), class)| format!(r#"<circle class="{class}" cx="{}" cy="{}" r="7"/>"#, at(*x), at(*y)))
+        .collect();
     format!(
-        r#"<circle class="mark" cx="{}" cy="{}" r="6"/><circle class="mark" cx="{}" cy="{}" r="6"/><text class="on" x="{}" y="{}" text-anchor="middle">{}</text>"#,
-        at(x),
-        at(y),
-        at(centre[0] - dx),
-        at(centre[1] - dy),
+        r#"{rings}<text class="on" x="{}" y="{}" text-anchor="middle">{}</text>"#,
         at(tx),
         at(ty),
         period_letter(index),
@@ -159,7 +162,7 @@ fn image(href: &str, area: &Area) -> String {
 fn axis_x(area: &Area, low: f64, high: f64, name: &str) -> String {
     let bottom = TOP + area.height;
     let mut body = String::new();
-    for (value, text) in ticks(low, high, (area.width / 50.0) as usize) {
+    for (value, text) in ticks(low, high, ((area.width / 50.0) as usize).max(2)) {
         let x = at(LEFT + (value - low) / (high - low) * area.width);
         body += &format!(
             r#"<path class="tick" d="M{x} {}v4"/><text x="{x}" y="{}" text-anchor="middle">{text}</text>"#,
@@ -177,7 +180,7 @@ fn axis_x(area: &Area, low: f64, high: f64, name: &str) -> String {
 
 fn axis_y(area: &Area, low: f64, high: f64, name: &str) -> String {
     let mut body = String::new();
-    for (value, text) in ticks(low, high, (area.height / 50.0) as usize) {
+    for (value, text) in ticks(low, high, ((area.height / 50.0) as usize).max(2)) {
         let y = TOP + (1.0 - (value - low) / (high - low)) * area.height;
         body += &format!(
             r#"<path class="tick" d="M{LEFT} {}h-4"/><text x="{}" y="{}" text-anchor="end">{text}</text>"#,
@@ -213,7 +216,7 @@ fn colour_bar(area: &Area, id: &str, map: &ColourMap, range: [f64; 2], unit: &st
         at(TOP - 7.0),
     );
     let [low, high] = range;
-    for (value, text) in ticks(low, high, (area.height / 40.0) as usize) {
+    for (value, text) in ticks(low, high, ((area.height / 40.0) as usize).max(2)) {
         let y = TOP + (1.0 - (value - low) / (high - low)) * area.height;
         body += &format!(
             r#"<path class="tick" d="M{} {}h4"/><text x="{}" y="{}">{text}</text>"#,

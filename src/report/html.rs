@@ -18,7 +18,16 @@ const TEMPLATE: &str = include_str!("templates/report.html");
 /// (said at the top), so the page belongs into the folder that the paths start from.
 /// The same results and pictures give the same bytes. Fails on a picture that is no PNG.
 pub fn render_html(results: &RunResults, pictures: &dyn Fn(&str) -> Option<Vec<u8>>) -> Result<String> {
-    let mut album = Album::new(pictures, EMBEDDED_MAX_BYTES);
+    render_within(results, pictures, EMBEDDED_MAX_BYTES)
+}
+
+/// [`render_html`] with room for `room_bytes` of pictures.
+fn render_within(
+    results: &RunResults,
+    pictures: &dyn Fn(&str) -> Option<Vec<u8>>,
+    room_bytes: usize,
+) -> Result<String> {
+    let mut album = Album::new(pictures, room_bytes);
     let mut stills = Stills::default();
     let mut summary = Vec::new();
     let mut specimens = Vec::new();
@@ -53,6 +62,11 @@ pub fn render_html(results: &RunResults, pictures: &dyn Fn(&str) -> Option<Vec<u
         times_cpu => cpu_s.map(numbers::seconds),
         manifest => &results.manifest_text,
     };
+    fill_in(page)
+}
+
+/// The template with its blanks filled.
+fn fill_in(page: Value) -> Result<String> {
     let bug = |error: minijinja::Error| {
         Error::limit(
             format!("the report page could not be put together: {error:#}"),
@@ -388,4 +402,94 @@ fn plural(count: usize, noun: &str) -> String {
 /// Markup made here, not to be escaped again.
 fn safe(markup: String) -> Value {
     Value::from_safe_string(markup)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::pictures::encode_png;
+
+    fn png() -> Vec<u8> {
+        encode_png(&ndarray::Array3::zeros((4, 6, 3))).unwrap()
+    }
+
+    /// A run with one specimen and two pictures.
+    fn small_run() -> RunResults {
+        serde_json::from_value(serde_json::json!({
+            "schema": 1, "atlas_name": "small", "version": null, "program_version": "0",
+            "started": "2025-01-01T00:00:00Z", "threads": 1, "cpu_count": 1,
+            "manifest_text": "", "stages": [], "gpu": { "state": "skipped", "why": "no adapter" },
+            "failures": [], "peak_memory_mib": null, "total_wall_s": 1.0,
+            "specimens": [{
+                "name": "a", "species": null, "generated": false, "scans": [], "size": [4, 4],
+                "pitch_nm": [50.0, 50.0], "extent_um": [0.2, 0.2], "statistics": null,
+                "optics": null, "build": null, "lobe": null, "errors": [], "power_sums": [],
+                "scenes": [], "preview_png": "a/preview.png", "warnings": [], "failed": null,
+                "height_map": {
+                    "png": "a/heights.png", "scale_bar_um": 0.05, "low_nm": 0.0, "high_nm": 1.0
+                },
+                "spectrum": null
+            }]
+        }))
+        .unwrap()
+    }
+
+    #[test]
+    fn a_full_page_links_the_rest_and_says_so() {
+        let source = |_: &str| Some(png());
+        let roomy = render_within(&small_run(), &source, 2 * png().len()).unwrap();
+        assert!(!roomy.contains("did not fit") && !roomy.contains("./a/"));
+        let full = render_within(&small_run(), &source, png().len()).unwrap();
+        assert!(full.contains("1 picture did not fit into this page and is read"));
+        assert!(full.contains("./a/heights.png") && full.contains("data:image/png"));
+    }
+
+    #[test]
+    fn a_picture_that_is_none_is_an_error_that_names_it() {
+        let error = render_html(&small_run(), &|_| Some(b"GIF89a".to_vec())).unwrap_err();
+        assert!(error.to_string().starts_with("a/preview.png: "), "{error}");
+    }
+
+    #[test]
+    fn a_blank_that_nobody_fills_is_an_error() {
+        assert!(fill_in(context! { atlas => "a" }).is_err());
+    }
+
+    #[test]
+    fn the_headline_is_the_whole_hemisphere() {
+        let row = |what: &str, region: &str| ErrorRow {
+            what: what.into(),
+            region: region.into(),
+            directions: 1,
+            relative_l2: 0.0,
+            p50: 0.0,
+            p95: 0.0,
+            p99: 0.0,
+            worst: 0.0,
+        };
+        let rows = [row("basis", "whole hemisphere"), row("total", "grazing"), row("total", "whole hemisphere")];
+        assert_eq!(headline_error(&rows), Some(&rows[2]));
+        assert_eq!(headline_error(&rows[..2]), Some(&rows[1]));
+        assert_eq!(headline_error(&rows[..1]), None);
+    }
+
+    #[test]
+    fn the_gpu_line_tells_failure_from_success() {
+        let row = |worst| crate::stages::results::GpuRow {
+            specimen: "a".into(),
+            what: "sphere".into(),
+            values: 1,
+            relative_l2: 0.0,
+            worst,
+            limit: 1e-4,
+        };
+        let text = |rows: Vec<_>| {
+            let adapter = "x".to_string();
+            let view = gpu(&GpuResult::Checked { adapter, rows });
+            view.get_attr("text").unwrap().to_string()
+        };
+        assert_eq!(text(vec![row(1e-5)]), "1 comparison with the CPU within limits");
+        assert_eq!(text(vec![row(1e-5), row(f64::NAN)]), "1 of 2 comparisons with the CPU beyond the limit");
+        assert_eq!(text(vec![]), "nothing compared on x");
+    }
 }

@@ -163,8 +163,8 @@ pub fn power_plot(sums: &[PowerSum]) -> String {
         at(LEFT + span / 2.0),
         at(TOP + HEIGHT + 34.0)
     );
-    for (index, (name, colour, points)) in series(&usable).into_iter().enumerate() {
-        body += &curve(&points, &colour, &x, &y);
+    for (index, Series { name, colour, points }) in series(&usable).iter().enumerate() {
+        body += &curve(points, colour, &x, &y);
         let place = TOP + 8.0 + 18.0 * index as f64;
         body += &format!(
             r#"<path style="stroke:{colour};stroke-width:2.5" d="M{0} {1}h16"/><text x="{2}" y="{3}">{4}</text>"#,
@@ -172,7 +172,7 @@ pub fn power_plot(sums: &[PowerSum]) -> String {
             at(place),
             at(LEFT + span + 36.0),
             at(place + 4.0),
-            escape(&name)
+            escape(name)
         );
     }
     svg("Power sums against the angle of incidence", TOP + HEIGHT + 40.0, &body)
@@ -190,8 +190,16 @@ fn curve(points: &[(f64, f64)], colour: &str, x: &dyn Fn(f64) -> f64, y: &dyn Fn
     format!(r#"<path style="fill:none;stroke:{colour};stroke-width:1.6" d="M{}"/>{dots}"#, path.join("L"))
 }
 
-/// Name, colour and points `(theta_i_deg, sum)` of each line: luminous first, then by wavelength.
-fn series(sums: &[&PowerSum]) -> Vec<(String, String, Vec<(f64, f64)>)> {
+/// One line of a plot.
+struct Series {
+    name: String,
+    colour: String,
+    /// `(theta_i_deg, sum)` by rising angle.
+    points: Vec<(f64, f64)>,
+}
+
+/// The lines: luminous first, then by wavelength.
+fn series(sums: &[&PowerSum]) -> Vec<Series> {
     let mut kinds: Vec<Option<f64>> = sums.iter().map(|sum| sum.wavelength_nm).collect();
     kinds.sort_by(|a, b| a.unwrap_or(0.0).total_cmp(&b.unwrap_or(0.0)));
     kinds.dedup();
@@ -202,10 +210,12 @@ fn series(sums: &[&PowerSum]) -> Vec<(String, String, Vec<(f64, f64)>)> {
                 sums.iter().filter(|sum| sum.wavelength_nm == kind).map(|sum| (sum.theta_i_deg, sum.sum)).collect();
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
             match kind {
-                None => ("luminous".into(), "currentColor".into(), points),
-                Some(wavelength_nm) => {
-                    (format!("{} nm", numbers::number(wavelength_nm, 3)), wavelength_colour(wavelength_nm), points)
-                }
+                None => Series { name: "luminous".into(), colour: "currentColor".into(), points },
+                Some(wavelength_nm) => Series {
+                    name: format!("{} nm", numbers::round_number(wavelength_nm, 4)),
+                    colour: wavelength_colour(wavelength_nm),
+                    points,
+                },
             }
         })
         .collect()
@@ -331,8 +341,8 @@ mod tests {
         let usable: Vec<&PowerSum> = sums.iter().take(3).collect();
         let lines = series(&usable);
         assert_eq!(lines.len(), 2);
-        assert_eq!(lines[0].0, "luminous");
-        assert_eq!(lines[1].2, [(0.0, 1.01), (60.0, 0.9)]);
+        assert_eq!(lines[0].name, "luminous");
+        assert_eq!(lines[1].points, [(0.0, 1.01), (60.0, 0.9)]);
         check(&power_plot(&sums));
         assert_eq!(power_plot(&[]), "");
     }
