@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::ground::error::{Error, Result};
-use commands::list;
+use commands::{list, synthesize};
 use output::Outcome;
 
 /// Turns height scans of iridescent surfaces into BRDF tables that any renderer can evaluate.
@@ -47,6 +47,8 @@ pub struct Global {
 pub enum Command {
     /// List the atlases in a folder, their versions and specimens
     List(list::ListArgs),
+    /// Write a generated height field as a TIFF
+    Synthesize(synthesize::SynthesizeArgs),
 }
 
 /// Parses the arguments, runs the command, and reports errors.
@@ -67,6 +69,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
 fn dispatch(cli: &Cli) -> Result<Outcome> {
     match &cli.command {
         Command::List(args) => list::run(args, &cli.global),
+        Command::Synthesize(args) => synthesize::run(args, &cli.global),
     }
 }
 

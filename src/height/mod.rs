@@ -1,6 +1,8 @@
-//! Height floor: reading scans, preparing them, and their statistics.
+//! Height floor: reading and writing scans, generating and preparing them, and their statistics.
 
 pub mod read;
+pub mod synthesize;
+pub mod write;
 
 use ndarray::Array2;
 
