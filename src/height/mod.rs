@@ -1,6 +1,8 @@
 //! Height floor: reading and writing scans, generating and preparing them, and their statistics.
 
+pub mod prepare;
 pub mod read;
+pub mod statistics;
 pub mod synthesize;
 pub mod write;
 

@@ -16,7 +16,7 @@ use rustfft::{Fft, FftPlanner};
 use super::config::OpticsConfig;
 use super::kernel::{Kernel, OVERSAMPLING, semicircle_transform};
 use super::window::{Placement, WindowAxis, window_axis};
-use crate::ground::chebyshev;
+use crate::ground::chebyshev::{self, Interpolant};
 use crate::ground::error::{Error, Result};
 use crate::height::HeightField;
 
@@ -38,8 +38,8 @@ pub struct SpectraConfig {
 pub struct Spectra {
     /// Number of nodes in `s`.
     pub nodes: usize,
-    /// Upper end of the interval of the nodes, in 1/nm.
-    pub s_max: f64,
+    /// The nodes in 1/nm, and how values between them follow.
+    pub depth: Interpolant,
     /// `E / sqrt(A)` in nm² (nm for the tile's lines) at each node; layout `[η line][ξ line][node]`.
     pub data: Vec<Complex<f32>>,
     /// Index of the first stored line along ξ and η.
@@ -149,7 +149,7 @@ pub fn transform(
     }
     let mut spectra = Spectra {
         nodes,
-        s_max: config.s_max,
+        depth: Interpolant::new(nodes, 0.0, config.s_max),
         data: vec![Complex::default(); values as usize],
         first: [plans[0].first, plans[1].first],
         lines: [plans[0].lines, plans[1].lines],
@@ -162,7 +162,7 @@ pub fn transform(
     };
     let heights = window_heights(field, &plans);
     let mut engine = Engine::new(&plans);
-    for (node, s) in chebyshev::gauss_nodes(nodes, 0.0, config.s_max).into_iter().enumerate() {
+    for (node, s) in spectra.depth.nodes().to_vec().into_iter().enumerate() {
         let phasor = heights.mapv(|h| Complex::cis(-s * h));
         let mean = mean_phasor(&phasor, &plans);
         spectra.mean_phasor.push(mean);
@@ -292,7 +292,7 @@ fn pick(line: &[Complex<f64>], plan: &AxisPlan, phase: &[Complex<f64>], out: &mu
 impl Spectra {
     /// Weights that interpolate the nodes to `s` (1/nm).
     pub fn node_weights(&self, s: f64) -> Vec<f64> {
-        chebyshev::interpolation_weights(self.nodes, 0.0, self.s_max, s)
+        self.depth.weights(s)
     }
 
     /// The mean phasor `c(s)`.

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 
 use super::config::OpticsConfig;
-use super::reference::{full_resolution, prefactor};
+use super::reference::{FULL_STEP, prefactor, resolving_wavelengths};
 use super::spectra::{self, Spectra, SpectraConfig};
 use super::window::placements;
 use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
@@ -32,7 +32,7 @@ pub fn brdf_xyz_batch(
     for field in fields {
         for placement in placements(field, optics)? {
             let spectra = spectra::transform(field, placement, optics, config)?;
-            add_window(&spectra, optics, pairs, &mut sums)?;
+            add_window(&spectra, optics, pairs, FULL_STEP, &mut sums)?;
             windows += 1;
         }
     }
@@ -40,18 +40,24 @@ pub fn brdf_xyz_batch(
     Ok(sums.into_iter().map(|sum| sum.map(|s| s * share)).collect())
 }
 
-/// Adds one window's BRDF to each pair's sum.
+/// Adds one window's BRDF to each pair's sum; `step` as in [`resolving_wavelengths`].
 ///
 /// # Errors
 /// An invisible light.
-pub fn add_window(spectra: &Spectra, optics: &OpticsConfig, pairs: &[(Vec3, Vec3)], sums: &mut [Xyz]) -> Result<()> {
+pub fn add_window(
+    spectra: &Spectra,
+    optics: &OpticsConfig,
+    pairs: &[(Vec3, Vec3)],
+    step: f64,
+    sums: &mut [Xyz],
+) -> Result<()> {
     sums.par_iter_mut().zip(pairs).try_for_each(|(sum, &(wi, wo))| {
         let front = prefactor(optics, wi, wo);
         if front == 0.0 {
             return Ok(());
         }
         let q = wave_vector_change(wi, wo);
-        let quadrature = full_resolution(optics, q)?;
+        let quadrature = resolving_wavelengths(optics, q, step)?;
         let power = window_power(spectra, &quadrature, q);
         sum.iter_mut().zip(power).for_each(|(sum, power)| *sum += front * power);
         Ok(())

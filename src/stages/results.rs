@@ -6,6 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::ground::error::{Error, Result};
+pub use crate::height::statistics::{Period, Statistics};
 use crate::optics::config::OpticsConfig;
 use crate::tables::model::{Basis, BuildRecord, Storage};
 
@@ -156,44 +157,6 @@ pub struct SpecimenResult {
     pub warnings: Vec<String>,
     /// Why there are no tables.
     pub failed: Option<String>,
-}
-
-/// Statistics of a height field after preparation.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Statistics {
-    /// Root mean square height about the mean plane in nm.
-    #[serde(with = "null_for_nan")]
-    pub rms_height_nm: f64,
-    /// Root mean square slope (rise over run).
-    #[serde(with = "null_for_nan")]
-    pub rms_slope: f64,
-    /// Highest minus lowest height in nm.
-    #[serde(with = "null_for_nan")]
-    pub peak_to_valley_nm: f64,
-    /// Distance in nm at which the autocorrelation has fallen to 1/e.
-    #[serde(with = "null_for_nan")]
-    pub autocorrelation_length_nm: f64,
-    /// Strongest periods, strongest first.
-    pub dominant_periods: Vec<Period>,
-    /// Radius in (u, v) up to which the sampling of the scan can answer, at the shortest wavelength.
-    #[serde(with = "null_for_nan")]
-    pub usable_uv_radius: f64,
-    /// Share of the surface too steep for the scalar model, in [0, 1].
-    #[serde(with = "null_for_nan")]
-    pub steep_share: f64,
-    /// Remarks on the heights.
-    pub warnings: Vec<String>,
-}
-
-/// One peak of the heights' power spectrum.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Period {
-    /// Period in nm.
-    pub period_nm: f64,
-    /// Direction of the grating vector in degrees: 0 along +x, counterclockwise with y up.
-    pub direction_deg: f64,
-    /// Power relative to the strongest period.
-    pub relative_power: f64,
 }
 
 /// What was built and what it cost.

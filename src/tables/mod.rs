@@ -3,6 +3,7 @@
 pub mod accumulate;
 pub mod build;
 pub mod evaluate;
+pub mod forecast;
 pub mod lobe;
 pub mod model;
 pub mod pilot;

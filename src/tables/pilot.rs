@@ -41,7 +41,8 @@ fn luminance_polynomials(spectra: &Spectra, plan: &BuildPlan, fine: usize) -> Ve
         .into_par_iter()
         .filter_map(|index| {
             let [a, b] = sampling::plane(index);
-            let (rho, phi) = (2.0 * a.sqrt(), TAU * b);
+            // Half of them even over the disc, half towards its centre, where directions crowd near specular.
+            let (rho, phi) = (2.0 * if index % 2 == 0 { a.sqrt() } else { a * a }, TAU * b);
             let ring = plan.rings.iter().find(|r| rho >= r.rho[0] && rho < r.rho[1])?;
             let (u, v) = (rho * phi.cos(), rho * phi.sin());
             let nodes = chebyshev::gauss_nodes(fine, 0.0, ring.w_max());
