@@ -1,0 +1,5 @@
+//! Tables on the GPU against the CPU, on whatever Vulkan adapter there is (Mesa's software driver will do).
+
+mod agreement;
+mod corruption;
+mod sets;
