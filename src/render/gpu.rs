@@ -98,6 +98,11 @@ impl Gpu {
         for scope in scopes.into_iter().rev() {
             errors.extend(block_on(scope.pop(), doing)?);
         }
+        if result.is_err() || !errors.is_empty() {
+            // A lost device reports itself only when polled, and is the better explanation.
+            catch_unwind(AssertUnwindSafe(|| self.device.poll(wgpu::PollType::Poll))).ok();
+            self.check_alive(doing)?;
+        }
         let result = result.map_err(|panic| Error::Gpu(format!("cannot {doing}: {}", panic_text(&*panic))))?;
         if let Some(error) = errors.first() {
             return Err(Error::Gpu(match error {

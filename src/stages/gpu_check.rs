@@ -207,7 +207,7 @@ pub fn require_passed(specimen: &str, checks: &[GpuSceneCheck]) -> Result<()> {
     match checks.iter().find(|check| !check.passed) {
         None => Ok(()),
         Some(failed) => Err(Error::Gpu(format!(
-            "specimen \"{specimen}\", scene \"{}\": row {}, column {} differs from the CPU by {:.3} times what rounding \
+            "specimen \"{specimen}\", scene \"{}\": row {}, column {} differs from the CPU by {:.1e} times what rounding \
              and filtering allow (worst difference {:.2e} of white, {} values not finite)",
             failed.scene,
             failed.worst_pixel[0],

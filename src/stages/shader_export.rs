@@ -26,8 +26,7 @@ pub enum ShaderLanguage {
 
 impl ShaderLanguage {
     /// All of them.
-    pub const ALL: [Self; 6] =
-        [Self::Wgsl, Self::GlslEs300, Self::Glsl450, Self::Hlsl, Self::Msl, Self::Spirv];
+    pub const ALL: [Self; 6] = [Self::Wgsl, Self::GlslEs300, Self::Glsl450, Self::Hlsl, Self::Msl, Self::Spirv];
 
     /// The name on the command line.
     pub fn name(self) -> &'static str {
@@ -73,8 +72,7 @@ pub fn shader(language: ShaderLanguage) -> Result<Vec<u8>> {
     if language == ShaderLanguage::Wgsl {
         return Ok(source.into_bytes());
     }
-    let module = naga::front::wgsl::parse_str(&source)
-        .map_err(|error| fault("WGSL", error.emit_to_string(&source)))?;
+    let module = naga::front::wgsl::parse_str(&source).map_err(|error| fault("WGSL", error.emit_to_string(&source)))?;
     let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
         .validate(&module)
         .map_err(|error| fault("WGSL", error.emit_to_string(&source)))?;
@@ -159,7 +157,6 @@ fn to_spirv(module: &naga::Module, info: &ModuleInfo) -> Result<Vec<u8>> {
     let options = spv::Options { lang_version: (1, 3), ..Default::default() };
     let pipeline =
         spv::PipelineOptions { shader_stage: naga::ShaderStage::Fragment, entry_point: SHADE_MATERIAL.into() };
-    let words =
-        spv::write_vec(module, info, &options, Some(&pipeline)).map_err(|error| fault("SPIR-V", error))?;
+    let words = spv::write_vec(module, info, &options, Some(&pipeline)).map_err(|error| fault("SPIR-V", error))?;
     Ok(words.iter().flat_map(|word| word.to_le_bytes()).collect())
 }

@@ -18,7 +18,7 @@ fn check_with(test: &str, tamper: impl FnOnce(&mut TableImage)) -> Option<GpuSce
 
 fn must_fail(what: &str, tamper: impl FnOnce(&mut TableImage)) {
     let Some(check) = check_with(what, tamper) else { return };
-    println!("{what}: {:.1} times what is allowed", check.worst_of_tolerance);
+    println!("{what}: {:.1e} times what is allowed", check.worst_of_tolerance);
     assert!(!check.passed && check.difference.is_some(), "{what} went unnoticed: {check:?}");
 }
 

@@ -2,4 +2,5 @@
 
 mod agreement;
 mod corruption;
+mod frame;
 mod sets;

@@ -121,14 +121,6 @@ fn w_reach(rho: f32) -> f32 {
     return sqrt(max(4.0 - rho * rho, 0.0));
 }
 
-fn t_of(q: vec3<f32>) -> f32 {
-    let reach = w_reach(length(q.xy));
-    if reach == 0.0 {
-        return 0.0;
-    }
-    return min(abs(q.z) / reach, 1.0);
-}
-
 // Basis functions in registers: b_0 = first, b_1 = second, b_n+1 = forward b_n - back b_n-1.
 struct Recurrence {
     first: f32,
@@ -149,11 +141,45 @@ fn powers(w: f32) -> Recurrence {
     return Recurrence(first, 1.0 / w, w, 0.0);
 }
 
-// Normalised texture coordinates of a position in [-1, 1]², y up: its ends are the outer texels' centres.
-fn texel_centred(at: vec2<f32>, size: vec2<u32>) -> vec2<f32> {
-    let across = vec2<f32>(size);
-    let texel = vec2<f32>(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y) * (across - 1.0);
-    return (texel + 0.5) / across;
+// XYZ of the BRDF in 1/sr; 0 for directions not above the surface.
+fn brdf_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
+    let front = prefactor(wi, wo);
+    if front == 0.0 {
+        return vec3<f32>(0.0, 0.0, 0.0);
+    }
+    return front * window_power(wave_vector_change(wi, wo));
+}
+
+// The BRDF without reflectance, geometry and shadowing.
+fn window_power(q: vec3<f32>) -> vec3<f32> {
+    let at = 0.5 * q.xy;
+    if params.basis == TAYLOR {
+        return expansion(powers(abs(q.z)), at);
+    }
+    let t = t_of(q);
+    return expansion(shifted_values(t), at) + lobe_value(q, t);
+}
+
+fn t_of(q: vec3<f32>) -> f32 {
+    let reach = w_reach(length(q.xy));
+    if reach == 0.0 {
+        return 0.0;
+    }
+    return min(abs(q.z) / reach, 1.0);
+}
+
+fn lobe_value(q: vec3<f32>, t: f32) -> vec3<f32> {
+    let w = abs(q.z);
+    var value = vec3<f32>(0.0, 0.0, 0.0);
+    let radius = length(q.xy);
+    if radius < params.radius_max {
+        let last = vec2<f32>(textureDimensions(lobe)) - 1.0;
+        value = sample(vec2<f32>(t * last.y, radius / params.radius_max * last.x)) / w / w;
+    }
+    if params.cross_count > 0u && max(abs(q.x), abs(q.y)) < params.radius_max {
+        value = value + cross_expansion(shifted_values(t), q.xy / params.radius_max) / w;
+    }
+    return value;
 }
 
 // Sum of basis_n table_n at a position in [-1, 1]².
@@ -188,6 +214,13 @@ fn cross_expansion(basis: Recurrence, at: vec2<f32>) -> vec3<f32> {
     return sum;
 }
 
+// Normalised texture coordinates of a position in [-1, 1]², y up: its ends are the outer texels' centres.
+fn texel_centred(at: vec2<f32>, size: vec2<u32>) -> vec2<f32> {
+    let across = vec2<f32>(size);
+    let texel = vec2<f32>(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y) * (across - 1.0);
+    return (texel + 0.5) / across;
+}
+
 // The coherent lobe at a position in texels (row, column). Bilinear by hand: the lobe spans nine decades,
 // too many for half floats, and filtering 32-bit floats is not everywhere to be had.
 fn sample(at: vec2<f32>) -> vec3<f32> {
@@ -207,39 +240,6 @@ fn sample(at: vec2<f32>) -> vec3<f32> {
         share.y,
     );
     return mix(low, high, share.x);
-}
-
-fn lobe_value(q: vec3<f32>, t: f32) -> vec3<f32> {
-    let w = abs(q.z);
-    var value = vec3<f32>(0.0, 0.0, 0.0);
-    let radius = length(q.xy);
-    if radius < params.radius_max {
-        let last = vec2<f32>(textureDimensions(lobe)) - 1.0;
-        value = sample(vec2<f32>(t * last.y, radius / params.radius_max * last.x)) / w / w;
-    }
-    if params.cross_count > 0u && max(abs(q.x), abs(q.y)) < params.radius_max {
-        value = value + cross_expansion(shifted_values(t), q.xy / params.radius_max) / w;
-    }
-    return value;
-}
-
-// The BRDF without reflectance, geometry and shadowing.
-fn window_power(q: vec3<f32>) -> vec3<f32> {
-    let at = 0.5 * q.xy;
-    if params.basis == TAYLOR {
-        return expansion(powers(abs(q.z)), at);
-    }
-    let t = t_of(q);
-    return expansion(shifted_values(t), at) + lobe_value(q, t);
-}
-
-// XYZ of the BRDF in 1/sr; 0 for directions not above the surface.
-fn brdf_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
-    let front = prefactor(wi, wo);
-    if front == 0.0 {
-        return vec3<f32>(0.0, 0.0, 0.0);
-    }
-    return front * window_power(wave_vector_change(wi, wo));
 }
 
 // IEC 61966-2-1 primaries and white; components may be negative.
