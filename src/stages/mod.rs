@@ -14,3 +14,5 @@ pub mod scenes;
 pub mod specimen;
 pub mod verify;
 pub mod worked;
+pub mod gpu_check;
+pub mod shader_export;
