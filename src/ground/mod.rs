@@ -8,6 +8,7 @@ pub mod direction;
 pub mod error;
 pub mod exr_header;
 pub mod exr_image;
+pub mod fft;
 pub mod files;
 pub mod json;
 pub mod metrics;

@@ -1,6 +1,8 @@
 //! Height floor: reading scans, preparing them, and their statistics.
 
+pub mod prepare;
 pub mod read;
+pub mod statistics;
 
 use ndarray::Array2;
 
