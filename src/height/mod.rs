@@ -3,8 +3,6 @@
 pub mod prepare;
 pub mod read;
 pub mod statistics;
-pub mod synthesize;
-pub mod write;
 
 use ndarray::Array2;
 

@@ -46,7 +46,7 @@ pub struct Period {
     pub period_nm: f64,
     /// Direction of the grating vector in degrees from +x, counterclockwise with y up, in `[0, 180)`.
     pub direction_deg: f64,
-    /// Power relative to the strongest period's.
+    /// Highest line of its peak in the power spectrum (Hann window), relative to the strongest period's.
     pub relative_power: f64,
 }
 

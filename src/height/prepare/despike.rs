@@ -79,7 +79,7 @@ fn robust_sigma(residuals: &[Residual]) -> f64 {
 }
 
 /// Median, of an even number the mean of the middle two; reorders the values, of which there is at least one.
-pub fn median(values: &mut [f64]) -> f64 {
+fn median(values: &mut [f64]) -> f64 {
     let middle = values.len() / 2;
     let odd = values.len() % 2 == 1;
     let (below, upper, _) = values.select_nth_unstable_by(middle, f64::total_cmp);

@@ -3,7 +3,6 @@
 use ndarray::parallel::prelude::*;
 use ndarray::{Array2, Axis};
 
-use super::despike::median;
 use crate::height::HeightField;
 
 /// Fewest samples in a scan line that tell its slope from the structure.
@@ -58,10 +57,10 @@ pub fn subtract_surface(field: &mut HeightField, order: Order) -> Surface {
     }
     let [_, x, y, xx, xy, yy] = coefficients;
     let [dx, dy] = field.pitch_nm;
-    // Rows count downwards, y upwards.
+    // Rows count downwards, y upwards; subtracted from 0, for -0 looks odd in a record.
     Surface {
-        slope: [x / dx, -y / dy],
-        curvature_per_nm: [2.0 * xx / (dx * dx), -xy / (dx * dy), 2.0 * yy / (dy * dy)],
+        slope: [x / dx, 0.0 - y / dy],
+        curvature_per_nm: [2.0 * xx / (dx * dx), 0.0 - xy / (dx * dy), 2.0 * yy / (dy * dy)],
     }
 }
 
@@ -96,33 +95,45 @@ fn subtract_term(heights: &mut Array2<f64>, along_x: &[f64], along_y: &[f64]) ->
     coefficient
 }
 
-/// Subtracts from each scan line its own slope and offset; returns the root mean square of what was subtracted.
+/// Subtracts from each scan line its own slope and offset; returns the root mean square of what was
+/// subtracted, about its mean over all lines.
 ///
-/// The slope is the median of the slopes between samples half a line apart, the offset the median
-/// of what then is left, so that neither dust nor a few high features tilt or sink a line. Lines have at
+/// The slope is the midmean of the slopes between samples half a line apart, the offset the midmean of
+/// what then is left: neither dust nor a few high features tilt or sink a line. (A median would do
+/// as much, but it jumps from line to line where a structure has two levels of equal share.) Lines have at
 /// least [`LINE_SAMPLES_MIN`] samples.
 pub fn subtract_lines(field: &mut HeightField) -> f64 {
     let [nx, ny] = field.size();
     let half = nx / 2;
     let middle = 0.5 * (nx - 1) as f64;
-    let squares: Vec<f64> = field
+    let sums: Vec<[f64; 2]> = field
         .heights_nm
         .axis_iter_mut(Axis(0))
         .into_par_iter()
         .map(|mut line| {
             let mut values: Vec<f64> = (half..nx).map(|i| line[i] - line[i - half]).collect();
-            let slope = median(&mut values) / half as f64;
+            let slope = midmean(&mut values) / half as f64;
             values.clear();
             values.extend(line.iter().enumerate().map(|(i, height)| height - slope * (i as f64 - middle)));
-            let offset = median(&mut values);
-            let mut square = 0.0;
+            let offset = midmean(&mut values);
+            let mut sums = [0.0; 2];
             for (i, height) in line.iter_mut().enumerate() {
                 let drift = offset + slope * (i as f64 - middle);
                 *height -= drift;
-                square += drift * drift;
+                sums = [sums[0] + drift, sums[1] + drift * drift];
             }
-            square
+            sums
         })
         .collect();
-    (squares.iter().sum::<f64>() / (nx * ny) as f64).sqrt()
+    let count = (nx * ny) as f64;
+    let [sum, square] = sums.iter().fold([0.0; 2], |total, sums| [total[0] + sums[0], total[1] + sums[1]]);
+    (square / count - (sum / count).powi(2)).max(0.0).sqrt()
+}
+
+/// Mean of the middle half of the values, of which there is at least one; sorts them.
+fn midmean(values: &mut [f64]) -> f64 {
+    values.sort_unstable_by(f64::total_cmp);
+    let quarter = values.len() / 4;
+    let half = &values[quarter..values.len() - quarter];
+    half.iter().sum::<f64>() / half.len() as f64
 }

@@ -1,6 +1,6 @@
 //! Periods that stand out of the power spectrum.
 
-use std::f64::consts::{LN_2, PI, TAU};
+use std::f64::consts::{LN_2, TAU};
 
 use ndarray::Array2;
 use rustfft::num_complex::Complex;
@@ -12,20 +12,33 @@ use crate::height::HeightField;
 /// Most periods reported.
 const PERIODS_MAX: usize = 3;
 
-/// Weakest period reported, relative to the strongest: twice the highest side lobe of a Hann window, 7e-4.
-const POWER_MIN: f64 = 1.5e-3;
+/// Weakest period reported, relative to the strongest: ten times the side lobes of a Hann window that lie
+/// outside the range of a peak (-41 dB).
+const POWER_MIN: f64 = 1e-3;
 
-/// Shortest distance of two peaks in lines of the spectrum: a Hann window's main lobe ends at 2.
-const DISTANCE_MIN: f64 = 4.0;
+/// Least power of the strongest peak, relative to the highest line of all: fainter regularities (of the
+/// instrument, mostly) do not characterise a surface that is rough all over.
+const FIRST_POWER_MIN: f64 = 0.02;
 
-/// Lowest frequency of a peak in lines: below, its lobe overlaps that of the negative frequency.
-const LINES_MIN: f64 = 2.0;
+/// Half width of a peak in lines: of a sinusoid, a Hann window makes a lobe that ends at 2.
+const RANGE_LINES: f64 = 2.5;
 
-/// Chance that the highest of the bins of a random surface passes for a period.
-const FALSE_ALARM: f64 = 1e-3;
+/// Half width of a peak as share of its frequency: natural gratings vary by some per cent over a scan.
+const RANGE_SHARE: f64 = 0.05;
+
+/// Lowest frequency of a peak in lines: so many times a period must be seen, and its lobe clears the origin.
+const LINES_MIN: f64 = 2.5;
+
+/// Chance that the highest line of a random surface passes for a period; small, for real surfaces are rougher in
+/// some directions than in others.
+const FALSE_ALARM: f64 = 1e-6;
 
 /// Fewest bins that tell the background around a peak.
 const BACKGROUND_BINS_MIN: usize = 24;
+
+/// Most steps towards a peak's centre, and the step in lines that ends them.
+const STEPS_MAX: usize = 20;
+const STEP_MIN: f64 = 1e-3;
 
 /// Power spectrum of the windowed heights, and what its lines are.
 struct Spectrum {
@@ -35,51 +48,91 @@ struct Spectrum {
     line_per_nm: [f64; 2],
 }
 
-/// A local maximum of the power.
+/// A peak of the power.
 #[derive(Clone, Copy)]
 struct Peak {
-    /// Position in lines along x and along the rows (downwards), signed.
+    /// Centre in lines along x and along the rows (downwards), signed.
     line: [f64; 2],
+    /// Half width in lines.
+    range: [f64; 2],
+    /// Power of its highest line.
     power: f64,
 }
 
 /// The strongest peaks of the power spectrum that rise above its background, of heights about their mean plane.
 ///
-/// The heights are weighted with a Hann window. The lines next to a peak tell its place
-/// between the lines, exactly so for one sinusoid that runs through many periods. A peak counts as a period
-/// if a random surface with the mean power found at that distance from the origin would reach its height
-/// anywhere in the spectrum with a probability of 1e-3 only.
+/// The heights are weighted with a Hann window. A peak counts if a random surface with the mean power found
+/// at that distance from the origin would reach its height anywhere in the spectrum with a probability of
+/// 1e-6 only. Its place is the centre of the power around it, which lies between the lines: exactly so
+/// for a sinusoid, whose power a Hann window spreads over five lines, and in the middle of the many lines of a grating
+/// that is not quite regular. One that varies more has several peaks.
 pub fn dominant(field: &HeightField) -> Vec<Period> {
     let spectrum = spectrum(field);
-    let mut maxima = local_maxima(&spectrum);
-    maxima.sort_by(|a, b| {
-        b.power.total_cmp(&a.power).then(a.line[0].total_cmp(&b.line[0])).then(a.line[1].total_cmp(&b.line[1]))
-    });
+    let maxima = local_maxima(&spectrum);
+    let Some(highest) = maxima.first().map(|&line| spectrum.power(line)) else { return Vec::new() };
     let background = Background::new(&spectrum);
     // Powers of a random surface's lines are distributed exponentially about their mean.
     let threshold = (0.5 * spectrum.values.len() as f64 / FALSE_ALARM).ln();
     let mut peaks: Vec<Peak> = Vec::new();
-    for maximum in maxima {
-        let strongest = peaks.first().map_or(0.0, |peak| peak.power);
-        if peaks.len() == PERIODS_MAX || maximum.power < 0.5 * POWER_MIN * strongest {
+    for line in maxima {
+        let power = spectrum.power(line);
+        let least = peaks.first().map_or(FIRST_POWER_MIN * highest, |first| POWER_MIN * first.power);
+        if peaks.len() == PERIODS_MAX || power < least {
             break;
         }
-        let peak = refine(&spectrum, maximum.line);
-        let free = peaks.iter().all(|other| {
-            let distance = |sign: f64| (peak.line[0] - sign * other.line[0]).hypot(peak.line[1] - sign * other.line[1]);
-            // The negative frequency is the same wave.
-            distance(1.0).min(distance(-1.0)) >= DISTANCE_MIN
-        });
-        if free
-            && peak.power >= POWER_MIN * strongest
-            && maximum.power > threshold * background.around(&spectrum, maximum.line)
-        {
-            peaks.push(peak);
+        let place = line.map(|line| line as f64);
+        if peaks.iter().any(|peak| peak.holds(place)) {
+            continue;
+        }
+        if power > threshold * background.around(spectrum.ring(place)) {
+            let peak = centred(&spectrum, place, power);
+            if !peaks.iter().any(|other| other.holds(peak.line)) {
+                peaks.push(peak);
+            }
         }
     }
-    peaks.sort_by(|a, b| b.power.total_cmp(&a.power));
-    let strongest = peaks.first().map_or(1.0, |peak| peak.power);
+    let strongest = peaks.first().map_or(0.0, |peak| peak.power);
     peaks.iter().map(|peak| period(peak, &spectrum, strongest)).collect()
+}
+
+impl Peak {
+    /// Whether another peak there would overlap this one or its negative frequency, which is the same wave.
+    fn holds(&self, line: [f64; 2]) -> bool {
+        let overlaps = |sign: f64| {
+            let apart = |axis: usize| (line[axis] - sign * self.line[axis]) / self.range[axis];
+            apart(0).hypot(apart(1)) < 2.0
+        };
+        overlaps(1.0) || overlaps(-1.0)
+    }
+}
+
+/// The peak near a line, its range moved until its own centre of power is its middle.
+fn centred(spectrum: &Spectrum, start: [f64; 2], power: f64) -> Peak {
+    let [fx, fy] = [start[0] * spectrum.line_per_nm[0], start[1] * spectrum.line_per_nm[1]];
+    let width = RANGE_SHARE * fx.hypot(fy);
+    let range = spectrum.line_per_nm.map(|line| (width / line).max(RANGE_LINES));
+    let mut peak = Peak { line: start, range, power };
+    for _ in 0..STEPS_MAX {
+        let mut sums = [0.0; 3];
+        let bounds = [0, 1].map(|axis| {
+            [(peak.line[axis] - range[axis]).ceil() as i64, (peak.line[axis] + range[axis]).floor() as i64]
+        });
+        for y in bounds[1][0]..=bounds[1][1] {
+            for x in bounds[0][0]..=bounds[0][1] {
+                let [dx, dy] = [x as f64 - peak.line[0], y as f64 - peak.line[1]];
+                if (dx / range[0]).hypot(dy / range[1]) <= 1.0 && spectrum.has([x, y]) {
+                    let power = spectrum.power([x, y]);
+                    sums = [sums[0] + power, sums[1] + power * dx, sums[2] + power * dy];
+                }
+            }
+        }
+        let step = [sums[1] / sums[0], sums[2] / sums[0]];
+        peak.line = [peak.line[0] + step[0], peak.line[1] + step[1]];
+        if step[0].hypot(step[1]) < STEP_MIN {
+            break;
+        }
+    }
+    peak
 }
 
 fn period(peak: &Peak, spectrum: &Spectrum, strongest: f64) -> Period {
@@ -125,6 +178,11 @@ impl Spectrum {
         self.values[[wrapped(y, self.values.nrows()), wrapped(x, self.values.ncols())]]
     }
 
+    /// Whether a line is within the spectrum, not its repetition; an axis of one sample has line 0 only.
+    fn has(&self, [x, y]: [i64; 2]) -> bool {
+        2 * x.unsigned_abs() <= self.values.ncols() as u64 && 2 * y.unsigned_abs() <= self.values.nrows() as u64
+    }
+
     fn power(&self, line: [i64; 2]) -> f64 {
         self.at(line).norm_sqr()
     }
@@ -144,56 +202,20 @@ impl Spectrum {
     }
 }
 
-/// Bins that none of their eight neighbours exceeds.
-fn local_maxima(spectrum: &Spectrum) -> Vec<Peak> {
-    spectrum
+/// Bins that none of their eight neighbours exceeds, highest first.
+fn local_maxima(spectrum: &Spectrum) -> Vec<[i64; 2]> {
+    let mut maxima: Vec<[i64; 2]> = spectrum
         .half_plane()
         .filter(|&[x, y]| (x as f64).hypot(y as f64) >= LINES_MIN)
-        .filter_map(|[x, y]| {
+        .filter(|&[x, y]| {
             let power = spectrum.power([x, y]);
-            let highest = (-1..=1)
-                .flat_map(|dy| (-1..=1).map(move |dx| [x + dx, y + dy]))
-                .all(|line| spectrum.power(line) <= power);
-            (highest && power > 0.0).then_some(Peak { line: [x as f64, y as f64], power })
+            let mut around = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| [x + dx, y + dy]));
+            power > 0.0 && around.all(|line| spectrum.power(line) <= power)
         })
-        .collect()
-}
-
-/// The peak's place between the lines and its height there.
-fn refine(spectrum: &Spectrum, line: [f64; 2]) -> Peak {
-    let line = line.map(|line| line as i64);
-    let centre = spectrum.at(line).norm();
-    let mut peak = Peak { line: [0.0; 2], power: centre * centre };
-    let counts = [spectrum.values.ncols(), spectrum.values.nrows()];
-    for axis in 0..2 {
-        let beside = |step: i64| {
-            let mut line = line;
-            line[axis] += step;
-            spectrum.at(line).norm()
-        };
-        // Fewer than four samples have no three lines apart.
-        let offset = if counts[axis] < 4 { 0.0 } else { hann_offset(beside(-1), centre, beside(1)) };
-        peak.line[axis] = line[axis] as f64 + offset;
-        peak.power /= hann_response(offset).powi(2);
-    }
-    peak
-}
-
-/// Place of a sinusoid between the lines from the moduli at three lines, the middle one the highest: the
-/// window's response `sinc(δ) / (1 - δ²)` makes the ratio of two neighbours `(1 + δ) / (2 - δ)`.
-fn hann_offset(before: f64, centre: f64, after: f64) -> f64 {
-    let from = |beside: f64| {
-        let ratio = beside / centre;
-        ((2.0 * ratio - 1.0) / (ratio + 1.0)).clamp(0.0, 0.5)
-    };
-    if after >= before { from(after) } else { -from(before) }
-}
-
-/// A Hann window's response to a sinusoid `offset` lines away, `|offset| <= 1/2`.
-fn hann_response(offset: f64) -> f64 {
-    let angle = PI * offset;
-    let sinc = if angle.abs() < 1e-4 { 1.0 - angle * angle / 6.0 } else { angle.sin() / angle };
-    sinc / (1.0 - offset * offset)
+        .collect();
+    // Equal heights keep their order, so the result is the same each time.
+    maxima.sort_by(|&a, &b| spectrum.power(b).total_cmp(&spectrum.power(a)));
+    maxima
 }
 
 /// Powers by distance from the origin.
@@ -216,8 +238,7 @@ impl Background {
 
     /// Mean power that a random surface would have at this distance from the origin: from the median, which a
     /// few peaks do not change, and which is ln 2 of the mean of an exponential distribution.
-    fn around(&self, spectrum: &Spectrum, line: [f64; 2]) -> f64 {
-        let ring = spectrum.ring(line);
+    fn around(&self, ring: usize) -> f64 {
         let mut powers = Vec::new();
         for reach in 0..self.rings.len() {
             let (low, high) = (ring.checked_sub(reach), Some(ring + reach).filter(|_| reach > 0));
