@@ -32,6 +32,19 @@ fn bundled_files_hold_what_their_parameters_give() {
 }
 
 #[test]
+fn the_measured_file_says_its_pitch_and_unit() {
+    let scan = read_scan(&folder().join("grating_nanosurf_314nm.tif"), &ReadConfig::default()).unwrap();
+    assert_eq!(scan.field.size(), [256, 256]);
+    for pitch in scan.field.pitch_nm {
+        assert!((pitch / 11.71875 - 1.0).abs() < 1e-6, "{pitch}");
+    }
+    // The range recorded when the heights were converted to nm.
+    let low = scan.field.heights_nm.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = scan.field.heights_nm.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    assert!((low - 718.667).abs() < 1e-3 && (high - 1021.29).abs() < 1e-2, "{low} {high}");
+}
+
+#[test]
 fn the_commands_in_the_readme_give_the_bundled_files() {
     let place = tempfile::tempdir().unwrap();
     let commands = commands();

@@ -79,7 +79,6 @@ fn encode(
     image.y_resolution(y);
     image.resolution_unit(ResolutionUnit::None);
     image.write_data(heights)?;
-    drop(file);
     Ok(bytes)
 }
 
@@ -134,9 +133,8 @@ mod tests {
             let bytes = scan_tiff(Path::new("f.tif"), &field(pitch)).unwrap();
             let scan = scan_from_bytes(Path::new("f.tif"), &bytes, &ReadConfig::default()).unwrap();
             for (read, written) in scan.field.pitch_nm.into_iter().zip(pitch) {
-                // A convergent p/q whose successor does not fit 32 bits is off by less than 1/(q 2^32), or
-                // seen from the other side, by a share of 1/(p 2^32): at 1e-6 nm, where p may be 1,
-                // its neighbour fixes q within one in 1e6 ... 2^32.
+                // The last convergent p/q that fits is off by less than 1/(q q'), the next one p'/q' having p' or q'
+                // above 2^32: a share below 1/(q 2^32) or 1/(p 2^32), so below 2.4e-10.
                 prop_assert!((read / written - 1.0).abs() < 1e-9, "{read} {written}");
             }
         }

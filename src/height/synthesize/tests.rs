@@ -205,7 +205,7 @@ fn pits_have_the_run_lengths_of_the_standard() {
             let row = 511 - (y / 62.5) as usize;
             let deep: Vec<bool> = field.heights_nm.row(row).iter().map(|height| *height < -60.0).collect();
             let edges: Vec<usize> = (0..1024).filter(|column| deep[*column] != deep[(column + 1) % 1024]).collect();
-            assert!(edges.len() >= 8 && edges.len() % 2 == 0, "{seed} {track}: {edges:?}");
+            assert!(edges.len() >= 8 && edges.len().is_multiple_of(2), "{seed} {track}: {edges:?}");
             for (index, edge) in edges.iter().enumerate() {
                 let next = edges[(index + 1) % edges.len()];
                 let length = ((next + 1024 - edge) % 1024) as f64 * 31.25 / bit;
@@ -235,7 +235,7 @@ fn irregular_structures_have_no_seam_on_any_tile() {
         }
         // The measure sees a cut: without its last rows a smooth surface no longer continues.
         let field = synthesize(&rough(seed), [300, 263], [55.0, 70.0]).unwrap();
-        let cut = field.heights_nm.slice(ndarray::s![..240, ..]).to_owned();
+        let cut = field.heights_nm.view().split_at(ndarray::Axis(0), 240).0.to_owned();
         assert!(seam(&HeightField { heights_nm: cut, ..field }) > 2.0);
     }
 }
