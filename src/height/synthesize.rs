@@ -228,10 +228,10 @@ fn length(x: f64, y: f64) -> f64 {
     (x * x + y * y).sqrt()
 }
 
-/// Rounds heights to 1/64 nm, far below what any microscope resolves: the files of structures with
-/// irregularities then compress to half the size.
+/// Rounds heights to 1/8 nm, about the noise of a good microscope: files of irregular structures then compress
+/// to less than half the size.
 fn round_heights(heights: &mut Array2<f64>) {
-    heights.mapv_inplace(|height| (height * 64.0).round() / 64.0);
+    heights.mapv_inplace(|height| (height * 8.0).round() / 8.0);
 }
 
 #[cfg(test)]

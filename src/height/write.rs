@@ -79,7 +79,6 @@ fn encode(
     image.y_resolution(y);
     image.resolution_unit(ResolutionUnit::None);
     image.write_data(heights)?;
-    drop(file);
     Ok(bytes)
 }
 
@@ -113,4 +112,78 @@ fn per_nm(pitch_nm: f64) -> Option<Rational> {
     }
     let [numerator, denominator] = last.map(|part| u32::try_from(part).ok());
     Some(Rational { n: denominator?, d: numerator.filter(|part| *part > 0)? })
+}
+
+#[cfg(test)]
+mod tests {
+    use ndarray::array;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::height::read::{ReadConfig, scan_from_bytes};
+
+    fn field(pitch_nm: [f64; 2]) -> HeightField {
+        HeightField { heights_nm: array![[0.0, -1.5, 1e-3], [250.125, 1e6, -7.0]], pitch_nm }
+    }
+
+    proptest! {
+        #[test]
+        fn the_pitch_comes_back(x in -5.99..5.99f64, y in -5.99..5.99f64) {
+            let pitch = [10f64.powf(x), 10f64.powf(y)];
+            let bytes = scan_tiff(Path::new("f.tif"), &field(pitch)).unwrap();
+            let scan = scan_from_bytes(Path::new("f.tif"), &bytes, &ReadConfig::default()).unwrap();
+            for (read, written) in scan.field.pitch_nm.into_iter().zip(pitch) {
+                // The last convergent p/q that fits is off by less than 1/(q q'), the next one p'/q' having p' or q'
+                // above 2^32: a share below 1/(q 2^32) or 1/(p 2^32), so below 2.4e-10.
+                prop_assert!((read / written - 1.0).abs() < 1e-9, "{read} {written}");
+            }
+        }
+    }
+
+    #[test]
+    fn usual_pitches_come_back_exactly() {
+        for pitch in [48.8, 62.5, 62.34375, 60.546875, 11.71875, 50.0, 1.0, 0.1, 1e-6, 1e6, 84.0442164] {
+            let ratio = per_nm(pitch).unwrap();
+            assert_eq!(f64::from(ratio.d) / f64::from(ratio.n), pitch);
+        }
+        for pitch in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e7, 1e-7] {
+            assert!(per_nm(pitch).is_none());
+        }
+    }
+
+    #[test]
+    fn heights_and_units_come_back_without_help() {
+        let field = field([48.8, 50.0]);
+        let bytes = scan_tiff(Path::new("f.tif"), &field).unwrap();
+        assert_eq!(bytes, scan_tiff(Path::new("f.tif"), &field).unwrap());
+        let scan = scan_from_bytes(Path::new("f.tif"), &bytes, &ReadConfig::default()).unwrap();
+        assert_eq!(scan.field.heights_nm, field.heights_nm.mapv(|height| f64::from(height as f32)));
+        let about = scan.provenance;
+        assert_eq!((about.format.as_str(), about.sample_format.as_str()), ("ImageJ TIFF", "f32"));
+        assert!(about.pitch_from.contains("ImageJ") && about.height_from.contains("ImageJ"), "{about:?}");
+        assert!(about.warnings.is_empty(), "{about:?}");
+    }
+
+    #[test]
+    fn what_a_tiff_cannot_hold_is_refused() {
+        let refused = |field: &HeightField| scan_tiff(Path::new("f.tif"), field).unwrap_err().to_string();
+        assert!(refused(&field([0.0, 1.0])).contains("pitch"));
+        for bad in [f64::NAN, f64::INFINITY, 1e39] {
+            let mut field = field([1.0; 2]);
+            field.heights_nm[[1, 2]] = bad;
+            assert!(refused(&field).contains("row 1, column 2"), "{}", refused(&field));
+        }
+        let empty = HeightField { heights_nm: ndarray::Array2::zeros([0, 3]), pitch_nm: [1.0; 2] };
+        assert!(refused(&empty).contains("3 x 0 samples is empty"));
+    }
+
+    #[test]
+    fn files_are_replaced_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("f.tif");
+        std::fs::write(&path, "old").unwrap();
+        write_scan_tiff(&path, &field([1.0; 2])).unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), scan_tiff(&path, &field([1.0; 2])).unwrap());
+        assert!(write_scan_tiff(&folder.path().join("none/f.tif"), &field([1.0; 2])).is_err());
+    }
 }

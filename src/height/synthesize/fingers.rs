@@ -25,6 +25,8 @@ pub(super) struct Fingers {
     taper: f64,
     /// Standard deviation of the fingers' distances, relative to their mean.
     spacing_jitter: f64,
+    /// Share of its neighbour's displacement that a finger takes over: 0 keeps a lattice, 1 none.
+    taken_over: f64,
     /// Whether fingers of all rows stand in common columns, and how far they stray from these.
     columns_jitter_nm: Option<f64>,
     /// Standard deviation of the tips along y.
@@ -48,17 +50,18 @@ pub(super) struct Fingers {
 pub(super) const CORN_SNAKE: Fingers = Fingers {
     spacing_nm: [1140.0, 2900.0],
     length_nm: 2650.0,
-    tip_nm: 200.0,
-    taper: 1.3,
-    spacing_jitter: 0.12,
-    columns_jitter_nm: Some(45.0),
-    tip_jitter_nm: 150.0,
-    bend_nm: [110.0, 350.0],
+    tip_nm: 150.0,
+    taper: 1.05,
+    spacing_jitter: 0.15,
+    taken_over: 0.5,
+    columns_jitter_nm: Some(55.0),
+    tip_jitter_nm: 230.0,
+    bend_nm: [160.0, 350.0],
     drop_nm: 0.0,
     drop_length_nm: 1000.0,
-    slope: 0.018,
-    dome_nm: [14.0, 42.0],
-    undulation_nm: 16.0,
+    slope: 0.019,
+    dome_nm: [14.0, 46.0],
+    undulation_nm: 20.0,
     grain_nm: 2.5,
     grain_length_nm: [120.0, 400.0],
 };
@@ -66,24 +69,25 @@ pub(super) const CORN_SNAKE: Fingers = Fingers {
 /// After *Xenopeltis unicolor*: wavy rows of short, nearly parallel fingers.
 pub(super) const SUNBEAM_SNAKE: Fingers = Fingers {
     spacing_nm: [544.0, 1550.0],
-    length_nm: 1230.0,
-    tip_nm: 165.0,
-    taper: 1.6,
+    length_nm: 1180.0,
+    tip_nm: 190.0,
+    taper: 1.5,
     spacing_jitter: 0.14,
+    taken_over: 0.9,
     columns_jitter_nm: None,
-    tip_jitter_nm: 55.0,
-    bend_nm: [60.0, 330.0],
-    drop_nm: 50.0,
-    drop_length_nm: 700.0,
-    slope: 0.018,
-    dome_nm: [18.0, 12.0],
-    undulation_nm: 14.0,
+    tip_jitter_nm: 95.0,
+    bend_nm: [60.0, 420.0],
+    drop_nm: 90.0,
+    drop_length_nm: 800.0,
+    slope: 0.012,
+    dome_nm: [24.0, 18.0],
+    undulation_nm: 20.0,
     grain_nm: 1.5,
     grain_length_nm: [150.0, 150.0],
 };
 
 /// Half the width in nm over which a sheet's edge rises, seen from above: what a microscope's tip leaves of it.
-const EDGE_NM: f64 = 75.0;
+const EDGE_NM: f64 = 65.0;
 /// Largest pitch that resolves the edges.
 const PITCH_MAX_NM: f64 = 100.0;
 /// Jitter is cut off at this many standard deviations.
@@ -105,9 +109,9 @@ pub(super) fn generate(grid: &Grid, fingers: &Fingers, seed: u64) -> Result<Arra
     let mut rng = Rng::with_seed(seed);
     let rows = rows(fingers, extent, count, &mut rng);
     // Rows bend along x; a change of that bend along y would change their distance, so it is kept small.
-    let bend_x = Waves::new(extent, [1, 3], fingers.bend_nm[0], &mut rng);
+    let bend_x = Waves::new(extent, [2, 3], fingers.bend_nm[0], &mut rng);
     let bend_y = Waves::new(extent, [4, 0], fingers.bend_nm[1], &mut rng);
-    let shear_y = Waves::new(extent, [3, 1], 0.3 * fingers.bend_nm[1], &mut rng);
+    let shear_y = Waves::new(extent, [3, 1], 0.4 * fingers.bend_nm[1], &mut rng);
     let undulation = Waves::new(extent, [4, 4], fingers.undulation_nm, &mut rng);
     let surface = Surface { fingers, rows, extent_nm: extent };
     let mut heights = grid.sample(|x, y| {
@@ -121,12 +125,12 @@ pub(super) fn generate(grid: &Grid, fingers: &Fingers, seed: u64) -> Result<Arra
 
 /// Places the finger tips.
 fn rows(fingers: &Fingers, extent_nm: [f64; 2], count: [usize; 2], rng: &mut Rng) -> Vec<Row> {
-    let columns = columns(fingers.spacing_jitter, extent_nm[0], count[0], rng);
+    let columns = columns(fingers, extent_nm[0], count[0], rng);
     (0..count[1])
         .map(|row| {
             let xs = match fingers.columns_jitter_nm {
                 Some(jitter) => columns.iter().map(|x| x + jitter * bounded_normal(rng, JITTER_LIMIT)).collect(),
-                None => self::columns(fingers.spacing_jitter, extent_nm[0], count[0], rng),
+                None => self::columns(fingers, extent_nm[0], count[0], rng),
             };
             let base = row as f64 * extent_nm[1] / count[1] as f64;
             let mut tips: Vec<[f64; 2]> = xs
@@ -142,18 +146,22 @@ fn rows(fingers: &Fingers, extent_nm: [f64; 2], count: [usize; 2], rng: &mut Rng
         .collect()
 }
 
-/// Places along x whose distances vary about their mean, closing around the tile, starting anywhere.
-fn columns(jitter: f64, width_nm: f64, count: usize, rng: &mut Rng) -> Vec<f64> {
-    let distances: Vec<f64> = (0..count).map(|_| 1.0 + jitter * bounded_normal(rng, JITTER_LIMIT)).collect();
-    let scale = width_nm / distances.iter().sum::<f64>();
-    let mut x = rng.f64() * width_nm;
-    distances
-        .iter()
-        .map(|distance| {
-            x += scale * distance;
-            x
-        })
-        .collect()
+/// Places along x around a lattice that closes around the tile and starts anywhere. A place takes over part of its
+/// left neighbour's displacement: order is lost over some distances, the mean distance never.
+fn columns(fingers: &Fingers, width_nm: f64, count: usize, rng: &mut Rng) -> Vec<f64> {
+    // Terms back until the largest share taken over, 0.9, has fallen below 0.001.
+    const TERMS: usize = 66;
+    let share = fingers.taken_over;
+    let spacing = width_nm / count as f64;
+    // Displacements are sums of r^j e[i-j], of variance s^2 / (1 - r^2) for kicks e of variance s^2; the distances
+    // then have 2 s^2 / (1 + r). Kicks being limited to 2.5 s, distances stay positive for jitters up to 0.2.
+    let scale = fingers.spacing_jitter * spacing * (0.5 * (1.0 + share)).sqrt();
+    let kicks: Vec<f64> = (0..count).map(|_| scale * bounded_normal(rng, JITTER_LIMIT)).collect();
+    let start = rng.f64() * width_nm;
+    let displacement = |index: usize| {
+        (0..TERMS).rev().fold(0.0, |sum, back| share * sum + kicks[(index + TERMS * count - back) % count])
+    };
+    (0..count).map(|index| start + index as f64 * spacing + displacement(index)).collect()
 }
 
 /// What is needed to tell the height at a place.
@@ -235,7 +243,7 @@ fn profile(fingers: &Fingers, behind: f64, across: f64) -> f64 {
 
 /// The larger of two lengths in nm, rounded where they are nearly equal.
 fn smooth_max(a: f64, b: f64) -> f64 {
-    const ROUND_NM: f64 = 60.0;
+    const ROUND_NM: f64 = 50.0;
     let near = (ROUND_NM - (a - b).abs()).max(0.0);
     a.max(b) + 0.25 * near * near / ROUND_NM
 }
