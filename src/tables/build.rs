@@ -98,11 +98,24 @@ pub fn plan(fields: &[HeightField], optics: &OpticsConfig, config: &TablesConfig
     })
 }
 
-/// Builds the Chebyshev tables of one specimen from its prepared scans.
+/// Builds the tables of one specimen from its prepared scans.
 ///
 /// # Errors
-/// Those of [`plan`], and transforms beyond the allowed memory.
+/// Those of [`plan`], transforms beyond the allowed memory, and for `Basis::Taylor` those of
+/// [`super::taylor::build_taylor`].
 pub fn build(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    config: &TablesConfig,
+    advance: Advance,
+) -> Result<(TableSet, BuildRecord)> {
+    match config.basis {
+        Basis::Chebyshev => build_chebyshev(fields, optics, config, advance),
+        Basis::Taylor => super::taylor::build_taylor(fields, optics, config, advance),
+    }
+}
+
+fn build_chebyshev(
     fields: &[HeightField],
     optics: &OpticsConfig,
     config: &TablesConfig,
@@ -237,7 +250,7 @@ fn rms_nm(field: &HeightField) -> f64 {
 }
 
 /// Counts of a plan for reports.
-fn record(plan: &BuildPlan) -> BuildRecord {
+pub(super) fn record(plan: &BuildPlan) -> BuildRecord {
     let mut record = BuildRecord { wavelength_step_nm: [f64::MAX, 0.0], ..BuildRecord::default() };
     for ring in &plan.rings {
         let nm = &ring.quadrature.wavelengths_nm;

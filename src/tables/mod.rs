@@ -7,3 +7,4 @@ pub mod lobe;
 pub mod model;
 pub mod pilot;
 pub mod plan;
+pub mod taylor;
