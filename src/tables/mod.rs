@@ -1,6 +1,7 @@
 //! Tables floor: bases, building, storage, evaluation.
 
 pub mod accumulate;
+pub mod baselines;
 pub mod build;
 pub mod evaluate;
 pub mod lobe;
