@@ -1,3 +1,4 @@
 //! Stages floor: order, timing, cache, publishing.
 
 pub mod progress;
+pub mod study;
