@@ -8,6 +8,8 @@ mod memory;
 mod methods;
 mod sample;
 
+pub use methods::stored;
+
 use serde::{Deserialize, Serialize};
 
 use super::progress::Progress;
@@ -15,7 +17,8 @@ use crate::ground::error::Result;
 use crate::ground::metrics::ErrorQuantiles;
 use crate::ground::sampling::Region;
 use crate::height::HeightField;
-use crate::optics::config::{OpticsConfig, Windows};
+use crate::optics::config::{Edge, OpticsConfig, Windows};
+use crate::optics::window::FADE_SIGMAS;
 use crate::tables::baselines::statistics::{SurfaceStatistics, surface_statistics};
 use crate::tables::model::{Basis, Storage};
 use crate::tables::plan::{lobe_width, usable_radius};
@@ -215,7 +218,7 @@ pub fn run_study(specimens: &[StudySpecimen], config: &StudyConfig, progress: &d
 }
 
 fn study_specimen(specimen: &StudySpecimen, config: &StudyConfig, progress: &dyn Progress) -> Result<SpecimenStudy> {
-    let optics = study_optics(&specimen.optics, config.size);
+    let optics = study_optics(&specimen.optics, &specimen.fields, config.size);
     let sample = sample::Sample::measured(&specimen.fields, &optics, config.directions)?;
     let mut refusals = Vec::new();
     let statistics = surface_statistics(&specimen.fields);
@@ -239,11 +242,19 @@ fn study_specimen(specimen: &StudySpecimen, config: &StudyConfig, progress: &dyn
     })
 }
 
-/// The specimen's optics with one window, no wider than a grid of `size` resolves.
-fn study_optics(optics: &OpticsConfig, size: usize) -> OpticsConfig {
+/// The specimen's optics with one window inside the scan, no wider than a grid of `size` resolves. Such a window
+/// sees only its own patch, so that even the direct sum is quick.
+fn study_optics(optics: &OpticsConfig, fields: &[HeightField], size: usize) -> OpticsConfig {
     let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
     let resolved_width = 4.0 / (size - 1) as f64 / TEXEL_WIDTHS;
     // The lobe's width is inversely proportional to σ.
     let resolved_nm = lobe_width(1.0, low_nm) / resolved_width;
-    OpticsConfig { sigma_nm: optics.sigma_nm.min(resolved_nm), windows: Windows::Centre, ..optics.clone() }
+    let extents = fields.iter().flat_map(HeightField::extent_nm);
+    let inside_nm = extents.fold(f64::MAX, f64::min) / (2.0 * FADE_SIGMAS);
+    OpticsConfig {
+        sigma_nm: optics.sigma_nm.min(resolved_nm).min(inside_nm),
+        edge: Edge::Fade,
+        windows: Windows::Centre,
+        ..optics.clone()
+    }
 }

@@ -4,10 +4,13 @@ use super::methods::{Context, stored};
 use super::sample::{deviation, luminances};
 use super::{KnobRow, StudyConfig};
 use crate::ground::error::Result;
+use crate::height::HeightField;
 use crate::optics::config::{OpticsConfig, Windows};
+use crate::optics::window::FADE_SIGMAS;
 use crate::tables::build::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
 use crate::tables::model::{Basis, Storage, TableSet, TablesConfig};
+use ndarray::Array2;
 
 /// Steps of progress.
 pub fn count(config: &StudyConfig) -> u64 {
@@ -53,8 +56,27 @@ pub fn rows(context: &Context) -> Result<Vec<KnobRow>> {
         let found = values(&stored(&finest, storage), Interpolation::Cubic)?;
         push("storage", 0.0, name.into(), &fine, &found);
     }
-    let averaged = made(&base, &OpticsConfig { windows: Windows::Grid, ..context.optics.clone() })?;
-    let setting = "mean over window positions against the middle one".into();
+    let patches: Vec<HeightField> = context.fields.iter().map(|f| patch(f, context.optics.sigma_nm)).collect();
+    let several = OpticsConfig { windows: Windows::Grid, ..context.optics.clone() };
+    let averaged = build(&patches, &several, &base, &|_| ())?.0;
+    context.progress.advance(1);
+    let setting = "mean of nine neighbouring windows against the middle one".into();
     push("windows", 0.0, setting, &fine, &values(&averaged, Interpolation::Cubic)?);
     Ok(rows)
+}
+
+/// The middle of a scan, wide enough for three by three windows two σ apart.
+fn patch(field: &HeightField, sigma_nm: f64) -> HeightField {
+    let [columns, rows] = [0, 1].map(|axis| {
+        let count = field.size()[axis];
+        let wanted = ((2.0 * FADE_SIGMAS + 4.0) * sigma_nm / field.pitch_nm[axis]).ceil() as usize + 1;
+        // The same parity keeps the middle of the patch on the middle of the scan.
+        let kept = (wanted + (count - wanted.min(count)) % 2).min(count);
+        let first = (count - kept) / 2;
+        first..first + kept
+    });
+    let heights_nm = Array2::from_shape_fn((rows.len(), columns.len()), |(row, column)| {
+        field.heights_nm[[rows.start + row, columns.start + column]]
+    });
+    HeightField { heights_nm, pitch_nm: field.pitch_nm }
 }
