@@ -1,9 +1,11 @@
-//! Stability in depth: from 1 nm to 20 µm peak to valley, `k w h` up to 660 rad.
+//! Stability in depth: from 1 nm to 20 µm peak to valley, `k w h` up to 630 rad.
 
 use std::f64::consts::TAU;
 
 use super::StabilityCase;
 use super::support::{BOUND, TOLERANCE, case, config, error, on_texels, optics, refused, relief, tables};
+use crate::ground::spectrum::{Illuminant, Line};
+use crate::optics::config::OpticsConfig;
 use crate::tables::model::{Basis, TablesConfig};
 use crate::tables::plan::nodes_bound;
 use crate::tables::taylor::forecast;
@@ -27,8 +29,10 @@ pub fn cases() -> Vec<StabilityCase> {
 /// Error of the tables at one depth. Guard: the number of tables follows the depth; without it four are kept,
 /// which is enough up to a few hundred nm only.
 fn depth(depth_nm: f64) -> StabilityCase {
-    let field = relief([48, 48], [125.0; 2], depth_nm);
-    let optics = optics(800.0);
+    let field = relief([32, 32], [125.0; 2], depth_nm);
+    // One wavelength shows all there is to a depth; a spectrum would only repeat it, hundreds of times at 20 µm.
+    let violet = Illuminant::Lines(vec![Line { wavelength_nm: 400.0, power: 1.0 }]);
+    let optics = OpticsConfig { illuminant: violet, ..optics(800.0) };
     let found = |config: &TablesConfig| match tables(&field, &optics, config) {
         Ok(set) => (error(&set, &field, &on_texels(&set, [0.05, 1.0])), set.tables.len()),
         Err(_) => (f64::INFINITY, 0),
