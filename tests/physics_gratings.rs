@@ -287,7 +287,7 @@ const PEAK_LINES_NM: [f64; 3] = [450.0, 550.0, 650.0];
 
 /// Periods that the peaks of `f` along u give by the grating equation: a blind scan for local maxima, each
 /// put where the parabola through three logarithms has its top, which is exact for a Gaussian.
-fn periods_nm(wavelength_nm: f64, wi: Vec3, brdf: &dyn Fn(&[(Vec3, Vec3)]) -> Vec<f64>) -> Vec<f64> {
+fn periods_nm(wavelength_nm: f64, wi: Vec3, brdf: impl Fn(&[(Vec3, Vec3)]) -> Vec<f64>) -> Vec<f64> {
     let step = 0.5 * lobe_deviation(PEAK_SIGMA_NM, wavelength_nm);
     let u: Vec<f64> = (0..).map(|i| 0.1 + f64::from(i) * step).take_while(|&u| u < 0.65).collect();
     let f = brdf(&u.iter().map(|&u| (wi, outgoing(wi, u, 0.0).unwrap())).collect::<Vec<_>>());
@@ -324,10 +324,10 @@ fn peaks_of_the_blazed_grating_give_its_period_back() {
     for wi in [from_angles_deg(0.0, 0.0), from_angles_deg(20.0, 0.0)] {
         for nm in PEAK_LINES_NM {
             let optics = laser(&[nm], PEAK_SIGMA_NM, Edge::Fade, Windows::Centre);
-            let direct = periods_nm(nm, wi, &|pairs| reference(&field, &optics, pairs));
+            let direct = periods_nm(nm, wi, |pairs| reference(&field, &optics, pairs));
             println!("{nm} nm, {wi:?}: {direct:.1?}");
             assert!(period_error(&direct) < PERIOD_TOLERANCE, "{nm} nm, reference: {direct:?}");
-            let stretched = periods_nm(nm, wi, &|pairs| reference(&stretched(&field, 1.01), &optics, pairs));
+            let stretched = periods_nm(nm, wi, |pairs| reference(&stretched(&field, 1.01), &optics, pairs));
             assert!(period_error(&stretched) > 5.0 * PERIOD_TOLERANCE, "a pitch wrong by 1 % is not seen");
         }
     }
@@ -339,7 +339,7 @@ fn peaks_in_tables_give_the_period_back() {
     for nm in PEAK_LINES_NM {
         let optics = laser(&[nm], PEAK_SIGMA_NM, Edge::Fade, Windows::Centre);
         let set = tables(&field, &optics, 1e-3, Some(1201));
-        let periods = periods_nm(nm, from_angles_deg(0.0, 0.0), &|pairs| {
+        let periods = periods_nm(nm, from_angles_deg(0.0, 0.0), |pairs| {
             pairs.iter().map(|p| brdf_xyz(&set, Interpolation::Cubic, p.0, p.1)[1]).collect()
         });
         println!("{nm} nm, {} tables: {periods:.1?}", set.tables.len());
