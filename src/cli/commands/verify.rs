@@ -9,6 +9,7 @@ use crate::cli::output::{self, Outcome};
 use crate::ground::error::{Error, Result};
 use crate::ground::sampling::{self, Region};
 use crate::ground::{files, metrics};
+use crate::height::read::Provenance;
 use crate::manifest::{self, Manifest, convert::specimen_config};
 use crate::optics::spectral;
 use crate::stages::atlas::{self, AtlasIndex};
@@ -46,7 +47,7 @@ pub struct VerifyArgs {
 /// # Errors
 /// A folder that is no atlas, or scans that cannot be read any more.
 pub fn run(args: &VerifyArgs, _global: &Global) -> Result<Outcome> {
-    let folder = atlas::resolve(&args.atlas)?;
+    let folder = target(&args.atlas)?;
     let files = verify::verify_files(&folder)?;
     let mut report = Report { folder: folder.display().to_string(), files, specimens: Vec::new(), remarks: Vec::new() };
     // Damaged files would only be evaluated to nonsense.
@@ -60,6 +61,19 @@ pub fn run(args: &VerifyArgs, _global: &Global) -> Result<Outcome> {
     }
     let failures = report.failures();
     Ok(if failures.is_empty() { Outcome::Done } else { Outcome::Failures(failures) })
+}
+
+/// The version to check: the one named, or the newest of an atlas, complete or damaged. Other commands fall
+/// back on an older version where the newest is damaged; here that would hide the damage.
+fn target(path: &Path) -> Result<PathBuf> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    if !path.is_dir() || atlas::version_number(&name).is_some() {
+        return atlas::resolve(path).or_else(|error| if path.is_dir() { Ok(path.to_owned()) } else { Err(error) });
+    }
+    match atlas::version_numbers(path)?.last() {
+        Some(&newest) => Ok(path.join(atlas::version_name(newest))),
+        None => atlas::resolve(path),
+    }
 }
 
 /// Everything that was checked.
@@ -78,6 +92,8 @@ struct SpecimenCheck {
     check_values: usize,
     /// Largest relative deviation of the stored check values from the tables evaluated now.
     check_worst: f64,
+    /// Scans that are not the ones the tables were made from: nothing is evaluated against them.
+    other_scans: Vec<String>,
     /// Directions evaluated against the scans, by region; empty where that was not asked for.
     reference: Vec<ReferenceCheck>,
 }
@@ -113,23 +129,28 @@ fn evaluate(args: &VerifyArgs, folder: &Path, report: &mut Report) -> Result<()>
     let manifest = matching_manifest(args, &index, report)?;
     for entry in &index.specimens {
         let (file, set) = specimen::load(&folder.join(&entry.name))?;
-        let reference = match &manifest {
-            Some(manifest) if args.samples > 0 => against_scans(args, manifest, &file, &set)?,
-            _ => Vec::new(),
-        };
-        let deviation = |value: &CheckValue| {
-            let now = brdf_xyz(&set, Interpolation::Bilinear, value.wi, value.wo);
-            let scale = value.xyz[1].abs().max(f64::MIN_POSITIVE);
-            (0..3).map(|c| (now[c] - value.xyz[c]).abs() / scale).fold(0.0, f64::max)
-        };
-        report.specimens.push(SpecimenCheck {
+        let mut check = SpecimenCheck {
             name: entry.name.clone(),
             check_values: file.check_values.len(),
-            check_worst: file.check_values.iter().map(deviation).fold(0.0, f64::max),
-            reference,
-        });
+            check_worst: metrics::quantiles(file.check_values.iter().map(|value| deviation(&set, value)).collect())
+                .worst,
+            other_scans: Vec::new(),
+            reference: Vec::new(),
+        };
+        if let Some(manifest) = manifest.as_ref().filter(|_| args.samples > 0) {
+            against_scans(args, manifest, &file, &set, &mut check)?;
+        }
+        report.specimens.push(check);
     }
     Ok(())
+}
+
+/// Largest deviation of a stored check value from the tables evaluated now, relative to its Y.
+fn deviation(set: &TableSet, value: &CheckValue) -> f64 {
+    let now = brdf_xyz(set, Interpolation::Bilinear, value.wi, value.wo);
+    let scale = value.xyz[1].abs().max(f64::MIN_POSITIVE);
+    // A NaN is the worst of all.
+    metrics::quantiles((0..3).map(|c| (now[c] - value.xyz[c]).abs() / scale).collect()).worst
 }
 
 /// The manifest that names the scans: the one given, or `pipeline.toml` where it is the one the atlas was
@@ -160,12 +181,24 @@ fn against_scans(
     manifest: &Manifest,
     file: &SpecimenFile,
     set: &TableSet,
-) -> Result<Vec<ReferenceCheck>> {
+    check: &mut SpecimenCheck,
+) -> Result<()> {
     let Some(section) = manifest.specimens.iter().find(|section| section.name == file.name) else {
-        return Ok(Vec::new());
+        return Ok(());
     };
     let config = specimen_config(section);
-    let fields = ingest(&config)?.fields;
+    let ingested = ingest(&config)?;
+    let recorded: Vec<&str> = file
+        .provenance
+        .as_array()
+        .map_or(Vec::new(), |scans| scans.iter().map(|scan| scan["sha256"].as_str().unwrap_or_default()).collect());
+    let is_other = |(index, scan): &(usize, &Provenance)| recorded.get(*index) != Some(&scan.sha256.as_str());
+    let others = ingested.provenance.iter().enumerate().filter(is_other);
+    check.other_scans = others.map(|(_, scan)| scan.file_name.clone()).collect();
+    if !check.other_scans.is_empty() {
+        return Ok(());
+    }
+    let fields = ingested.fields;
     let plan = build::plan(&fields, &config.optics, &manifest.tables)?;
     let recorded: Vec<ErrorRow> = serde_json::from_value(file.errors.clone()).unwrap_or_default();
     // The sequence that chose the recorded directions, further on.
@@ -183,12 +216,13 @@ fn against_scans(
             (exact[1] > FLOOR_PER_SR || exact[1].is_nan()).then(|| (ours - exact[1]).abs() / exact[1])
         })
         .collect();
-    let check = |(region, errors): (Region, &[Option<f64>])| {
+    let compare = |(region, errors): (Region, &[Option<f64>])| {
         let recorded = recorded.iter().find(|row| row.what == "total" && row.region == region.name());
         let errors: Vec<f64> = errors.iter().copied().flatten().collect();
         recorded.map(|recorded| reference_check(region.name(), errors, recorded))
     };
-    Ok(regions.into_iter().zip(errors.chunks(args.samples)).filter_map(check).collect())
+    check.reference = regions.into_iter().zip(errors.chunks(args.samples)).filter_map(compare).collect();
+    Ok(())
 }
 
 fn reference_check(region: &'static str, errors: Vec<f64>, recorded: &ErrorRow) -> ReferenceCheck {
@@ -224,8 +258,12 @@ fn most_above(count: usize, recorded: usize, q: f64) -> f64 {
 impl Report {
     fn failures(&self) -> Vec<String> {
         let files = self.files.failures.iter().map(|failure| format!("{}: {}", failure.file, failure.what));
-        let values = self.specimens.iter().filter(|check| check.check_worst > CHECK_TOLERANCE).map(|check| {
+        let values = self.specimens.iter().filter(|check| !(check.check_worst <= CHECK_TOLERANCE)).map(|check| {
             format!("{}: stored check values differ from the tables by {:.1e}", check.name, check.check_worst)
+        });
+        let scans = self.specimens.iter().flat_map(|check| {
+            let changed = |scan| format!("{}: {scan} is not the file that the tables were made from", check.name);
+            check.other_scans.iter().map(changed)
         });
         let references = self.specimens.iter().flat_map(|check| {
             check.reference.iter().filter(|reference| !reference.passed).map(|reference| {
@@ -241,7 +279,7 @@ impl Report {
                 )
             })
         });
-        files.chain(values).chain(references).collect()
+        files.chain(values).chain(scans).chain(references).collect()
     }
 
     fn to_text(&self) -> String {
