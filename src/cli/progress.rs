@@ -11,6 +11,9 @@ use crate::stages::progress::{Progress, Silent};
 /// Where there is no terminal, a stage says how far it is this often.
 const LINE_INTERVAL: Duration = Duration::from_secs(20);
 
+/// A stage that took less than this leaves no line: what a reader looks for is where the time went.
+const LINE_WORTH: Duration = Duration::from_millis(500);
+
 /// The listener that suits where stderr goes.
 pub fn reporter(quiet: bool) -> Box<dyn Progress> {
     if quiet {
@@ -22,7 +25,7 @@ pub fn reporter(quiet: bool) -> Box<dyn Progress> {
     }
 }
 
-/// A bar that is redrawn in place; finished stages leave a line.
+/// A bar that is redrawn in place; long stages leave a line.
 #[derive(Debug)]
 struct Bar {
     bar: ProgressBar,
@@ -45,9 +48,10 @@ impl Stage {
         Self { name: name.to_owned(), total, done: 0, started: now, last_line: now }
     }
 
-    fn summary(&self) -> String {
-        let seconds = self.started.elapsed().as_secs_f64();
-        format!("{}: done in {seconds:.1} s", self.name)
+    /// The line it leaves, where it took long enough to deserve one.
+    fn summary(&self, worth: Duration) -> Option<String> {
+        let took = self.started.elapsed();
+        (took >= worth).then(|| format!("{} ({:.1} s)", self.name, took.as_secs_f64()))
     }
 }
 
@@ -92,22 +96,25 @@ impl Progress for Bar {
         if let Some(stage) = lock(&self.current).take() {
             self.bar.disable_steady_tick();
             self.bar.finish_and_clear();
-            eprintln!("{}", stage.summary());
+            if let Some(line) = stage.summary(LINE_WORTH) {
+                eprintln!("{line}");
+            }
         }
     }
 }
 
-/// Plain lines: the start and end of each stage, and now and then its share.
+/// Plain lines: one for each stage that took long, and now and then its share before.
 #[derive(Debug)]
 struct Lines<W> {
     out: Mutex<W>,
     current: Mutex<Option<Stage>>,
     interval: Duration,
+    worth: Duration,
 }
 
 impl<W: Write> Lines<W> {
     fn new(out: W) -> Self {
-        Self { out: Mutex::new(out), current: Mutex::new(None), interval: LINE_INTERVAL }
+        Self { out: Mutex::new(out), current: Mutex::new(None), interval: LINE_INTERVAL, worth: LINE_WORTH }
     }
 
     fn line(&self, text: &str) {
@@ -121,7 +128,6 @@ impl<W: Write + Send> Progress for Lines<W> {
     fn stage(&self, name: &str, total: u64) {
         self.finish();
         *lock(&self.current) = Some(Stage::new(name, total));
-        self.line(name);
     }
 
     fn advance(&self, n: u64) {
@@ -146,8 +152,8 @@ impl<W: Write + Send> Progress for Lines<W> {
 
     fn finish(&self) {
         let finished = lock(&self.current).take();
-        if let Some(stage) = finished {
-            self.line(&stage.summary());
+        if let Some(line) = finished.and_then(|stage| stage.summary(self.worth)) {
+            self.line(&line);
         }
     }
 }
@@ -156,40 +162,40 @@ impl<W: Write + Send> Progress for Lines<W> {
 mod tests {
     use super::*;
 
-    fn lines(interval: Duration, work: impl Fn(&dyn Progress)) -> String {
-        let lines = Lines { interval, ..Lines::new(Vec::new()) };
+    fn lines(interval: Duration, worth: Duration, work: impl Fn(&dyn Progress)) -> String {
+        let lines = Lines { interval, worth, ..Lines::new(Vec::new()) };
         work(&lines);
         String::from_utf8(lines.out.into_inner().unwrap()).unwrap()
     }
 
+    fn two_stages(progress: &dyn Progress) {
+        progress.stage("read", 3);
+        progress.advance(3);
+        progress.message("odd unit");
+        progress.stage("build", 0);
+        progress.advance(1);
+        progress.finish();
+        progress.finish();
+    }
+
     #[test]
-    fn stages_begin_and_end_with_a_line() {
-        let text = lines(LINE_INTERVAL, |progress| {
-            progress.stage("read", 3);
-            progress.advance(3);
-            progress.message("odd unit");
-            progress.stage("build", 0);
-            progress.advance(1);
-            progress.finish();
-            progress.finish();
-        });
-        let lines: Vec<&str> = text.lines().collect();
-        let starts = ["read", "odd unit", "read: done in ", "build", "build: done in "];
-        assert_eq!(lines.len(), starts.len(), "{text}");
-        for (line, start) in lines.iter().zip(starts) {
-            assert!(line.starts_with(start), "{line} {start}");
-        }
+    fn long_stages_leave_one_line_and_short_ones_none() {
+        let text = lines(LINE_INTERVAL, Duration::ZERO, two_stages);
+        let starts = ["odd unit", "read (", "build ("];
+        assert_eq!(text.lines().count(), starts.len(), "{text}");
+        assert!(text.lines().zip(starts).all(|(line, start)| line.starts_with(start)), "{text}");
+        assert_eq!(lines(LINE_INTERVAL, Duration::from_secs(3600), two_stages), "odd unit\n");
     }
 
     #[test]
     fn long_stages_say_how_far_they_are() {
-        let text = lines(Duration::ZERO, |progress| {
+        let text = lines(Duration::ZERO, LINE_WORTH, |progress| {
             progress.stage("build", 8);
             progress.advance(2);
             progress.advance(4);
             progress.advance(2);
         });
-        assert_eq!(text, "build\nbuild: 25 %\nbuild: 75 %\n");
+        assert_eq!(text, "build: 25 %\nbuild: 75 %\n");
     }
 
     #[test]

@@ -46,9 +46,9 @@ pub fn load(path: &Path) -> Result<(Manifest, String)> {
     let name = path.display().to_string();
     let unreadable = |why: String| Error::Call(format!("cannot read the manifest {name}: {why}"));
     let mut bytes = Vec::new();
-    std::fs::File::open(path)
-        .and_then(|file| file.take(BYTES_MAX + 1).read_to_end(&mut bytes))
-        .map_err(|error| unreadable(error.to_string()))?;
+    std::fs::File::open(path).and_then(|file| file.take(BYTES_MAX + 1).read_to_end(&mut bytes)).map_err(|error| {
+        unreadable(format!("{error}\n  name an existing file; docs/manifest.md tells what goes into it"))
+    })?;
     if bytes.len() as u64 > BYTES_MAX {
         return Err(unreadable(format!("it has more than {BYTES_MAX} bytes")));
     }

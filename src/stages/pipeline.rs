@@ -91,10 +91,17 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
         Vec::new(),
     );
     let mut example = None;
-    for specimen in &config.specimens {
-        helpers.progress.message(&format!("{}: {} scan(s)", specimen.name, specimen.scans.len()));
+    for (number, specimen) in config.specimens.iter().enumerate() {
+        let label = format!("[{}/{}] {}", number + 1, config.specimens.len(), specimen.name);
+        let specimen_started = Instant::now();
         match run_specimen(config, specimen, &staging, helpers, gpu.as_ref(), &mut results.stages) {
             Ok(done) => {
+                helpers.progress.message(&format!(
+                    "{label}: {} tables of {}² in {:.1} s",
+                    done.result.build.as_ref().map_or(0, |build| build.tables),
+                    done.result.build.as_ref().map_or(0, |build| build.size),
+                    specimen_started.elapsed().as_secs_f64()
+                ));
                 record_gpu(&mut results, &specimen.name, done.gpu);
                 index.inputs.extend(done.inputs);
                 index.specimens.push(entry(specimen));
@@ -102,6 +109,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
                 results.specimens.push(done.result);
             }
             Err(failed) => {
+                helpers.progress.message(&format!("{label}: failed to {}", failed.stage));
                 let _ = std::fs::remove_dir_all(staging.path().join(&specimen.name));
                 results.failures.push(Failure {
                     specimen: Some(specimen.name.clone()),

@@ -9,6 +9,7 @@ use crate::cli::output::{self, Outcome};
 use crate::ground::error::{Error, Result};
 use crate::ground::sampling::{self, Region};
 use crate::ground::{files, metrics};
+use crate::height::read::Provenance;
 use crate::manifest::{self, Manifest, convert::specimen_config};
 use crate::optics::spectral;
 use crate::stages::atlas::{self, AtlasIndex};
@@ -26,7 +27,8 @@ use crate::tables::model::TableSet;
 pub struct VerifyArgs {
     /// An atlas, or one version of it
     pub atlas: PathBuf,
-    /// Directions per specimen that are evaluated anew against the reference; 0 checks the files alone
+    /// Directions per specimen, over the hemisphere and again around the mirror direction, that are evaluated
+    /// anew against the reference; 0 checks the files alone
     #[arg(long, value_name = "N", default_value_t = 64)]
     pub samples: usize,
     /// The manifest the atlas was made from, which names the scans [default: pipeline.toml where it is]
@@ -45,7 +47,7 @@ pub struct VerifyArgs {
 /// # Errors
 /// A folder that is no atlas, or scans that cannot be read any more.
 pub fn run(args: &VerifyArgs, _global: &Global) -> Result<Outcome> {
-    let folder = atlas::resolve(&args.atlas)?;
+    let folder = target(&args.atlas)?;
     let files = verify::verify_files(&folder)?;
     let mut report = Report { folder: folder.display().to_string(), files, specimens: Vec::new(), remarks: Vec::new() };
     // Damaged files would only be evaluated to nonsense.
@@ -59,6 +61,19 @@ pub fn run(args: &VerifyArgs, _global: &Global) -> Result<Outcome> {
     }
     let failures = report.failures();
     Ok(if failures.is_empty() { Outcome::Done } else { Outcome::Failures(failures) })
+}
+
+/// The version to check: the one named, or the newest of an atlas, complete or damaged. Other commands fall
+/// back on an older version where the newest is damaged; here that would hide the damage.
+fn target(path: &Path) -> Result<PathBuf> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    if !path.is_dir() || atlas::version_number(&name).is_some() {
+        return atlas::resolve(path).or_else(|error| if path.is_dir() { Ok(path.to_owned()) } else { Err(error) });
+    }
+    match atlas::version_numbers(path)?.last() {
+        Some(&newest) => Ok(path.join(atlas::version_name(newest))),
+        None => atlas::resolve(path),
+    }
 }
 
 /// Everything that was checked.
@@ -77,52 +92,65 @@ struct SpecimenCheck {
     check_values: usize,
     /// Largest relative deviation of the stored check values from the tables evaluated now.
     check_worst: f64,
-    /// Directions evaluated against the scans, and the median and 95th percentile of the relative error of Y.
-    reference: Option<ReferenceCheck>,
+    /// Scans that are not the ones the tables were made from: nothing is evaluated against them.
+    other_scans: Vec<String>,
+    /// Directions evaluated against the scans, by region; empty where that was not asked for.
+    reference: Vec<ReferenceCheck>,
 }
 
+/// Relative errors of Y over directions of one region, beside those recorded when the atlas was made.
 #[derive(Debug, Serialize)]
 struct ReferenceCheck {
+    region: &'static str,
+    /// Directions bright enough to have a relative error.
     directions: usize,
     p50: f64,
     p95: f64,
-    /// The median that was recorded when the atlas was made.
+    recorded_directions: usize,
     recorded_p50: f64,
+    recorded_p95: f64,
     passed: bool,
 }
 
 /// Stored check values have 17 digits: what they were computed from gives them back to rounding.
 const CHECK_TOLERANCE: f64 = 1e-9;
 
-/// The median over other directions than the recorded ones may be larger by this factor: medians of 64
-/// and 128 samples of errors spread over a decade differ by less.
-const MEDIAN_FACTOR: f64 = 3.0;
-
 /// Errors below this are rounding and not compared.
-const MEDIAN_FLOOR: f64 = 1e-5;
+const ERROR_FLOOR: f64 = 1e-5;
+
+/// Luminance in 1/sr below which directions are left out, as in the recorded rows.
+const FLOOR_PER_SR: f64 = 1e-6;
+
+/// Standard deviations by which more errors than expected may lie above a recorded quantile.
+const SIGMAS: f64 = 4.0;
 
 fn evaluate(args: &VerifyArgs, folder: &Path, report: &mut Report) -> Result<()> {
     let index = atlas::read_index(folder)?;
     let manifest = matching_manifest(args, &index, report)?;
     for entry in &index.specimens {
         let (file, set) = specimen::load(&folder.join(&entry.name))?;
-        let reference = match &manifest {
-            Some(manifest) if args.samples > 0 => against_scans(args, manifest, &file, &set)?,
-            _ => None,
-        };
-        let deviation = |value: &CheckValue| {
-            let now = brdf_xyz(&set, Interpolation::Bilinear, value.wi, value.wo);
-            let scale = value.xyz[1].abs().max(f64::MIN_POSITIVE);
-            (0..3).map(|c| (now[c] - value.xyz[c]).abs() / scale).fold(0.0, f64::max)
-        };
-        report.specimens.push(SpecimenCheck {
+        let mut check = SpecimenCheck {
             name: entry.name.clone(),
             check_values: file.check_values.len(),
-            check_worst: file.check_values.iter().map(deviation).fold(0.0, f64::max),
-            reference,
-        });
+            check_worst: metrics::quantiles(file.check_values.iter().map(|value| deviation(&set, value)).collect())
+                .worst,
+            other_scans: Vec::new(),
+            reference: Vec::new(),
+        };
+        if let Some(manifest) = manifest.as_ref().filter(|_| args.samples > 0) {
+            against_scans(args, manifest, &file, &set, &mut check)?;
+        }
+        report.specimens.push(check);
     }
     Ok(())
+}
+
+/// Largest deviation of a stored check value from the tables evaluated now, relative to its Y.
+fn deviation(set: &TableSet, value: &CheckValue) -> f64 {
+    let now = brdf_xyz(set, Interpolation::Bilinear, value.wi, value.wo);
+    let scale = value.xyz[1].abs().max(f64::MIN_POSITIVE);
+    // A NaN is the worst of all.
+    metrics::quantiles((0..3).map(|c| (now[c] - value.xyz[c]).abs() / scale).collect()).worst
 }
 
 /// The manifest that names the scans: the one given, or `pipeline.toml` where it is the one the atlas was
@@ -153,68 +181,167 @@ fn against_scans(
     manifest: &Manifest,
     file: &SpecimenFile,
     set: &TableSet,
-) -> Result<Option<ReferenceCheck>> {
-    let Some(section) = manifest.specimens.iter().find(|section| section.name == file.name) else { return Ok(None) };
+    check: &mut SpecimenCheck,
+) -> Result<()> {
+    let Some(section) = manifest.specimens.iter().find(|section| section.name == file.name) else {
+        return Ok(());
+    };
     let config = specimen_config(section);
-    let fields = ingest(&config)?.fields;
+    let ingested = ingest(&config)?;
+    let recorded: Vec<&str> = file
+        .provenance
+        .as_array()
+        .map_or(Vec::new(), |scans| scans.iter().map(|scan| scan["sha256"].as_str().unwrap_or_default()).collect());
+    let is_other = |(index, scan): &(usize, &Provenance)| recorded.get(*index) != Some(&scan.sha256.as_str());
+    let others = ingested.provenance.iter().enumerate().filter(is_other);
+    check.other_scans = others.map(|(_, scan)| scan.file_name.clone()).collect();
+    if !check.other_scans.is_empty() {
+        return Ok(());
+    }
+    let fields = ingested.fields;
     let plan = build::plan(&fields, &config.optics, &manifest.tables)?;
+    let recorded: Vec<ErrorRow> = serde_json::from_value(file.errors.clone()).unwrap_or_default();
     // The sequence that chose the recorded directions, further on.
     let skip = 1000 + args.seed as usize % 1_000_000;
-    let pairs = sampling::direction_pairs(Region::Hemisphere, skip + args.samples).split_off(skip);
-    let exact = spectral::brdf_xyz_batch(&fields, &config.optics, &plan.spectra, &pairs)?;
-    let ours = pairs.iter().map(|&(wi, wo)| brdf_xyz(set, Interpolation::Bilinear, wi, wo)[1]);
-    let exact: Vec<f64> = exact.iter().map(|xyz| xyz[1]).collect();
-    let quantiles = metrics::relative_error_quantiles(&exact, &ours.collect::<Vec<_>>(), FLOOR_PER_SR);
-    let recorded_p50 = recorded_median(file);
-    Ok(Some(ReferenceCheck {
+    let pairs = |region| sampling::direction_pairs(region, skip + args.samples).split_off(skip);
+    let regions = [Region::Hemisphere, Region::NearSpecular];
+    let all: Vec<_> = regions.into_iter().flat_map(pairs).collect();
+    let exact = spectral::brdf_xyz_batch(&fields, &config.optics, &plan.spectra, &all)?;
+    let errors: Vec<Option<f64>> = all
+        .iter()
+        .zip(&exact)
+        .map(|(&(wi, wo), exact)| {
+            let ours = brdf_xyz(set, Interpolation::Bilinear, wi, wo)[1];
+            // A NaN is kept, so that it counts as an error.
+            (exact[1] > FLOOR_PER_SR || exact[1].is_nan()).then(|| (ours - exact[1]).abs() / exact[1])
+        })
+        .collect();
+    let compare = |(region, errors): (Region, &[Option<f64>])| {
+        let recorded = recorded.iter().find(|row| row.what == "total" && row.region == region.name());
+        let errors: Vec<f64> = errors.iter().copied().flatten().collect();
+        recorded.map(|recorded| reference_check(region.name(), errors, recorded))
+    };
+    check.reference = regions.into_iter().zip(errors.chunks(args.samples)).filter_map(compare).collect();
+    Ok(())
+}
+
+fn reference_check(region: &'static str, errors: Vec<f64>, recorded: &ErrorRow) -> ReferenceCheck {
+    let plausible = |quantile: f64, limit: f64| {
+        let limit = limit.max(ERROR_FLOOR);
+        let above = errors.iter().filter(|&&error| error.is_nan() || error > limit).count();
+        above as f64 <= most_above(errors.len(), recorded.directions, quantile)
+    };
+    let passed = plausible(0.5, recorded.p50) && plausible(0.95, recorded.p95);
+    let quantiles = metrics::quantiles(errors);
+    ReferenceCheck {
+        region,
         directions: quantiles.count,
         p50: quantiles.p50,
         p95: quantiles.p95,
-        recorded_p50,
-        passed: quantiles.p50 <= (MEDIAN_FACTOR * recorded_p50).max(MEDIAN_FLOOR),
-    }))
+        recorded_directions: recorded.directions,
+        recorded_p50: recorded.p50,
+        recorded_p95: recorded.p95,
+        passed,
+    }
 }
 
-/// Luminance below which errors are relative to this, in 1/sr, as in the recorded rows.
-const FLOOR_PER_SR: f64 = 1e-6;
-
-fn recorded_median(file: &SpecimenFile) -> f64 {
-    let rows: Vec<ErrorRow> = serde_json::from_value(file.errors.clone()).unwrap_or_default();
-    let total = rows.iter().find(|row| row.what == "total" && row.region == Region::Hemisphere.name());
-    total.map_or(0.0, |row| row.p50)
+/// How many of `count` errors may lie above a quantile of `recorded` others of the same kind by chance.
+///
+/// If both come from one distribution, whatever it is, the number above the `r`-th smallest recorded one is
+/// a sum over a beta-distributed share with mean `1 - q` and variance `q (1 - q) / (recorded + 2)`: its own
+/// variance is `count q (1 - q) (count + recorded + 1) / (recorded + 2)`.
+fn most_above(count: usize, recorded: usize, q: f64) -> f64 {
+    let (n, m) = (count as f64, recorded as f64);
+    n * (1.0 - q) + SIGMAS * (n * q * (1.0 - q) * (n + m + 1.0) / (m + 2.0)).sqrt()
 }
 
 impl Report {
     fn failures(&self) -> Vec<String> {
         let files = self.files.failures.iter().map(|failure| format!("{}: {}", failure.file, failure.what));
-        let values = self.specimens.iter().filter(|check| check.check_worst > CHECK_TOLERANCE).map(|check| {
+        let values = self.specimens.iter().filter(|check| !(check.check_worst <= CHECK_TOLERANCE)).map(|check| {
             format!("{}: stored check values differ from the tables by {:.1e}", check.name, check.check_worst)
         });
-        let references = self.specimens.iter().filter_map(|check| {
-            let reference = check.reference.as_ref().filter(|reference| !reference.passed)?;
-            Some(format!(
-                "{}: median error {:.1e} against the scans, {:.1e} was recorded",
-                check.name, reference.p50, reference.recorded_p50
-            ))
+        let scans = self.specimens.iter().flat_map(|check| {
+            let changed = |scan| format!("{}: {scan} is not the file that the tables were made from", check.name);
+            check.other_scans.iter().map(changed)
         });
-        files.chain(values).chain(references).collect()
+        let references = self.specimens.iter().flat_map(|check| {
+            check.reference.iter().filter(|reference| !reference.passed).map(|reference| {
+                format!(
+                    "{}: {}: errors against the scans with median {:.1e} and 95th percentile {:.1e}, recorded were \
+                     {:.1e} and {:.1e}",
+                    check.name,
+                    reference.region,
+                    reference.p50,
+                    reference.p95,
+                    reference.recorded_p50,
+                    reference.recorded_p95
+                )
+            })
+        });
+        files.chain(values).chain(scans).chain(references).collect()
     }
 
     fn to_text(&self) -> String {
         let mut text = format!("{}: {} files checked\n", self.folder, self.files.files_checked);
         for check in &self.specimens {
-            text += &format!("{}: {} check values within {:.1e}", check.name, check.check_values, check.check_worst);
-            if let Some(reference) = &check.reference {
+            text += &format!("{}: {} check values within {:.1e}\n", check.name, check.check_values, check.check_worst);
+            for reference in &check.reference {
                 text += &format!(
-                    "; {} directions against the scans: median error {:.1e} (recorded {:.1e}), 95 % below {:.1e}",
-                    reference.directions, reference.p50, reference.recorded_p50, reference.p95
+                    "  {:<16} {:>4} directions against the scans: median error {:.1e} (recorded {:.1e}), \
+                     95 % below {:.1e} (recorded {:.1e})\n",
+                    reference.region,
+                    reference.directions,
+                    reference.p50,
+                    reference.recorded_p50,
+                    reference.p95,
+                    reference.recorded_p95
                 );
             }
-            text.push('\n');
         }
         for remark in &self.remarks {
             text += &format!("{remark}\n");
         }
         text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn recorded(directions: usize, p50: f64, p95: f64) -> ErrorRow {
+        let (what, region) = ("total".into(), Region::Hemisphere.name().into());
+        ErrorRow { what, region, directions, relative_l2: 0.0, p50, p95, p99: p95, worst: p95 }
+    }
+
+    /// Errors spread over three decades, `scale` at the median.
+    fn errors(count: usize, scale: f64) -> Vec<f64> {
+        (0..count).map(|i| scale * 10f64.powf(3.0 * ((i as f64 + 0.5) / count as f64 - 0.5))).collect()
+    }
+
+    #[test]
+    fn errors_as_recorded_pass_and_larger_ones_fail() {
+        let row = recorded(128, 1e-3, 1e-3 * 10f64.powf(1.35));
+        let passed = |errors| reference_check("whole hemisphere", errors, &row).passed;
+        assert!(passed(errors(64, 1e-3)));
+        assert!(passed(errors(64, 1e-4)));
+        assert!(!passed(errors(64, 1e-2)));
+        // A defect in one direction of four shows in the tail.
+        let mut some = errors(64, 1e-3);
+        some.iter_mut().step_by(4).for_each(|error| *error = 1.0);
+        assert!(!passed(some));
+        assert!(!passed(vec![f64::NAN; 64]));
+        assert!(passed(Vec::new()));
+    }
+
+    #[test]
+    fn few_recorded_directions_allow_for_chance() {
+        // Five directions on either side, as a grating leaves lit, say little about a median.
+        assert!(most_above(5, 5, 0.5) > 5.0);
+        assert!(most_above(64, 128, 0.5) < 64.0);
+        // The limit tends to the binomial's for a quantile known exactly.
+        let binomial = 32.0 + SIGMAS * 4.0;
+        assert!((most_above(64, usize::MAX >> 12, 0.5) - binomial).abs() < 1e-6);
     }
 }

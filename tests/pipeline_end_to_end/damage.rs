@@ -1,0 +1,104 @@
+//! Published versions with something wrong with them, and what `verify` says.
+
+use std::fs;
+
+use diffraction_atlas::stages::atlas;
+
+use crate::place::{Place, contents, usual};
+
+#[test]
+fn one_changed_byte_in_any_file_is_found_and_named() {
+    let place = Place::with_scans();
+    place.publish(&usual());
+    let folder = place.path("out/small/v0001");
+    let mut random = fastrand::Rng::with_seed(7);
+    let files = contents(&folder);
+    assert!(files.len() > 40);
+    for (name, bytes) in &files {
+        let mut changed = bytes.clone();
+        let at = random.usize(..changed.len());
+        changed[at] ^= 1 << random.u8(..8);
+        fs::write(folder.join(name), &changed).unwrap();
+        // The atlas, its version, and with the scans at hand: the damage is seen on every way.
+        for line in ["verify out/small", "verify out/small/v0001 --manifest m.toml"] {
+            let verified = place.call(line).ended(1);
+            assert!(verified.stderr.contains(&format!("failed: {name}: ")), "{name}, byte {at}: {}", verified.stderr);
+            assert!(verified.stderr.ends_with("1 failed; the rest is done\n"), "{}", verified.stderr);
+        }
+        fs::write(folder.join(name), bytes).unwrap();
+    }
+    place.call("verify out/small --manifest m.toml").ended(0);
+}
+
+#[test]
+fn files_missing_added_and_cut_short_are_named() {
+    let place = Place::with_scans();
+    place.publish(&usual());
+    let folder = place.path("out/small/v0001");
+    let table = folder.join("wave/table.000.exr");
+    let bytes = fs::read(&table).unwrap();
+    let failures = |expected: &str| {
+        let json = place.call("verify out/small --json").ended(1).json();
+        let failures = json["files"]["failures"].as_array().unwrap().clone();
+        assert_eq!(failures.len(), 1, "{failures:?}");
+        assert_eq!(failures[0]["file"], expected);
+    };
+    fs::write(&table, &bytes[..bytes.len() - 1]).unwrap();
+    failures("wave/table.000.exr");
+    fs::remove_file(&table).unwrap();
+    failures("wave/table.000.exr");
+    fs::write(&table, &bytes).unwrap();
+    fs::write(folder.join("wave/notes.txt"), "mine").unwrap();
+    failures("wave/notes.txt");
+    fs::remove_file(folder.join("wave/notes.txt")).unwrap();
+    place.call("verify out/small").ended(0);
+    fs::remove_file(folder.join("atlas.json")).unwrap();
+    failures("atlas.json");
+}
+
+#[test]
+fn a_scan_that_was_exchanged_is_named() {
+    let place = Place::with_scans();
+    place.publish(&usual());
+    fs::copy(place.path("bumps.tif"), place.path("rough.tif")).unwrap();
+    place.call("verify out/small").ended(0);
+    let verified = place.call("verify out/small --manifest m.toml").ended(1);
+    assert_eq!(
+        verified.stderr,
+        "failed: rough: rough.tif is not the file that the tables were made from\n1 failed; the rest is done\n"
+    );
+}
+
+#[test]
+fn tables_that_are_wrong_though_every_digest_fits_are_found_by_their_values() {
+    let place = Place::with_scans();
+    place.publish(&usual());
+    let folder = place.path("out/small/v0001");
+    let path = folder.join("rough/specimen.json");
+    let mut specimen = place.json("out/small/v0001/rough/specimen.json");
+    let scale = specimen["tables"]["tables"][0]["scale"].as_f64().unwrap();
+    specimen["tables"]["tables"][0]["scale"] = (2.0 * scale).into();
+    fs::write(&path, serde_json::to_string_pretty(&specimen).unwrap() + "\n").unwrap();
+    let mut index = atlas::read_index(&folder).unwrap();
+    index.files = atlas::record_files(&folder).unwrap();
+    atlas::write_index(&folder, &mut index).unwrap();
+
+    let verified = place.call("verify out/small --manifest m.toml").ended(1);
+    for failure in ["rough: stored check values differ", "rough: whole hemisphere: errors against the scans"] {
+        assert!(verified.stderr.contains(&format!("failed: {failure}")), "{failure}: {}", verified.stderr);
+    }
+    assert!(!verified.stderr.contains("wave"), "{}", verified.stderr);
+}
+
+#[test]
+fn a_damaged_version_is_replaced_by_the_next_run() {
+    let place = Place::with_scans();
+    place.publish(&usual());
+    let table = place.path("out/small/v0001/wave/table.000.exr");
+    let mut bytes = fs::read(&table).unwrap();
+    bytes[1000] ^= 1;
+    fs::write(&table, &bytes).unwrap();
+    let again = place.publish(&usual());
+    assert!(again.stdout.starts_with("published out/small/v0002"), "{}", again.stdout);
+    place.call("verify out/small --manifest m.toml").ended(0);
+}

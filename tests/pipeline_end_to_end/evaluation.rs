@@ -1,0 +1,162 @@
+//! `eval`: tables and reference, directions and their faults.
+
+use diffraction_atlas::ground::direction::from_angles_deg;
+use serde_json::Value;
+
+use crate::place::{HEAD, LASERS, Place, ROUGH, WAVE, usual};
+
+pub const COLUMNS: &str = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg";
+
+/// The values beside the angles, a row per direction.
+pub fn values(csv: &str) -> Vec<Vec<f64>> {
+    let cells = |line: &str| line.split(',').skip(4).map(|cell| cell.parse().unwrap()).collect();
+    csv.lines().skip(1).map(cells).collect()
+}
+
+/// Evenly spread directions up to 70 degrees that are not near the mirror direction.
+pub fn directions(count: usize) -> String {
+    let mut csv = format!("{COLUMNS}\n");
+    let mut random = fastrand::Rng::with_seed(11);
+    let mut found = 0;
+    while found < count {
+        let [ti, pi, tr, pr] = [70.0, 360.0, 70.0, 360.0].map(|range| (random.f64() * range * 10.0).round() / 10.0);
+        let (wi, wo) = (from_angles_deg(ti, pi), from_angles_deg(tr, pr));
+        if (wi[0] + wo[0]).hypot(wi[1] + wo[1]) > 0.5 {
+            csv += &format!("{ti},{pi},{tr},{pr}\n");
+            found += 1;
+        }
+    }
+    csv
+}
+
+/// Sorted relative differences of the second column, Y.
+fn differences(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<f64> {
+    assert_eq!(a.len(), b.len());
+    let mut found: Vec<f64> = a.iter().zip(b).map(|(a, b)| (a[1] - b[1]).abs() / b[1]).collect();
+    found.sort_by(f64::total_cmp);
+    found
+}
+
+#[test]
+fn an_atlas_alone_gives_its_check_values_back() {
+    let place = Place::with_scans();
+    place.publish(&usual());
+    // Nothing but the version's own files, in a folder of its own.
+    let elsewhere = Place::empty();
+    std::fs::rename(place.path("out/small/v0001"), elsewhere.path("atlas")).unwrap();
+    drop(place);
+    for specimen in ["rough", "wave"] {
+        let checks = elsewhere.json(&format!("atlas/{specimen}/specimen.json"))["check_values"].clone();
+        let checks = checks.as_array().unwrap();
+        assert_eq!(checks.len(), 20);
+        let mut csv = format!("{COLUMNS}\n");
+        for check in checks {
+            let angles: Vec<String> = COLUMNS.split(',').map(|name| check[name].to_string()).collect();
+            csv += &format!("{}\n", angles.join(","));
+        }
+        elsewhere.write("d.csv", &csv);
+        let line = format!("eval --directions d.csv --atlas atlas --specimen {specimen} --interpolation ");
+        let bilinear = elsewhere.call(&format!("{line}bilinear")).ended(0);
+        let header = bilinear.stdout.lines().next().unwrap();
+        assert_eq!(header, format!("{COLUMNS},X,Y,Z"));
+        // Ten digits are written: half a unit of the tenth at most.
+        let deviation = |values: &[Vec<f64>]| {
+            let worst = |(row, check): (&Vec<f64>, &Value)| {
+                (0..3)
+                    .map(|c| {
+                        let stored = check["xyz"][c].as_f64().unwrap();
+                        (row[c] - stored).abs() / stored.abs().max(1e-300)
+                    })
+                    .fold(0.0, f64::max)
+            };
+            values.iter().zip(checks).map(worst).fold(0.0, f64::max)
+        };
+        assert!(deviation(&values(&bilinear.stdout)) <= 5.1e-10, "{specimen}: {}", bilinear.stdout);
+        // Another way of looking up texels is another value: the comparison above can fail.
+        let cubic = elsewhere.call(&format!("{line}cubic")).ended(0);
+        assert!(deviation(&values(&cubic.stdout)) > 1e-6);
+    }
+}
+
+#[test]
+fn tables_on_a_fine_grid_give_the_reference_within_their_tolerance() {
+    let place = Place::empty();
+    // 3.84 um square, 0.4 um of coherence: the lobes are wide against the texels of a small table.
+    place.scan("rough.tif", crate::place::rough(5), [64, 64], [60.0, 60.0]);
+    let optics = LASERS
+        .replace("sigma_um = 2, edge = \"tile\"", "sigma_um = 0.4, edge = \"fade\"")
+        .replace("size = 65", "size = 129\nstorage = \"float\"\nprefilter = \"none\"");
+    place.publish(&[HEAD, &optics, ROUGH].concat());
+    place.write("d.csv", &directions(100));
+    let tables = place.call("eval --directions d.csv --atlas out/small --specimen rough").ended(0);
+    let reference =
+        place.call("eval --directions d.csv --method reference --manifest m.toml --specimen rough").ended(0);
+    let [tables, reference] = [&tables, &reference].map(|called| values(&called.stdout));
+    let found = differences(&tables, &reference);
+    // The tolerance of 1e-3 holds for the basis; the grid and single precision add their share.
+    assert!(found[50] < 1e-3 && found[95] < 1e-2, "median {:.1e}, 95 % {:.1e}", found[50], found[95]);
+    // A refractive index off by 1 % is seen.
+    place.write("m2.toml", &[HEAD, &optics, &ROUGH.replace("1.5", "1.515")].concat());
+    let other = place.call("eval --directions d.csv --method reference --manifest m2.toml --specimen rough").ended(0);
+    assert!(differences(&tables, &values(&other.stdout))[50] > 1e-2);
+}
+
+#[test]
+fn directions_below_the_surface_are_dark() {
+    let place = Place::with_scans();
+    place.publish(&[HEAD, LASERS, ROUGH].concat());
+    place.write("d.csv", &format!("{COLUMNS}\n30,0,120,0\n135,20,10,200\n100,0,100,180\n180,0,0,0\n10,0,12,170\n"));
+    for line in ["--atlas out/small", "--method reference --manifest m.toml"] {
+        let called = place.call(&format!("eval --directions d.csv --specimen rough {line}")).ended(0);
+        let values = values(&called.stdout);
+        assert!(values[..4].iter().all(|row| row == &[0.0; 3]), "{line}: {}", called.stdout);
+        assert!(values[4].iter().all(|&x| x > 0.0), "{line}: {}", called.stdout);
+    }
+}
+
+#[test]
+fn wavelengths_are_evaluated_one_by_one() {
+    let place = Place::with_scans();
+    let green = LASERS.replace("[633, 532, 450]", "[532]");
+    place.write("m.toml", &[HEAD, &green, ROUGH].concat());
+    place.write("d.csv", &directions(10));
+    let line = "eval --directions d.csv --method reference --manifest m.toml --specimen rough";
+    let spectral = place.call(&format!("{line} --wavelengths-nm 532,633.5")).ended(0);
+    assert_eq!(spectral.stdout.lines().next().unwrap(), format!("{COLUMNS},f_532_nm,f_633.5_nm"));
+    let xyz = place.call(line).ended(0);
+    for (spectral, xyz) in values(&spectral.stdout).iter().zip(values(&xyz.stdout)) {
+        // Under one line, Y is the BRDF at that line; both are written with ten digits.
+        assert!((spectral[0] - xyz[1]).abs() <= 1e-9 * xyz[1], "{spectral:?} {xyz:?}");
+        assert!((spectral[1] - xyz[1]).abs() > 1e-6 * xyz[1]);
+    }
+    place.call(&format!("{line} --wavelengths-nm 532 --out f.csv")).ended(0);
+    let stored = std::fs::read_to_string(place.path("f.csv")).unwrap();
+    assert_eq!(values(&stored), values(&spectral.stdout).iter().map(|row| vec![row[0]]).collect::<Vec<_>>());
+    assert_eq!(place.call(&format!("{line} --wavelengths-nm 532,-1")).status, 2);
+}
+
+#[test]
+fn what_is_wrong_with_a_call_is_said() {
+    let place = Place::with_scans();
+    place.publish(&[HEAD, LASERS, ROUGH, WAVE].concat());
+    place.write("good.csv", &format!("{COLUMNS}\n1,2,3,4\n"));
+    place.write("word.csv", &format!("{COLUMNS}\n1,2,3,4\n1,two,3,4\n"));
+    place.write("short.csv", &format!("{COLUMNS}\n1,2,3,4\n\n1,2,3\n"));
+    place.write("columns.csv", "theta_i_deg,phi_i_deg,theta_o_deg,phi_o_deg\n1,2,3,4\n");
+    let tables = "--atlas out/small --specimen rough";
+    for (line, status, fragment) in [
+        (format!("--directions word.csv {tables}"), 1, "word.csv: line 3: `two` in `phi_i_deg`"),
+        (format!("--directions short.csv {tables}"), 1, "short.csv: line 4: `` in `phi_r_deg`"),
+        (format!("--directions columns.csv {tables}"), 1, "`theta_r_deg` is missing"),
+        (format!("--directions none.csv {tables}"), 1, "none.csv: cannot read"),
+        ("--directions good.csv --atlas out/small --specimen ruff".into(), 2, "it holds rough, wave"),
+        ("--directions good.csv --atlas out --specimen rough".into(), 2, "no atlas"),
+        ("--directions good.csv --atlas nowhere --specimen rough".into(), 2, "nowhere: there is no such folder"),
+        ("--directions good.csv --method reference --manifest m.toml --specimen ruff".into(), 2, "rough, wave"),
+        (format!("--directions good.csv {tables} --wavelengths-nm 500"), 2, "--method reference"),
+    ] {
+        let called = place.call(&format!("eval {line}")).ended(status);
+        assert_eq!(called.stdout, "", "{line}");
+        assert!(called.stderr.contains(fragment), "{line}: {}", called.stderr);
+    }
+}

@@ -1,0 +1,11 @@
+//! The program from outside: manifests and scans in a folder of their own, commands, and what they leave on the disk.
+
+mod damage;
+mod evaluation;
+mod faults;
+mod interruption;
+mod place;
+mod real_scans;
+mod scans;
+mod settings;
+mod versions;

@@ -1,0 +1,68 @@
+//! Scans from the command line: generated, looked at, and saved.
+
+use diffraction_atlas::height::read::{ReadConfig, read_scan};
+use diffraction_atlas::height::synthesize::synthesize;
+use tiff::encoder::{TiffEncoder, colortype::Gray16};
+
+use crate::place::{Place, rough};
+
+#[test]
+fn a_synthesized_scan_is_read_as_it_was_made() {
+    let place = Place::empty();
+    let line = "synthesize gaussian-rough --rms-nm 30 --correlation-length-nm 400 --seed 9 --size 72,40 \
+                --pitch-nm 84.04,74.56 --out s.tif";
+    let made = place.call(line).ended(0);
+    assert!(made.stdout.starts_with("s.tif: 72 x 40 samples, pitch 84.04 x 74.56 nm"), "{}", made.stdout);
+    let expected = synthesize(&rough(9), [72, 40], [84.04, 74.56]).unwrap();
+    let read = read_scan(&place.path("s.tif"), &ReadConfig::default()).unwrap().field;
+    assert_eq!(read.size(), [72, 40]);
+    for (axis, pitch) in [84.04, 74.56].into_iter().enumerate() {
+        assert!((read.pitch_nm[axis] / pitch - 1.0).abs() < 1e-6, "{:?}", read.pitch_nm);
+    }
+    let rounded = expected.heights_nm.mapv(|h| f64::from(h as f32));
+    assert_eq!(read.heights_nm, rounded);
+
+    // The same command gives the same bytes, another seed others.
+    let bytes = |line: &str| {
+        place.call(&format!("--quiet {line}")).ended(0);
+        std::fs::read(place.path("s.tif")).unwrap()
+    };
+    let first = bytes(line);
+    assert_eq!(bytes(line), first);
+    assert_ne!(bytes(&line.replace("--seed 9", "--seed 10")), first);
+}
+
+#[test]
+fn saved_heights_are_those_that_were_read() {
+    let place = Place::empty();
+    // 16-bit counts without any calibration: all of it comes from the command line.
+    let (columns, rows) = (24, 16);
+    let counts: Vec<u16> = (0..columns * rows).map(|i| (i * 65535 / (columns * rows - 1)) as u16).collect();
+    let file = std::fs::File::create(place.path("counts.tif")).unwrap();
+    let mut encoder = TiffEncoder::new(file).unwrap();
+    encoder.write_image::<Gray16>(columns, rows, &counts).unwrap();
+
+    let refused = place.call("inspect counts.tif").ended(1);
+    assert!(refused.stderr.contains("pitch_nm"), "{}", refused.stderr);
+    let refused = place.call("inspect counts.tif --pitch-nm 50 --save-heights h.tif").ended(1);
+    assert!(refused.stderr.contains("full_scale_nm"), "{}", refused.stderr);
+    assert!(!place.path("h.tif").exists());
+
+    let calibrated = "inspect counts.tif --pitch-nm 50,40 --full-scale-nm 375 --save-heights h.tif --json";
+    let first = place.call(calibrated).ended(0).json();
+    let saved = read_scan(&place.path("h.tif"), &ReadConfig::default()).unwrap().field;
+    assert_eq!(saved.size(), [24, 16]);
+    for (height, &count) in saved.heights_nm.iter().zip(&counts) {
+        let expected = 375.0 * f64::from(count) / 65535.0;
+        // Stored as 32-bit floats.
+        assert!((height - expected).abs() <= expected * 2f64.powi(-24), "{height} {expected}");
+    }
+    // Read again without being told anything, all is as it was, and saving once more changes no byte.
+    let again = place.call("inspect h.tif --save-heights h2.tif --json").ended(0).json();
+    for statistic in ["rms_height_nm", "rms_slope", "peak_to_valley_nm", "autocorrelation_length_nm"] {
+        let [a, b] = [&first, &again].map(|json| json["statistics"][statistic].as_f64().unwrap());
+        assert!((a - b).abs() <= 1e-5 * a.abs().max(1e-3), "{statistic}: {a} {b}");
+    }
+    let read = |name: &str| std::fs::read(place.path(name)).unwrap();
+    assert_eq!(read("h.tif"), read("h2.tif"));
+}
