@@ -3,6 +3,8 @@
 pub mod prepare;
 pub mod read;
 pub mod statistics;
+pub mod synthesize;
+pub mod write;
 
 use ndarray::Array2;
 
