@@ -153,7 +153,7 @@ impl Grid {
         if !pitch_nm.iter().all(|pitch| (1e-3..=1e6).contains(pitch)) {
             return Err(Error::Call(format!("the pitch {pitch_nm:?} nm is not between 0.001 nm and 1 mm")));
         }
-        let samples = size[0].checked_mul(size[1]).unwrap_or(usize::MAX);
+        let samples = size[0].saturating_mul(size[1]);
         if samples == 0 {
             return Err(Error::Call(format!("a field of {} x {} samples is empty", size[0], size[1])));
         }

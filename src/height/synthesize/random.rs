@@ -45,8 +45,8 @@ pub(super) fn rough_checked(grid: &Grid, rms_nm: f64, correlation_length_nm: f64
 /// White noise smoothed by a Gaussian around the tile, then shifted and scaled to mean 0 and the rms exactly.
 pub(super) fn rough(grid: &Grid, rms_nm: f64, correlation_length_nm: [f64; 2], rng: &mut Rng) -> Array2<f64> {
     let mut heights = Array2::from_shape_simple_fn([grid.size[1], grid.size[0]], || normal(rng));
-    for axis in 0..2 {
-        let kernel = kernel(grid.size[axis], correlation_length_nm[axis] / grid.pitch_nm[axis]);
+    for (axis, length_nm) in correlation_length_nm.into_iter().enumerate() {
+        let kernel = kernel(grid.size[axis], length_nm / grid.pitch_nm[axis]);
         smooth_around(&mut heights, Axis(1 - axis), &kernel);
     }
     let mean = heights.sum() / heights.len() as f64;
