@@ -62,8 +62,12 @@ pub struct Spectra {
 
 /// Half the peak-to-valley range of the heights in nm: the bandwidth in `s` after centring.
 pub fn bandwidth_nm(field: &HeightField) -> f64 {
-    let (low, high) = field.heights_nm.iter().fold((f64::MAX, f64::MIN), |(low, high), &h| (low.min(h), high.max(h)));
+    let [low, high] = range_nm(field);
     0.5 * (high - low).max(0.0)
+}
+
+fn range_nm(field: &HeightField) -> [f64; 2] {
+    field.heights_nm.iter().fold([f64::MAX, f64::MIN], |[low, high], &h| [low.min(h), high.max(h)])
 }
 
 /// What one axis of the transform looks like.
@@ -131,7 +135,7 @@ fn smooth_size(size: usize) -> usize {
         .unwrap_or(size)
 }
 
-/// Transforms one window of a prepared (centred) height field.
+/// Transforms one window of a prepared height field.
 ///
 /// # Errors
 /// `Error::Limit` if the transforms would need more memory than allowed; nothing is computed then.
@@ -182,11 +186,14 @@ pub fn transform(
     Ok(spectra)
 }
 
-/// The heights under the window, shape `[rows, columns]`.
+/// The heights under the window from the middle of the field's range, shape `[rows, columns]`: the
+/// nodes in `s` are counted for heights of either sign, and no power depends on the level.
 pub(super) fn window_heights(field: &HeightField, plans: &[AxisPlan; 2]) -> Array2<f64> {
     let [x, y] = [&plans[0].window, &plans[1].window];
+    let [low, high] = range_nm(field);
+    let middle = 0.5 * (low + high);
     Array2::from_shape_fn((y.position_nm.len(), x.position_nm.len()), |(row, column)| {
-        field.heights_nm[[y.first + row, x.first + column]]
+        field.heights_nm[[y.first + row, x.first + column]] - middle
     })
 }
 

@@ -13,7 +13,7 @@ pub mod statistics;
 use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
 use crate::ground::error::Result;
 use crate::optics::config::OpticsConfig;
-use crate::optics::reference::{full_resolution, prefactor};
+use crate::optics::reference::{FULL_STEP, prefactor, resolving_wavelengths};
 
 /// XYZ of the BRDF in 1/sr from a closed form of `⟨|P|²⟩ / A` in nm², given `q` and a wavelength in nm.
 ///
@@ -26,7 +26,7 @@ pub fn integrated(optics: &OpticsConfig, wi: Vec3, wo: Vec3, power_nm2: impl Fn(
     if front == 0.0 {
         return Ok(xyz);
     }
-    let quadrature = full_resolution(optics, q)?;
+    let quadrature = resolving_wavelengths(optics, q, FULL_STEP)?;
     for (&nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
         let f = front * power_nm2(q, nm) / (nm * nm * q[2] * q[2]);
         xyz.iter_mut().zip(weight).for_each(|(sum, weight)| *sum += weight * f);

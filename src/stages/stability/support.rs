@@ -22,7 +22,7 @@ pub const TOLERANCE: f64 = 1e-2;
 pub const BOUND: f64 = 2.0 * TOLERANCE;
 
 /// Directions compared per case.
-const DIRECTIONS: usize = 20;
+const DIRECTIONS: usize = 60;
 
 /// Samples of a smooth periodic relief of the wanted peak-to-valley depth, centred.
 pub fn relief(size: [usize; 2], pitch_nm: [f64; 2], depth_nm: f64) -> HeightField {
@@ -88,8 +88,8 @@ pub fn pair_of(u: f64, v: f64, w: f64) -> (Vec3, Vec3) {
 /// Directions on texels, `t` between the two limits, so that no interpolation on the grid enters.
 pub fn on_texels(set: &TableSet, t_range: [f64; 2]) -> Vec<(Vec3, Vec3)> {
     let texel = 4.0 / (set.size() - 1) as f64;
-    // Outside the lobe: inside it a renderer reads the lobe's own table, which is not on these texels.
-    let nearest = set.lobe.as_ref().map_or(0.0, |lobe| lobe.radius_max.min(1.2));
+    // The middle of the lobe belongs to its own table, which is not on these texels.
+    let nearest = set.lobe.as_ref().map_or(0.0, |lobe| lobe.radius_max.min(0.6));
     (0..4_000)
         .map(|index| {
             let [a, b, c, _] = four(index);

@@ -13,7 +13,7 @@ use crate::ground::error::Result;
 use crate::ground::sampling::{Region, direction_pairs, plane};
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
-use crate::optics::reference::{full_resolution, prefactor};
+use crate::optics::reference::{FULL_STEP, prefactor, resolving_wavelengths};
 use crate::optics::spectra::{Spectra, transform};
 use crate::stages::progress::Progress;
 use crate::tables::baselines::harmonics;
@@ -291,7 +291,7 @@ fn fft_brdf(spectra: &[Spectra], optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> R
     if front == 0.0 {
         return Ok(xyz);
     }
-    let quadrature = full_resolution(optics, q)?;
+    let quadrature = resolving_wavelengths(optics, q, FULL_STEP)?;
     for (&nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
         let s = TAU / nm * q[2].abs();
         let power: f64 = spectra.iter().map(|e| e.whole_power_at([q[0] / nm, q[1] / nm], &[s])[0]).sum();

@@ -109,7 +109,7 @@ fn solve_cholesky(mut matrix: Vec<f64>, mut right: Vec<Xyz>) -> Option<Vec<Xyz>>
             let sum: f64 = (0..j).map(|k| matrix[i * n + k] * matrix[j * n + k]).sum();
             let rest = matrix[i * n + j] - sum;
             if i == j {
-                if !(rest > 0.0) {
+                if rest.is_nan() || rest <= 0.0 {
                     return None;
                 }
                 matrix[i * n + i] = rest.sqrt();
@@ -118,17 +118,23 @@ fn solve_cholesky(mut matrix: Vec<f64>, mut right: Vec<Xyz>) -> Option<Vec<Xyz>>
             }
         }
     }
-    for c in 0..3 {
-        for i in 0..n {
-            let sum: f64 = (0..i).map(|k| matrix[i * n + k] * right[k][c]).sum();
-            right[i][c] = (right[i][c] - sum) / matrix[i * n + i];
-        }
-        for i in (0..n).rev() {
-            let sum: f64 = (i + 1..n).map(|k| matrix[k * n + i] * right[k][c]).sum();
-            right[i][c] = (right[i][c] - sum) / matrix[i * n + i];
-        }
+    for i in 0..n {
+        let (done, rest) = right.split_at_mut(i);
+        eliminate(&mut rest[0], done, |k| matrix[i * n + k], matrix[i * n + i]);
+    }
+    for i in (0..n).rev() {
+        let (rest, done) = right.split_at_mut(i + 1);
+        eliminate(&mut rest[i], done, |k| matrix[(i + 1 + k) * n + i], matrix[i * n + i]);
     }
     Some(right)
+}
+
+/// `value = (value - Σ factor(k) done[k]) / pivot`.
+fn eliminate(value: &mut Xyz, done: &[Xyz], factor: impl Fn(usize) -> f64, pivot: f64) {
+    for (k, other) in done.iter().enumerate() {
+        value.iter_mut().zip(other).for_each(|(value, other)| *value -= factor(k) * other);
+    }
+    *value = value.map(|v| v / pivot);
 }
 
 #[cfg(test)]
