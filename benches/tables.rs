@@ -9,7 +9,7 @@ use diffraction_atlas::height::HeightField;
 use diffraction_atlas::height::synthesize::{Structure, synthesize};
 use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::optics::spectra;
-use diffraction_atlas::tables::accumulate::{self, PowerSums, Quantity};
+use diffraction_atlas::tables::accumulate::{PowerSums, Quantity, RingSum, add_ring};
 use diffraction_atlas::tables::build;
 use diffraction_atlas::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
@@ -74,19 +74,9 @@ fn one_ring(criterion: &mut Criterion) {
         let ring = &plan.rings[0];
         let nodes = diffraction_atlas::ground::chebyshev::gauss_nodes(NODES, 0.0, ring.w_max());
         let mut sums = PowerSums::new(&plan.grid, NODES);
+        let what = RingSum { grid: &plan.grid, ring, filter: plan.filter, quantity: Quantity::Power, share: 1.0 };
         group.bench_function(name, |bencher| {
-            bencher.iter(|| {
-                accumulate::add_ring(
-                    black_box(&spectra),
-                    &plan.grid,
-                    ring,
-                    &nodes,
-                    plan.filter,
-                    Quantity::Power,
-                    1.0,
-                    &mut sums,
-                );
-            });
+            bencher.iter(|| add_ring(black_box(&spectra), what, &nodes, &mut sums));
         });
     }
     group.finish();
