@@ -1,4 +1,80 @@
 //! Diffraction atlas: BRDF tables of structural colour from height scans.
+//!
+//! A height scan of an iridescent surface goes in; a short stack of tables comes out, from which the BRDF for
+//! any two directions is a handful of look-ups. The program of the same name runs this library from a
+//! manifest and publishes an atlas of EXR files.
+//!
+//! # Conventions
+//!
+//! - **Directions.** `wi` and `wo` are unit vectors to the light and to the viewer, both away from the surface, in the frame
+//!   x along scan columns, y up the image, z the outward normal. `q = (u, v, w) = -wi - wo`, hence `w <= 0`; `u = v = 0` is the
+//!   mirror direction.
+//! - **Sign.** Heights are positive outward. A height `h` turns the phase by `k w h`, and spectra are
+//!   `P(ξ, η) = ∬ g exp(i k w h) exp(+2πi(ξx + ηy)) dx dy` with `ξ = u/λ`, `η = v/λ`, `k = 2π/λ`, window amplitude `g`.
+//! - **Normalisation.** `f = R G ⟨|P|²⟩ / (λ² A w²)`, `A = ∬ g²`, in 1/sr: a flat mirror has `∫ f cos θo dω = R`. XYZ are
+//!   relative to the illuminant, `Y = ∫ S ȳ f dλ / ∫ S ȳ dλ`: a white Lambertian surface has `Y = 1/π`. `f` does not contain the
+//!   cosine of the light.
+//! - **Order.** Images have shape `[rows, columns]` or `[rows, columns, 3]`; row 0 is the top: the +y edge of a scan, `v = +2` of a
+//!   table. The three channels are X, Y, Z.
+//! - **Units.** Lengths in nm unless the last word of the name says otherwise (`sigma_um` in manifests), frequencies in
+//!   1/nm, angles in radians except where named `_deg`, the BRDF in 1/sr.
+//! - **Determinism.** The same input gives the same bits on any number of threads.
+//!
+//! # Usage
+//!
+//! Tables of a small sinusoidal grating, held against the direct sum over the scan:
+//!
+//! ```
+//! use diffraction_atlas::ground::direction::from_angles_deg;
+//! use diffraction_atlas::ground::spectrum::{Illuminant, Line};
+//! use diffraction_atlas::height::synthesize::{Structure, synthesize};
+//! use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
+//! use diffraction_atlas::optics::reference;
+//! use diffraction_atlas::tables::evaluate::{self, Interpolation};
+//! use diffraction_atlas::tables::model::{Basis, Prefilter, Storage, TablesConfig};
+//!
+//! // 8 periods of 1.6 µm along x, 120 nm from valley to peak.
+//! let grating = Structure::Sinusoid { period_nm: 1_600.0, amplitude_nm: 60.0, direction_deg: 0.0 };
+//! let scan = synthesize(&grating, [128, 32], [100.0, 100.0])?;
+//!
+//! let optics = OpticsConfig {
+//!     illuminant: Illuminant::Lines(vec![Line { wavelength_nm: 550.0, power: 1.0 }]),
+//!     wavelength_nm: [380.0, 780.0],
+//!     sigma_nm: 1_500.0,
+//!     edge: Edge::Tile,
+//!     windows: Windows::Grid,
+//!     material: Material::Ideal,
+//!     shadowing: false,
+//! };
+//! let config = TablesConfig {
+//!     basis: Basis::Chebyshev,
+//!     tolerance: 1e-4,
+//!     size: Some(201),
+//!     count: None,
+//!     wavelength_step_nm: None,
+//!     storage: Storage::Float,
+//!     prefilter: Prefilter::None,
+//!     memory_mib: 256,
+//! };
+//! let scans = [scan];
+//! let (tables, _) = diffraction_atlas::tables::build::build(&scans, &optics, &config, &|_| ())?;
+//!
+//! // Light along the normal; the first order leaves at sin θ = λ / period.
+//! let wi = [0.0, 0.0, 1.0];
+//! let wo = from_angles_deg((550.0f64 / 1_600.0).asin().to_degrees(), 0.0);
+//! let [_, y, _] = evaluate::brdf_xyz(&tables, Interpolation::Cubic, wi, wo);
+//! let [_, exact, _] = reference::brdf_xyz(&scans, &optics, wi, wo)?;
+//! assert!((y / exact - 1.0).abs() < 1e-3, "{y} {exact}");
+//! # Ok::<(), diffraction_atlas::ground::error::Error>(())
+//! ```
+//!
+//! From files: [`height::read`] and [`height::prepare`] give height fields, [`tables::storage`] keeps tables as EXR,
+//! [`stages::pipeline`] does it all for a [`manifest`].
+//!
+//! # Floors
+//!
+//! A module uses its own floor and those before it:
+//! [`ground`], [`height`], [`optics`], [`tables`], [`scene`], [`render`], [`stages`], [`manifest`] and [`report`], [`cli`].
 
 pub mod cli;
 pub mod ground;

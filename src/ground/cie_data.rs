@@ -2,6 +2,9 @@
 //!
 //! Source: CIE 018:2019 / ISO/CIE 11664-1 and -2, CIE 15:2018. Numbers only; the code is in `spectrum.rs`.
 
+// Some measured powers happen to lie near π and 2π; they are not these numbers.
+#![allow(clippy::approx_constant)]
+
 /// First wavelength of [`OBSERVER_2DEG`] in nm; the step is 1 nm.
 pub const OBSERVER_FIRST_NM: f64 = 360.0;
 

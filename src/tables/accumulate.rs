@@ -55,21 +55,28 @@ pub enum Quantity {
     Cross,
 }
 
+/// What is summed, and over which texels.
+#[derive(Debug, Clone, Copy)]
+pub struct RingSum<'a> {
+    /// The texels of the table or patch.
+    pub grid: &'a Grid,
+    /// Those of them that are summed, and their wavelengths.
+    pub ring: &'a Ring,
+    /// Average over (u, v) of a texel.
+    pub filter: BoxFilter,
+    /// What is summed.
+    pub quantity: Quantity,
+    /// Weight of this window among all.
+    pub share: f64,
+}
+
 /// Adds one window's contribution over a ring, for the values of `w` in `w_nodes`.
-pub fn add_ring(
-    spectra: &Spectra,
-    grid: &Grid,
-    ring: &Ring,
-    w_nodes: &[f64],
-    filter: BoxFilter,
-    quantity: Quantity,
-    share: f64,
-    sums: &mut PowerSums,
-) {
-    for (index, &wavelength_nm) in ring.quadrature.wavelengths_nm.iter().enumerate() {
-        let scale = share / (wavelength_nm * wavelength_nm);
-        let colour = ring.quadrature.weights[index].map(|weight| (weight * scale) as f32);
-        let wave = Wave::new(spectra, grid, ring, filter, quantity, wavelength_nm, colour);
+pub fn add_ring(spectra: &Spectra, what: RingSum, w_nodes: &[f64], sums: &mut PowerSums) {
+    let quadrature = &what.ring.quadrature;
+    for (&wavelength_nm, weights) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
+        let scale = what.share / (wavelength_nm * wavelength_nm);
+        let colour = weights.map(|weight| (weight * scale) as f32);
+        let wave = Wave::new(spectra, what, wavelength_nm, colour);
         for group in (0..w_nodes.len()).step_by(4 * LANES_MAX) {
             let nodes = &w_nodes[group..w_nodes.len().min(group + 4 * LANES_MAX)];
             match (nodes.len().div_ceil(4), spectra.mean_power) {
@@ -145,15 +152,8 @@ struct Wave<'a> {
 }
 
 impl<'a> Wave<'a> {
-    fn new(
-        spectra: &'a Spectra,
-        grid: &'a Grid,
-        ring: &'a Ring,
-        filter: BoxFilter,
-        quantity: Quantity,
-        wavelength_nm: f64,
-        colour: [f32; 3],
-    ) -> Self {
+    fn new(spectra: &'a Spectra, what: RingSum<'a>, wavelength_nm: f64, colour: [f32; 3]) -> Self {
+        let RingSum { grid, ring, filter, quantity, .. } = what;
         let targets = Targets::new(grid, ring, filter, spectra.kernel, spectra.step, wavelength_nm);
         let [taps_x, taps_y] = targets.taps;
         let [xi, eta] = targets.frequency;

@@ -3,7 +3,7 @@
 use ndarray::Array3;
 use rayon::prelude::*;
 
-use super::accumulate::{BoxFilter, PowerSums, Quantity, add_ring};
+use super::accumulate::{BoxFilter, PowerSums, Quantity, RingSum, add_ring};
 use super::lobe::{PhasorPower, coherent, patch_grid};
 use super::model::{Basis, BuildRecord, Lobe, Prefilter, TableSet, TablesConfig};
 use super::pilot;
@@ -220,13 +220,14 @@ impl Sums {
     fn add(&mut self, spectra: &Spectra, plan: &BuildPlan, share: f64, advance: Advance) {
         for ring in &plan.rings {
             let nodes = chebyshev::gauss_nodes(self.nodes, 0.0, ring.w_max());
-            add_ring(spectra, &plan.grid, ring, &nodes, plan.filter, Quantity::Power, share, &mut self.main);
+            let what = RingSum { grid: &plan.grid, ring, filter: plan.filter, quantity: Quantity::Power, share };
+            add_ring(spectra, what, &nodes, &mut self.main);
             advance(ring.quadrature.wavelengths_nm.len() as u64);
         }
         if let Some((sums, grid, [ring])) = &mut self.cross {
             let nodes = chebyshev::gauss_nodes(self.nodes, 0.0, ring.w_max());
-            let point = BoxFilter { width: 0.0, samples: 1 };
-            add_ring(spectra, grid, ring, &nodes, point, Quantity::Cross, share, sums);
+            let filter = BoxFilter { width: 0.0, samples: 1 };
+            add_ring(spectra, RingSum { grid, ring, filter, quantity: Quantity::Cross, share }, &nodes, sums);
         }
     }
 

@@ -115,9 +115,8 @@ struct Lines {
 fn lines(field: &HeightField, placement: Placement, optics: &OpticsConfig, plan: &BuildPlan) -> Lines {
     let size = field.size();
     let mut lines = Lines { padded: [0.0; 2], step: [0.0; 2], lines: [0.0; 2], taps: 0.0 };
-    for axis in 0..2 {
-        let pitch = field.pitch_nm[axis];
-        let samples = size[axis] as f64;
+    for (axis, (samples, pitch)) in size.into_iter().zip(field.pitch_nm).enumerate() {
+        let samples = samples as f64;
         lines.padded[axis] = match placement {
             Placement::Inside { .. } => OVERSAMPLING * samples.min(2.0 * SUPPORT_SIGMAS * optics.sigma_nm / pitch),
             _ => samples,

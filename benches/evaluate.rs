@@ -1,0 +1,95 @@
+//! What one pair of directions costs: from tables, straight from the transforms, and by the direct sum.
+
+use std::hint::black_box;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use diffraction_atlas::ground::direction::Vec3;
+use diffraction_atlas::ground::sampling::{Region, direction_pairs};
+use diffraction_atlas::ground::spectrum::Illuminant;
+use diffraction_atlas::height::HeightField;
+use diffraction_atlas::height::synthesize::{Structure, synthesize};
+use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_atlas::optics::{reference, spectra, spectral};
+use diffraction_atlas::tables::build;
+use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
+use diffraction_atlas::tables::model::{Basis, Prefilter, Storage, TablesConfig};
+
+/// Pairs per measurement of the fast methods: enough that look-ups do not stay in one cache line.
+const PAIRS: usize = 1024;
+
+/// Pairs per measurement of the slow ones.
+const FEW_PAIRS: usize = 8;
+
+fn surface() -> HeightField {
+    synthesize(&Structure::CornSnake { seed: 1 }, [256, 256], [62.5, 62.5]).expect("the structure fits the tile")
+}
+
+fn optics() -> OpticsConfig {
+    OpticsConfig {
+        illuminant: Illuminant::D65,
+        wavelength_nm: [380.0, 780.0],
+        sigma_nm: 2_000.0,
+        edge: Edge::Fade,
+        windows: Windows::Centre,
+        material: Material::Dielectric { n: 1.56 },
+        shadowing: false,
+    }
+}
+
+fn config() -> TablesConfig {
+    TablesConfig {
+        basis: Basis::Chebyshev,
+        tolerance: 1e-3,
+        size: Some(251),
+        count: None,
+        wavelength_step_nm: None,
+        storage: Storage::Float,
+        prefilter: Prefilter::None,
+        memory_mib: 2048,
+    }
+}
+
+fn from_tables(criterion: &mut Criterion) {
+    let field = surface();
+    let (set, _) = build::build(&[field], &optics(), &config(), &|_| ()).expect("the build fits");
+    let mut group = criterion.benchmark_group("from tables");
+    for region in [Region::Hemisphere, Region::NearSpecular] {
+        let pairs: Vec<(Vec3, Vec3)> = direction_pairs(region, PAIRS);
+        group.throughput(Throughput::Elements(pairs.len() as u64));
+        for (name, interpolation) in [("bilinear", Interpolation::Bilinear), ("cubic", Interpolation::Cubic)] {
+            group.bench_function(format!("{name}, {}", region.name()), |bencher| {
+                bencher.iter(|| {
+                    let values = pairs.iter().map(|&(wi, wo)| brdf_xyz(black_box(&set), interpolation, wi, wo)[1]);
+                    values.sum::<f64>()
+                });
+            });
+        }
+    }
+    group.finish();
+}
+
+fn from_the_scan(criterion: &mut Criterion) {
+    let field = surface();
+    let (optics, config) = (optics(), config());
+    let plan = build::plan(std::slice::from_ref(&field), &optics, &config).expect("the build fits");
+    let (_, placement) = plan.windows[0];
+    let transformed = spectra::transform(&field, placement, &optics, &plan.spectra).expect("the transforms fit");
+    let pairs = direction_pairs(Region::Hemisphere, FEW_PAIRS);
+    let mut group = criterion.benchmark_group("from the scan");
+    group.sample_size(10).throughput(Throughput::Elements(pairs.len() as u64));
+    group.bench_function("transforms", |bencher| {
+        bencher.iter(|| {
+            let mut sums = vec![[0.0; 3]; pairs.len()];
+            spectral::add_window(black_box(&transformed), &optics, &pairs, reference::FULL_STEP, &mut sums)
+                .expect("D65 is visible");
+            sums
+        });
+    });
+    group.bench_function("direct sum", |bencher| {
+        bencher.iter(|| reference::brdf_xyz_batch(std::slice::from_ref(black_box(&field)), &optics, &pairs));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, from_tables, from_the_scan);
+criterion_main!(benches);

@@ -1,0 +1,108 @@
+//! What building tables costs: the transforms, one ring of sums over wavelengths, the whole.
+
+use std::f64::consts::TAU;
+use std::hint::black_box;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use diffraction_atlas::ground::spectrum::Illuminant;
+use diffraction_atlas::height::HeightField;
+use diffraction_atlas::height::synthesize::{Structure, synthesize};
+use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_atlas::optics::spectra;
+use diffraction_atlas::tables::accumulate::{PowerSums, Quantity, RingSum, add_ring};
+use diffraction_atlas::tables::build;
+use diffraction_atlas::tables::model::{Basis, Prefilter, Storage, TablesConfig};
+
+/// Nodes in `w`, as snake scales need at the default tolerance.
+const NODES: usize = 5;
+
+fn surface() -> HeightField {
+    synthesize(&Structure::CornSnake { seed: 1 }, [256, 256], [62.5, 62.5]).expect("the structure fits the tile")
+}
+
+fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
+    OpticsConfig {
+        illuminant: Illuminant::D65,
+        wavelength_nm: [380.0, 780.0],
+        // The 16 µm tile holds 8 sigma.
+        sigma_nm: 2_000.0,
+        edge,
+        windows,
+        material: Material::Dielectric { n: 1.56 },
+        shadowing: false,
+    }
+}
+
+fn config() -> TablesConfig {
+    TablesConfig {
+        basis: Basis::Chebyshev,
+        tolerance: 1e-3,
+        size: Some(251),
+        count: Some(NODES),
+        wavelength_step_nm: None,
+        storage: Storage::Half,
+        prefilter: Prefilter::Auto,
+        memory_mib: 2048,
+    }
+}
+
+/// The two ways of summing: powers (the mean over all window positions), and amplitudes of one window.
+fn cases() -> [(&'static str, OpticsConfig); 2] {
+    [("tile mean", optics(Edge::Tile, Windows::Grid)), ("fade centre", optics(Edge::Fade, Windows::Centre))]
+}
+
+fn transforms(criterion: &mut Criterion) {
+    let field = surface();
+    let mut group = criterion.benchmark_group("transforms of 256²");
+    for (name, optics) in cases() {
+        let plan = build::plan(std::slice::from_ref(&field), &optics, &config()).expect("the build fits");
+        let (_, placement) = plan.windows[0];
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| spectra::transform(black_box(&field), placement, &optics, &plan.spectra));
+        });
+    }
+    group.finish();
+}
+
+fn one_ring(criterion: &mut Criterion) {
+    let field = surface();
+    let mut group = criterion.benchmark_group("outermost ring of 251²");
+    for (name, optics) in cases() {
+        let plan = build::plan(std::slice::from_ref(&field), &optics, &config()).expect("the build fits");
+        let (_, placement) = plan.windows[0];
+        let spectra = spectra::transform(&field, placement, &optics, &plan.spectra).expect("the transforms fit");
+        let ring = &plan.rings[0];
+        let nodes = diffraction_atlas::ground::chebyshev::gauss_nodes(NODES, 0.0, ring.w_max());
+        let mut sums = PowerSums::new(&plan.grid, NODES);
+        let what = RingSum { grid: &plan.grid, ring, filter: plan.filter, quantity: Quantity::Power, share: 1.0 };
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| add_ring(black_box(&spectra), what, &nodes, &mut sums));
+        });
+    }
+    group.finish();
+}
+
+fn whole_build(criterion: &mut Criterion) {
+    let field = surface();
+    let mut group = criterion.benchmark_group("whole build, 251²");
+    for (name, optics) in cases() {
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| build::build(std::slice::from_ref(black_box(&field)), &optics, &config(), &|_| ()));
+        });
+    }
+    group.finish();
+}
+
+fn depth_nodes(criterion: &mut Criterion) {
+    use diffraction_atlas::ground::chebyshev::nodes_for_exponential;
+    criterion.bench_function("number of depth nodes, 1 µm", |bencher| {
+        bencher.iter(|| nodes_for_exponential(black_box(500.0), 2.0 * TAU / 380.0, 1e-6));
+    });
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().sample_size(10);
+    targets = transforms, one_ring, whole_build, depth_nodes
+}
+criterion_main!(benches);
