@@ -6,6 +6,7 @@ pub mod height;
 pub mod manifest;
 pub mod optics;
 pub mod render;
+pub mod report;
 pub mod scene;
 pub mod stages;
 pub mod tables;

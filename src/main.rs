@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    diffraction_atlas::cli::run(std::env::args_os())
+    diffraction_atlas::cli::main(std::env::args_os())
 }

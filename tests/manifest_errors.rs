@@ -111,7 +111,7 @@ const CASES: &[Case] = &[
     ("size = 501", "storage = \"f16\"", "15:11", "\"f16\"", &["one of \"half\", \"float\""]),
     ("size = 501", "basis = \"Chebyshev\"", "15:9", "\"Chebyshev\"", &["did you mean \"chebyshev\""]),
     ("size = 501", "prefilter = \"box\"", "15:13", "\"box\"", &["\"auto\", \"none\""]),
-    ("shape = \"sphere\"", "shape = \"snake\"", "33:9", "\"snake\"", &["\"hemisphere\", \"sphere\", \"patch\", \"screen\""]),
+    ("shape = \"sphere\"", "shape = \"torus\"", "33:9", "\"torus\"", &["\"hemisphere\", \"sphere\", \"snake\", \"patch\", \"screen\""]),
     ("check = \"auto\"", "check = \"on\"", "43:9", "\"on\"", &["\"required\""]),
     ("{ full_scale_nm = 375 }", "{ unit = \"micron\" }", "22:19", "\"micron\"", &["\"um\"", "\"angstrom\""]),
     ("{ n = 1.56 }", "\"keratin\"", "24:12", "\"keratin\"", &["\"ideal\", { n = 1.56 }"]),

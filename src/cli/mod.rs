@@ -1,6 +1,7 @@
 //! The command line: arguments in, exit status out; results on stdout, everything else on stderr.
 
 pub mod commands;
+pub mod directions;
 pub mod lengths;
 pub mod output;
 pub mod progress;
@@ -11,7 +12,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::ground::error::{Error, Result};
-use commands::list;
+use commands::{diff, eval, inspect, list, plan, run, synthesize, verify};
 use output::Outcome;
 
 /// Turns height scans of iridescent surfaces into BRDF tables that any renderer can evaluate.
@@ -28,7 +29,7 @@ pub struct Cli {
     pub global: Global,
     /// What to do.
     #[command(subcommand)]
-    pub command: Command,
+    pub command: Option<Command>,
 }
 
 /// Options of every command.
@@ -45,12 +46,26 @@ pub struct Global {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Run the pipeline: from a manifest to a published atlas (also what happens without a command)
+    Run(run::RunArgs),
+    /// Say what a run would compute, leave out, and take, without computing it
+    Plan(plan::PlanArgs),
+    /// Show what a scan or an atlas holds
+    Inspect(inspect::InspectArgs),
+    /// Evaluate the BRDF for a list of directions
+    Eval(eval::EvalArgs),
+    /// Check that an atlas is whole and as accurate as it says
+    Verify(verify::VerifyArgs),
+    /// Say what changed between two versions
+    Diff(diff::DiffArgs),
     /// List the atlases in a folder, their versions and specimens
     List(list::ListArgs),
+    /// Write a generated height field as a TIFF
+    Synthesize(synthesize::SynthesizeArgs),
 }
 
 /// Parses the arguments, runs the command, and reports errors.
-pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
+pub fn main(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let cli = match Cli::try_parse_from(args) {
         Ok(cli) => cli,
         Err(message) => {
@@ -65,8 +80,17 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 fn dispatch(cli: &Cli) -> Result<Outcome> {
+    let global = &cli.global;
     match &cli.command {
-        Command::List(args) => list::run(args, &cli.global),
+        None => run::run(&run::RunArgs::default(), global),
+        Some(Command::Run(args)) => run::run(args, global),
+        Some(Command::Plan(args)) => plan::run(args, global),
+        Some(Command::Inspect(args)) => inspect::run(args, global),
+        Some(Command::Eval(args)) => eval::run(args, global),
+        Some(Command::Verify(args)) => verify::run(args, global),
+        Some(Command::Diff(args)) => diff::run(args, global),
+        Some(Command::List(args)) => list::run(args, global),
+        Some(Command::Synthesize(args)) => synthesize::run(args, global),
     }
 }
 

@@ -12,24 +12,45 @@ pub fn gauss_nodes(count: usize, low: f64, high: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Weights that interpolate values at [`gauss_nodes`] to `x` (barycentric formula; Berrut and
-/// Trefethen 2004, eq. 5.3). They sum to one.
-pub fn interpolation_weights(count: usize, low: f64, high: f64, x: f64) -> Vec<f64> {
-    let nodes = gauss_nodes(count, low, high);
-    if let Some(hit) = nodes.iter().position(|&node| node == x) {
-        return (0..count).map(|k| if k == hit { 1.0 } else { 0.0 }).collect();
-    }
-    let mut weights: Vec<f64> = nodes
-        .iter()
-        .enumerate()
-        .map(|(k, &node)| {
+/// Interpolation from [`gauss_nodes`], prepared for many points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Interpolant {
+    nodes: Vec<f64>,
+    /// Barycentric weight of each node, up to a common factor.
+    barycentric: Vec<f64>,
+}
+
+impl Interpolant {
+    /// `count` nodes on `[low, high]`.
+    pub fn new(count: usize, low: f64, high: f64) -> Self {
+        let barycentric = (0..count).map(|k| {
             let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-            sign * ((2 * k + 1) as f64 * PI / (2 * count) as f64).sin() / (x - node)
-        })
-        .collect();
-    let sum: f64 = weights.iter().sum();
-    weights.iter_mut().for_each(|w| *w /= sum);
-    weights
+            sign * ((2 * k + 1) as f64 * PI / (2 * count) as f64).sin()
+        });
+        Self { nodes: gauss_nodes(count, low, high), barycentric: barycentric.collect() }
+    }
+
+    /// The nodes, ascending.
+    pub fn nodes(&self) -> &[f64] {
+        &self.nodes
+    }
+
+    /// Weights that interpolate values at the nodes to `x` (barycentric formula; Berrut and Trefethen
+    /// 2004, eq. 5.3). They sum to one.
+    pub fn weights(&self, x: f64) -> Vec<f64> {
+        if let Some(hit) = self.nodes.iter().position(|&node| node == x) {
+            return (0..self.nodes.len()).map(|k| if k == hit { 1.0 } else { 0.0 }).collect();
+        }
+        let mut weights: Vec<f64> = self.nodes.iter().zip(&self.barycentric).map(|(node, b)| b / (x - node)).collect();
+        let sum: f64 = weights.iter().sum();
+        weights.iter_mut().for_each(|w| *w /= sum);
+        weights
+    }
+}
+
+/// [`Interpolant::weights`] for a single point.
+pub fn interpolation_weights(count: usize, low: f64, high: f64, x: f64) -> Vec<f64> {
+    Interpolant::new(count, low, high).weights(x)
 }
 
 /// Row-major matrix `[count][count]` that takes values at [`gauss_nodes`] to coefficients of

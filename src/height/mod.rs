@@ -1,4 +1,10 @@
-//! Height floor: reading scans, preparing them, and their statistics.
+//! Height floor: reading and writing scans, generating and preparing them, and their statistics.
+
+pub mod prepare;
+pub mod read;
+pub mod statistics;
+pub mod synthesize;
+pub mod write;
 
 use ndarray::Array2;
 

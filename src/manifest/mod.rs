@@ -4,6 +4,7 @@
 //! every path and pattern is resolved. The first fault found ends it with [`Error::Manifest`], which
 //! names file, line, column, the key, and what was expected. docs/manifest.md is the reference.
 
+pub mod convert;
 mod defaults;
 mod files;
 mod illuminant;

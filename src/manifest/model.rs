@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use crate::optics::config::OpticsConfig;
+pub use crate::stages::config::GpuCheck;
 use crate::tables::model::TablesConfig;
 
 /// A whole manifest.
@@ -156,6 +157,8 @@ pub enum ShapeSection {
     Hemisphere,
     /// A ball.
     Sphere,
+    /// A meandering snake's body.
+    Snake,
     /// A flat square in perspective.
     Patch {
         /// Side of the square.
@@ -201,16 +204,4 @@ pub enum ExposureSection {
     Auto,
     /// Fixed, in stops; at 0 a white Lambertian surface facing a light of irradiance 1 is white.
     Ev(f64),
-}
-
-/// Whether tables are checked on a GPU.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum GpuCheck {
-    /// Where there is one; said in the report where there is none.
-    Auto,
-    /// A machine without one is a failure.
-    Required,
-    /// Never.
-    Off,
 }

@@ -31,9 +31,10 @@ struct Kind {
     lights_max: usize,
 }
 
-const KINDS: [Kind; 4] = [
+const KINDS: [Kind; 5] = [
     Kind { word: "hemisphere", default: ShapeSection::Hemisphere, own_keys: &["light"], lights_max: 1 },
     Kind { word: "sphere", default: ShapeSection::Sphere, own_keys: &["light"], lights_max: LIGHTS_MAX },
+    Kind { word: "snake", default: ShapeSection::Snake, own_keys: &["light"], lights_max: LIGHTS_MAX },
     Kind {
         word: "patch",
         default: defaults::PATCH,
@@ -125,7 +126,7 @@ fn shape(section: &Section, kind: Kind) -> Result<ShapeSection> {
     };
     let mut shape = kind.default;
     match &mut shape {
-        ShapeSection::Hemisphere | ShapeSection::Sphere => {}
+        ShapeSection::Hemisphere | ShapeSection::Sphere | ShapeSection::Snake => {}
         ShapeSection::Patch { width_mm, distance_mm, tilt_deg, turn_deg } => {
             length("width_mm", width_mm)?;
             length("distance_mm", distance_mm)?;
@@ -221,7 +222,7 @@ fn direction(item: &Item, shape: &ShapeSection) -> Result<[f64; 3]> {
 /// Scalar product with a flat shape's normal; a ball has no horizon.
 fn height_above_horizon([_, y, z]: [f64; 3], shape: &ShapeSection) -> f64 {
     let tilt_deg = match shape {
-        ShapeSection::Sphere => return f64::INFINITY,
+        ShapeSection::Sphere | ShapeSection::Snake => return f64::INFINITY,
         ShapeSection::Patch { tilt_deg, .. } => *tilt_deg,
         ShapeSection::Hemisphere | ShapeSection::Screen { .. } => 0.0,
     };

@@ -5,4 +5,5 @@ pub mod fresnel;
 pub mod kernel;
 pub mod reference;
 pub mod spectra;
+pub mod spectral;
 pub mod window;

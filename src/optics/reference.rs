@@ -20,11 +20,14 @@ use crate::ground::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumber
 use crate::height::HeightField;
 
 /// Fewest wavelengths of the reference; more follow from the window and the direction.
-const WAVELENGTHS_MIN: usize = 160;
+const WAVELENGTHS_MIN: f64 = 80.0;
 
-/// Wavenumber step of the reference in units of the window's frequency width divided by `|(u, v)|`:
-/// aliasing is then `exp(-(π/0.5)²)`, below rounding.
-const STEP_FACTOR: f64 = 0.5;
+/// Wavenumber step of the reference in units of the window's frequency width divided by `|(u, v)|`: what
+/// aliases is then `exp(-(π/0.5)²)`, below rounding.
+pub const FULL_STEP: f64 = 0.5;
+
+/// The same for the reference pictures: `exp(-(π/0.9)²)` = 5e-6, invisible.
+pub const PICTURE_STEP: f64 = 0.9;
 
 /// Reflectance, geometry and shadowing: everything in front of the window's power spectrum. Zero for
 /// directions not above the surface.
@@ -36,21 +39,23 @@ pub fn prefactor(optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> f64 {
     reflectance(optics.material, cos_half_angle(wi, wo)) * geometry_factor(wi, wo) * shadowing
 }
 
-/// The wavelengths that resolve every spectral feature of the window in a direction, with XYZ weights.
+/// The wavelengths that resolve every spectral feature of the window in a direction, with XYZ weights;
+/// `step` is [`FULL_STEP`] or coarser.
 ///
 /// # Errors
 /// `Error::Call` if the light is invisible.
-pub fn full_resolution(optics: &OpticsConfig, q: Vec3) -> Result<SpectralQuadrature> {
+pub fn resolving_wavelengths(optics: &OpticsConfig, q: Vec3, step: f64) -> Result<SpectralQuadrature> {
     let [low_nm, high_nm] = optics.wavelength_nm;
     let span = 1.0 / low_nm - 1.0 / high_nm;
     let rho = q[0].hypot(q[1]);
-    let needed = span * rho * TAU * optics.sigma_nm / STEP_FACTOR;
+    let needed = span * rho * TAU * optics.sigma_nm / step;
     let fewest = match optics.illuminant {
         // Spiky or arbitrary spectra: fine enough for the tables' 5 nm structure.
-        Illuminant::F(_) | Illuminant::Tabulated { .. } => 3 * WAVELENGTHS_MIN,
+        Illuminant::F(_) | Illuminant::Tabulated { .. } => 3.0 * WAVELENGTHS_MIN,
         _ => WAVELENGTHS_MIN,
     };
-    uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, (needed.ceil() as usize).max(fewest))
+    let count = needed.max(fewest / step).ceil() as usize;
+    uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)
 }
 
 /// XYZ of the BRDF in 1/sr, averaged over a specimen's prepared scans and their windows.
@@ -58,7 +63,7 @@ pub fn full_resolution(optics: &OpticsConfig, q: Vec3) -> Result<SpectralQuadrat
 /// # Errors
 /// A scan too small for the window, or an invisible light.
 pub fn brdf_xyz(fields: &[HeightField], optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> Result<Xyz> {
-    let quadrature = full_resolution(optics, wave_vector_change(wi, wo))?;
+    let quadrature = resolving_wavelengths(optics, wave_vector_change(wi, wo), FULL_STEP)?;
     let spectrum = brdf_spectrum(fields, optics, wi, wo, &quadrature.wavelengths_nm)?;
     let mut xyz = [0.0; 3];
     for (f, weight) in spectrum.iter().zip(&quadrature.weights) {

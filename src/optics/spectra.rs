@@ -14,9 +14,9 @@ use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 
 use super::config::OpticsConfig;
-use super::kernel::{Kernel, OVERSAMPLING, SEMICIRCLE_TAPS, semicircle_transform};
+use super::kernel::{Kernel, OVERSAMPLING, semicircle_transform};
 use super::window::{Placement, WindowAxis, window_axis};
-use crate::ground::chebyshev;
+use crate::ground::chebyshev::{self, Interpolant};
 use crate::ground::error::{Error, Result};
 use crate::height::HeightField;
 
@@ -38,8 +38,8 @@ pub struct SpectraConfig {
 pub struct Spectra {
     /// Number of nodes in `s`.
     pub nodes: usize,
-    /// Upper end of the interval of the nodes, in 1/nm.
-    pub s_max: f64,
+    /// The nodes in 1/nm, and how values between them follow.
+    pub depth: Interpolant,
     /// `E / sqrt(A)` in nm² (nm for the tile's lines) at each node; layout `[η line][ξ line][node]`.
     pub data: Vec<Complex<f32>>,
     /// Index of the first stored line along ξ and η.
@@ -153,7 +153,7 @@ pub fn transform(
     }
     let mut spectra = Spectra {
         nodes,
-        s_max: config.s_max,
+        depth: Interpolant::new(nodes, 0.0, config.s_max),
         data: vec![Complex::default(); values as usize],
         first: [plans[0].first, plans[1].first],
         lines: [plans[0].lines, plans[1].lines],
@@ -166,7 +166,7 @@ pub fn transform(
     };
     let heights = window_heights(field, &plans);
     let mut engine = Engine::new(&plans);
-    for (node, s) in chebyshev::gauss_nodes(nodes, 0.0, config.s_max).into_iter().enumerate() {
+    for (node, s) in spectra.depth.nodes().to_vec().into_iter().enumerate() {
         let phasor = heights.mapv(|h| Complex::cis(-s * h));
         let mean = mean_phasor(&phasor, &plans);
         spectra.mean_phasor.push(mean);
@@ -299,12 +299,12 @@ fn pick(line: &[Complex<f64>], plan: &AxisPlan, phase: &[Complex<f64>], out: &mu
 impl Spectra {
     /// Weights that interpolate the nodes to `s` (1/nm).
     pub fn node_weights(&self, s: f64) -> Vec<f64> {
-        chebyshev::interpolation_weights(self.nodes, 0.0, self.s_max, s)
+        self.depth.weights(s)
     }
 
     /// The mean phasor `c(s)`.
     pub fn mean_phasor_at(&self, s: f64) -> Complex<f64> {
-        self.node_weights(s).iter().zip(&self.mean_phasor).map(|(w, c)| c * w).sum()
+        combined(&self.mean_phasor, &self.node_weights(s))
     }
 
     /// Transform of the window along one axis at a frequency (1/nm), divided by the root of the axis'
@@ -330,33 +330,53 @@ impl Spectra {
     /// `|E|² / A` at one frequency for several `s`, given [`Self::node_weights`] of each: straight from
     /// the transforms in double precision, the slow path against which grid and basis are measured.
     pub fn power_at(&self, frequency: [f64; 2], node_weights: &[Vec<f64>]) -> Vec<f64> {
-        let taps: [_; 2] = std::array::from_fn(|axis| self.kernel.taps(&[frequency[axis]], self.step[axis], 0.0));
-        let combined = |nodes: &[Complex<f64>], weights: &[f64]| -> f64 {
-            nodes.iter().zip(weights).map(|(e, w)| e * w).sum::<Complex<f64>>().norm_sqr()
-        };
-        let mut interpolated = vec![Complex::<f64>::default(); self.nodes];
+        if !self.mean_power {
+            let nodes = self.amplitude_nodes(frequency);
+            return node_weights.iter().map(|weights| combined(&nodes, weights).norm_sqr()).collect();
+        }
         let mut power = vec![0.0; node_weights.len()];
+        let mut wide = vec![Complex::default(); self.nodes];
+        self.for_each_tap(frequency, |line, tap| {
+            widen(line, &mut wide);
+            for (power, weights) in power.iter_mut().zip(node_weights) {
+                *power += tap * combined(&wide, weights).norm_sqr();
+            }
+        });
+        power
+    }
+
+    /// `|P|² / A` at one frequency and `s`, the coherent part included.
+    pub fn total_power(&self, frequency: [f64; 2], s: f64) -> f64 {
+        let weights = self.node_weights(s);
+        let window = self.window_transform(0, frequency[0]) * self.window_transform(1, frequency[1]);
+        let mean = combined(&self.mean_phasor, &weights);
+        if self.mean_power {
+            return mean.norm_sqr() * window * window + s * s * self.power_at(frequency, &[weights])[0];
+        }
+        (mean * window + combined(&self.amplitude_nodes(frequency), &weights) * s).norm_sqr()
+    }
+
+    /// `E / sqrt(A)` at one frequency, at every node.
+    fn amplitude_nodes(&self, frequency: [f64; 2]) -> Vec<Complex<f64>> {
+        let mut sum = vec![Complex::default(); self.nodes];
+        self.for_each_tap(frequency, |line, tap| {
+            for (sum, e) in sum.iter_mut().zip(line) {
+                *sum += Complex::new(f64::from(e.re), f64::from(e.im)) * tap;
+            }
+        });
+        sum
+    }
+
+    /// Calls back with all nodes of each stored pair of lines near a frequency, and its weight.
+    fn for_each_tap(&self, frequency: [f64; 2], mut visit: impl FnMut(&[Complex<f32>], f64)) {
+        let taps: [_; 2] = std::array::from_fn(|axis| self.kernel.taps(&[frequency[axis]], self.step[axis], 0.0));
         for (ty, wy) in taps[1].weight.iter().enumerate() {
             for (tx, wx) in taps[0].weight.iter().enumerate() {
-                let Some(line) = self.line(taps[0].first[0] + tx as i32, taps[1].first[0] + ty as i32) else {
-                    continue;
-                };
-                let tap = f64::from(*wx) * f64::from(*wy);
-                let wide = line.iter().map(|e| Complex::new(f64::from(e.re), f64::from(e.im)));
-                if self.mean_power {
-                    let wide: Vec<_> = wide.collect();
-                    for (power, weights) in power.iter_mut().zip(node_weights) {
-                        *power += tap * combined(&wide, weights);
-                    }
-                } else {
-                    interpolated.iter_mut().zip(wide).for_each(|(sum, e)| *sum += e * tap);
+                if let Some(line) = self.line(taps[0].first[0] + tx as i32, taps[1].first[0] + ty as i32) {
+                    visit(line, f64::from(*wx) * f64::from(*wy));
                 }
             }
         }
-        if self.mean_power {
-            return power;
-        }
-        node_weights.iter().map(|weights| combined(&interpolated, weights)).collect()
     }
 
     /// All nodes of one pair of lines, `None` outside what is stored.
@@ -368,12 +388,14 @@ impl Spectra {
             &self.data[start..start + self.nodes]
         })
     }
+}
 
-    /// The kernel's width in lines along both axes: what one interpolated value costs.
-    pub fn taps_per_axis(&self) -> [usize; 2] {
-        [0, 1].map(|axis| match self.kernel {
-            Kernel::Semicircle => SEMICIRCLE_TAPS,
-            _ => (2.0 * self.kernel.half_width(self.step[axis], 0.0) / self.step[axis]).ceil() as usize,
-        })
+fn widen(line: &[Complex<f32>], wide: &mut [Complex<f64>]) {
+    for (wide, e) in wide.iter_mut().zip(line) {
+        *wide = Complex::new(f64::from(e.re), f64::from(e.im));
     }
+}
+
+fn combined(nodes: &[Complex<f64>], weights: &[f64]) -> Complex<f64> {
+    nodes.iter().zip(weights).map(|(e, w)| e * w).sum()
 }

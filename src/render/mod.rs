@@ -3,6 +3,12 @@
 use crate::ground::direction::{Vec3, Xyz};
 
 pub mod cpu;
+pub mod gpu;
+pub mod gpu_bound;
+pub mod gpu_frame;
+pub mod gpu_layout;
+pub mod gpu_tables;
+pub mod wgsl;
 
 /// A BRDF to shade with: local `wi` and `wo`, both with positive z, to XYZ in 1/sr. It is called from
 /// several threads.

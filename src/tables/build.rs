@@ -8,7 +8,7 @@ use super::lobe::{PhasorPower, coherent, patch_grid};
 use super::model::{Basis, BuildRecord, Lobe, Prefilter, TableSet, TablesConfig};
 use super::pilot;
 use super::plan::{self, Grid, Ring, lobe_radius, lobe_width, w_reach};
-use crate::ground::chebyshev;
+use crate::ground::chebyshev::{self, Interpolant};
 use crate::ground::error::{Error, Result};
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
@@ -200,15 +200,15 @@ fn to_tables(sums: &PowerSums, grid: &Grid, rings: &[Ring], count: usize) -> Vec
     let size = grid.size;
     let matrix = chebyshev::coefficient_matrix(count);
     let t_nodes = chebyshev::gauss_nodes(count, 0.0, 1.0);
+    let interpolants: Vec<Interpolant> = rings.iter().map(|r| Interpolant::new(count, 0.0, r.w_max())).collect();
     let mut interleaved = vec![0.0f32; size * size * 3 * count];
     let row_length = size * 3;
     interleaved.par_chunks_mut(row_length * count).enumerate().for_each(|(row, out)| {
         for column in 0..size {
             let rho = grid.u(column).hypot(grid.v(row));
-            let Some(ring) = rings.iter().find(|r| rho >= r.rho[0] && rho < r.rho[1]) else { continue };
+            let Some(ring) = rings.iter().position(|r| rho >= r.rho[0] && rho < r.rho[1]) else { continue };
             let reach = w_reach(rho);
-            let to_t: Vec<Vec<f64>> =
-                t_nodes.iter().map(|t| chebyshev::interpolation_weights(count, 0.0, ring.w_max(), t * reach)).collect();
+            let to_t: Vec<Vec<f64>> = t_nodes.iter().map(|t| interpolants[ring].weights(t * reach)).collect();
             for channel in 0..3 {
                 let start = ((row * size + column) * 3 + channel) * sums.nodes;
                 let values = &sums.data[start..start + count];
@@ -230,7 +230,8 @@ fn to_tables(sums: &PowerSums, grid: &Grid, rings: &[Ring], count: usize) -> Vec
         .collect()
 }
 
-fn rms_nm(field: &HeightField) -> f64 {
+/// Root mean square of the heights about their mean, in nm.
+pub fn rms_nm(field: &HeightField) -> f64 {
     let mean = field.heights_nm.mean().unwrap_or(0.0);
     let variance = field.heights_nm.iter().map(|h| (h - mean).powi(2)).sum::<f64>();
     (variance / field.heights_nm.len().max(1) as f64).sqrt()

@@ -29,6 +29,14 @@ pub fn brdf_xyz(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3
 
 /// The BRDF without reflectance, geometry and shadowing at `q = (u, v, w)`, in 1/sr: what the tables hold.
 pub fn window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xyz {
+    let mut sum = diffuse_window_power(set, interpolation, q);
+    let lobe = lobe_window_power(set, interpolation, q);
+    sum.iter_mut().zip(lobe).for_each(|(sum, lobe)| *sum += lobe);
+    sum
+}
+
+/// The tables' part of [`window_power`], without the lobe.
+pub fn diffuse_window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xyz {
     let w = q[2].abs();
     let basis = match set.basis {
         Basis::Chebyshev => chebyshev::shifted_values(set.tables.len(), t_of(q)),
@@ -37,12 +45,12 @@ pub fn window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xy
     };
     let size = set.size() as f64 - 1.0;
     let at = [(2.0 - q[1]) / 4.0 * size, (q[0] + 2.0) / 4.0 * size];
-    let mut sum = expansion(&set.tables, &basis, interpolation, at);
-    if let Some(lobe) = &set.lobe {
-        let add = lobe_value(lobe, interpolation, q);
-        sum.iter_mut().zip(add).for_each(|(sum, add)| *sum += add);
-    }
-    sum
+    expansion(&set.tables, &basis, interpolation, at)
+}
+
+/// The lobe's part of [`window_power`]: zero where the tables contain it.
+pub fn lobe_window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xyz {
+    set.lobe.as_ref().map_or([0.0; 3], |lobe| lobe_value(lobe, interpolation, q))
 }
 
 /// `t = |w| / sqrt(4 - u² - v²)`, in [0, 1] for directions above the surface.

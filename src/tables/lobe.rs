@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
 use super::plan::{Grid, lobe_width, w_reach};
+use crate::ground::chebyshev::Interpolant;
 use crate::ground::error::Result;
 use crate::ground::spectrum::uniform_wavenumbers;
 use crate::optics::config::OpticsConfig;
@@ -21,8 +22,7 @@ const WAVELENGTHS: usize = 200;
 /// `|c|²` of every window as a function of `s`, without the window's shape.
 #[derive(Debug, Clone)]
 pub struct PhasorPower {
-    nodes: usize,
-    s_max: f64,
+    depth: Interpolant,
     mean_phasor: Vec<Complex<f64>>,
     lobe_peak_nm2: f64,
 }
@@ -31,8 +31,7 @@ impl PhasorPower {
     /// Keeps what the lobe needs of a window's transforms.
     pub fn of(spectra: &Spectra) -> Self {
         Self {
-            nodes: spectra.nodes,
-            s_max: spectra.s_max,
+            depth: spectra.depth.clone(),
             mean_phasor: spectra.mean_phasor.clone(),
             lobe_peak_nm2: spectra.lobe_peak_nm2,
         }
@@ -40,7 +39,7 @@ impl PhasorPower {
 
     /// `|c(s)|² (∬g)² / A` in nm².
     fn at(&self, s: f64) -> f64 {
-        let weights = crate::ground::chebyshev::interpolation_weights(self.nodes, 0.0, self.s_max, s);
+        let weights = self.depth.weights(s);
         let c: Complex<f64> = weights.iter().zip(&self.mean_phasor).map(|(w, c)| c * w).sum();
         c.norm_sqr() * self.lobe_peak_nm2
     }

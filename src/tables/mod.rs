@@ -3,7 +3,9 @@
 pub mod accumulate;
 pub mod build;
 pub mod evaluate;
+pub mod forecast;
 pub mod lobe;
 pub mod model;
 pub mod pilot;
 pub mod plan;
+pub mod storage;

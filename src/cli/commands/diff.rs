@@ -2,6 +2,11 @@
 
 use std::path::PathBuf;
 
+use crate::cli::Global;
+use crate::cli::output::{self, Outcome};
+use crate::ground::error::Result;
+use crate::stages::diff::diff;
+
 /// Arguments of `diff`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
 #[command(after_help = "Example:\n  diffraction-atlas diff out/atlas/squamates/v0001 out/atlas/squamates/v0002")]
@@ -13,4 +18,18 @@ pub struct DiffArgs {
     /// Print as JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// Compares and prints.
+///
+/// # Errors
+/// A folder that is no atlas.
+pub fn run(args: &DiffArgs, _global: &Global) -> Result<Outcome> {
+    let report = diff(&args.a, &args.b)?;
+    if args.json {
+        output::print_json(&report)?;
+    } else {
+        output::print(&report.to_text())?;
+    }
+    Ok(Outcome::Done)
 }

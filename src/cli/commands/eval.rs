@@ -2,7 +2,20 @@
 
 use std::path::{Path, PathBuf};
 
+use rayon::prelude::*;
+
+use crate::cli::Global;
+use crate::cli::directions;
+use crate::cli::output::{self, Outcome};
+use crate::ground::direction::{Vec3, Xyz};
 use crate::ground::error::{Error, Result};
+use crate::ground::files;
+use crate::manifest::{self, convert::specimen_config};
+use crate::optics::reference;
+use crate::stages::ingest::ingest;
+use crate::stages::{atlas, specimen};
+use crate::tables::evaluate::{Interpolation, brdf_xyz};
+use crate::tables::plan::usable_radius;
 
 /// Arguments of `eval`.
 #[derive(Debug, Clone, PartialEq, clap::Args)]
@@ -32,6 +45,9 @@ pub struct EvalArgs {
     /// Values at these wavelengths in place of X, Y, Z (with --method reference)
     #[arg(long, value_name = "NM", value_delimiter = ',', value_parser = crate::cli::lengths::positive)]
     pub wavelengths_nm: Vec<f64>,
+    /// How values between texels are found (with --method tables)
+    #[arg(long, value_enum, default_value_t = Lookup::Cubic)]
+    pub interpolation: Lookup,
     /// Write here in place of stdout
     #[arg(long, value_name = "CSV")]
     pub out: Option<PathBuf>,
@@ -44,6 +60,15 @@ pub enum Method {
     Tables,
     /// The integral over the scan itself, without tables
     Reference,
+}
+
+/// How values between texels are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Lookup {
+    /// Two by two texels, as graphics hardware does
+    Bilinear,
+    /// Four by four texels: closest to the scan where the grid is fine enough
+    Cubic,
 }
 
 /// Where the values come from.
@@ -76,6 +101,89 @@ impl EvalArgs {
                 Ok(EvalSource::Reference(manifest.as_deref().unwrap_or(Path::new(super::MANIFEST))))
             }
         }
+    }
+}
+
+/// Evaluates and writes the CSV.
+///
+/// # Errors
+/// Wrong directions, an unreadable atlas or manifest, or the reference's.
+pub fn run(args: &EvalArgs, _global: &Global) -> Result<Outcome> {
+    let source = args.source()?;
+    let rows = directions::read(&args.directions)?;
+    let pairs: Vec<(Vec3, Vec3)> = rows.iter().map(directions::Row::pair).collect();
+    let table = match source {
+        EvalSource::Tables(atlas) => from_tables(atlas, args, &pairs)?,
+        EvalSource::Reference(path) => from_reference(path, args, &pairs)?,
+    };
+    let text = directions::write(&rows, &table.columns, &table.values);
+    match &args.out {
+        Some(path) => files::replace(path, text.as_bytes())?,
+        None => output::print(&text)?,
+    }
+    Ok(Outcome::Done)
+}
+
+/// Columns beside the angles, and a row of values per pair.
+struct Table {
+    columns: Vec<String>,
+    values: Vec<Vec<f64>>,
+}
+
+fn xyz_table(values: impl IntoIterator<Item = Xyz>) -> Table {
+    Table {
+        columns: ["X", "Y", "Z"].map(String::from).to_vec(),
+        values: values.into_iter().map(|xyz| xyz.to_vec()).collect(),
+    }
+}
+
+fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<Table> {
+    let folder = atlas::resolve(atlas)?;
+    let index = atlas::read_index(&folder)?;
+    let (_, set) = specimen::load(&atlas::specimen_folder(&folder, &index, &args.specimen)?)?;
+    warn_beyond(set.usable_radius, pairs);
+    let interpolation = match args.interpolation {
+        Lookup::Bilinear => Interpolation::Bilinear,
+        Lookup::Cubic => Interpolation::Cubic,
+    };
+    Ok(xyz_table(pairs.par_iter().map(|&(wi, wo)| brdf_xyz(&set, interpolation, wi, wo)).collect::<Vec<_>>()))
+}
+
+fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<Table> {
+    let (manifest, _) = manifest::load(path)?;
+    let Some(section) = manifest.specimens.iter().find(|section| section.name == args.specimen) else {
+        let known: Vec<&str> = manifest.specimens.iter().map(|section| section.name.as_str()).collect();
+        return Err(Error::Call(format!(
+            "{}: no specimen is called `{}`; there are {}",
+            path.display(),
+            args.specimen,
+            known.join(", ")
+        )));
+    };
+    let config = specimen_config(section);
+    let fields = ingest(&config)?.fields;
+    let usable = fields.iter().map(|f| usable_radius(&config.optics, f.pitch_nm)).fold(2.0, f64::min);
+    warn_beyond(usable, pairs);
+    if args.wavelengths_nm.is_empty() {
+        return Ok(xyz_table(reference::brdf_xyz_batch(&fields, &config.optics, pairs)?));
+    }
+    let spectrum =
+        |&(wi, wo): &(Vec3, Vec3)| reference::brdf_spectrum(&fields, &config.optics, wi, wo, &args.wavelengths_nm);
+    Ok(Table {
+        columns: args.wavelengths_nm.iter().map(|nm| format!("f_{nm}_nm")).collect(),
+        values: pairs.par_iter().map(spectrum).collect::<Result<_>>()?,
+    })
+}
+
+/// Values past the scan's sampling are too dark: said, not hidden.
+fn warn_beyond(usable_radius: f64, pairs: &[(Vec3, Vec3)]) {
+    let beyond = pairs.iter().filter(|(wi, wo)| (wi[0] + wo[0]).hypot(wi[1] + wo[1]) > usable_radius).count();
+    if beyond > 0 {
+        eprintln!(
+            "warning: {beyond} of {} directions lie beyond |(u, v)| = {usable_radius:.3}, where the scan's sampling no \
+             longer answers for every wavelength: their values are too dark",
+            pairs.len()
+        );
     }
 }
 

@@ -2,7 +2,17 @@
 
 use std::path::PathBuf;
 
+use serde::Serialize;
+
+use crate::cli::Global;
 use crate::cli::lengths::PitchNm;
+use crate::cli::output::{self, Outcome};
+use crate::ground::error::Result;
+use crate::height::prepare::{Level, PrepareConfig, prepare};
+use crate::height::read::{HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
+use crate::height::statistics::{Statistics, statistics};
+use crate::height::write::write_scan_tiff;
+use crate::stages::{atlas, specimen};
 
 /// Arguments of `inspect`.
 #[derive(Debug, Clone, PartialEq, clap::Args)]
@@ -31,4 +41,117 @@ pub struct InspectArgs {
     /// Print as JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// Looks and prints.
+///
+/// # Errors
+/// A file that is neither scan nor atlas.
+pub fn run(args: &InspectArgs, _global: &Global) -> Result<Outcome> {
+    if args.file.is_dir() { inspect_atlas(args) } else { inspect_scan(args) }
+}
+
+/// A scan and what can be said of it.
+#[derive(Debug, Serialize)]
+struct ScanReport {
+    provenance: Provenance,
+    extent_um: [f64; 2],
+    /// Of the heights with the best plane taken away.
+    statistics: Statistics,
+}
+
+/// The shortest wavelength that `usable_uv_radius` refers to: the violet end of the observer.
+const WAVELENGTH_MIN_NM: f64 = 380.0;
+
+fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
+    let height = match (args.full_scale_nm, &args.unit) {
+        (Some(full_scale_nm), _) => Some(HeightScale::FullScaleNm(full_scale_nm)),
+        (None, Some(unit)) => LengthUnit::parse(unit).map(HeightScale::Unit),
+        (None, None) => None,
+    };
+    let config =
+        ReadConfig { page: args.page, pitch_nm: args.pitch_nm.map(|pitch| pitch.0), height, ..ReadConfig::default() };
+    let scan = read_scan(&args.file, &config)?;
+    if let Some(path) = &args.save_heights {
+        write_scan_tiff(path, &scan.field)?;
+    }
+    let plane = PrepareConfig { level: Level::Plane, despike: None, blend_nm: None };
+    let (levelled, _) = prepare(&scan.field, &plane)?;
+    let report = ScanReport {
+        extent_um: scan.field.extent_nm().map(|nm| nm * 1e-3),
+        statistics: statistics(&levelled, WAVELENGTH_MIN_NM),
+        provenance: scan.provenance,
+    };
+    if args.json {
+        output::print_json(&report)?;
+    } else {
+        output::print(&report.to_text())?;
+    }
+    Ok(Outcome::Done)
+}
+
+impl ScanReport {
+    fn to_text(&self) -> String {
+        let (p, s) = (&self.provenance, &self.statistics);
+        let mut lines = vec![
+            format!("{}: {}, page {}, {}", p.file_name, p.format, p.page, p.sample_format),
+            format!(
+                "size          {} x {} samples, {:.4} x {:.4} µm",
+                p.size[0], p.size[1], self.extent_um[0], self.extent_um[1]
+            ),
+            format!("pitch         {:.4} x {:.4} nm ({})", p.pitch_nm[0], p.pitch_nm[1], p.pitch_from),
+            format!("heights       {}", p.height_from),
+            format!("missing       {} samples", p.missing_samples),
+            format!(
+                "after a plane rms height {:.2} nm, rms slope {:.3}, peak to valley {:.1} nm",
+                s.rms_height_nm, s.rms_slope, s.peak_to_valley_nm
+            ),
+            format!("correlation   {:.0} nm", s.autocorrelation_length_nm),
+            format!("good up to    |(u, v)| = {:.3} at {WAVELENGTH_MIN_NM} nm", s.usable_uv_radius),
+            format!("too steep     {:.2} % of the surface", 100.0 * s.steep_share),
+        ];
+        for period in &s.dominant_periods {
+            lines.push(format!(
+                "period        {:.1} nm at {:.1} deg, relative power {:.3}",
+                period.period_nm, period.direction_deg, period.relative_power
+            ));
+        }
+        lines.extend(p.warnings.iter().chain(&s.warnings).map(|warning| format!("warning: {warning}")));
+        lines.join("\n") + "\n"
+    }
+}
+
+fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
+    let folder = atlas::resolve(&args.file)?;
+    let index = atlas::read_index(&folder)?;
+    let specimens =
+        index.specimens.iter().map(|entry| specimen::read(&folder.join(&entry.name))).collect::<Result<Vec<_>>>()?;
+    if args.json {
+        output::print_json(&serde_json::json!({ "index": index, "specimens": specimens }))?;
+        return Ok(Outcome::Done);
+    }
+    let bytes: u64 = index.files.iter().map(|file| file.bytes).sum();
+    let mut text = format!(
+        "{}: atlas \"{}\" by program version {}, {} files, {}\n",
+        folder.display(),
+        index.name,
+        index.program_version,
+        index.files.len(),
+        output::bytes_in_words(bytes)
+    );
+    for file in &specimens {
+        text += &format!(
+            "{}: {}, {} {:?} tables of {}², {:?} storage, {} wavelengths at the rim\n",
+            file.name,
+            if file.species.is_empty() { "no species named" } else { &file.species },
+            file.tables.tables.len(),
+            file.tables.basis,
+            file.tables.u.samples,
+            file.tables.storage,
+            file.build.wavelengths_max
+        );
+        text.extend(file.warnings.iter().map(|warning| format!("  warning: {warning}\n")));
+    }
+    output::print(&text)?;
+    Ok(Outcome::Done)
 }

@@ -2,7 +2,13 @@
 
 use std::path::PathBuf;
 
+use crate::cli::Global;
 use crate::cli::lengths::{PitchNm, SizePx, finite, positive, share};
+use crate::cli::output::{self, Outcome};
+use crate::ground::error::Result;
+use crate::height::HeightField;
+use crate::height::synthesize::{Structure, synthesize};
+use crate::height::write::write_scan_tiff;
 
 /// Arguments of `synthesize`.
 #[derive(Debug, Clone, PartialEq, clap::Args)]
@@ -122,4 +128,60 @@ pub enum StructureArgs {
         #[command(flatten)]
         field: FieldArgs,
     },
+}
+
+/// Generates, writes, and says what was written.
+pub fn run(args: &SynthesizeArgs, global: &Global) -> Result<Outcome> {
+    let (structure, file) = args.structure.parts();
+    let (size, pitch) = (file.size.0, file.pitch_nm.0);
+    let field = synthesize(&structure, size, pitch)?;
+    write_scan_tiff(&file.out, &field)?;
+    output::print(&format!("{}: {}\n", file.out.display(), summary(&field)))?;
+    if !structure.repeats(size, pitch) && !global.quiet {
+        eprintln!("note: the tile does not hold whole periods; repeated, it has a seam");
+    }
+    Ok(Outcome::Done)
+}
+
+/// Size, pitch, and range of heights in one line.
+fn summary(field: &HeightField) -> String {
+    let [nx, ny] = field.size();
+    let [px, py] = field.pitch_nm;
+    let low = field.heights_nm.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = field.heights_nm.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    format!("{nx} x {ny} samples, pitch {px} x {py} nm, heights {low:.1} to {high:.1} nm")
+}
+
+impl StructureArgs {
+    /// The structure asked for, and where it goes.
+    fn parts(&self) -> (Structure, &FieldArgs) {
+        match self {
+            Self::Sinusoid { period_nm, amplitude_nm, direction_deg, field } => (
+                Structure::Sinusoid {
+                    period_nm: *period_nm,
+                    amplitude_nm: *amplitude_nm,
+                    direction_deg: *direction_deg,
+                },
+                field,
+            ),
+            Self::Blazed { period_nm, depth_nm, field } => {
+                (Structure::Blazed { period_nm: *period_nm, depth_nm: *depth_nm }, field)
+            }
+            Self::Lamellar { period_nm, depth_nm, duty, field } => {
+                (Structure::Lamellar { period_nm: *period_nm, depth_nm: *depth_nm, duty: *duty }, field)
+            }
+            Self::CdTrack { seed, field } => (Structure::CdTrack { seed: *seed }, field),
+            Self::CornSnake { seed, field } => (Structure::CornSnake { seed: *seed }, field),
+            Self::SunbeamSnake { seed, field } => (Structure::SunbeamSnake { seed: *seed }, field),
+            Self::GaussianRough { rms_nm, correlation_length_nm, seed, field } => (
+                Structure::GaussianRough {
+                    rms_nm: *rms_nm,
+                    correlation_length_nm: *correlation_length_nm,
+                    seed: *seed,
+                },
+                field,
+            ),
+            Self::Flat { field } => (Structure::Flat, field),
+        }
+    }
 }

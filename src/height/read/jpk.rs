@@ -1,0 +1,175 @@
+//! JPK (Bruker NanoWizard) TIFF: one channel per page, each with several calibrations ("slots").
+
+use super::directory::Directory;
+use super::stored::{Found, Line, RawScan, Sourced};
+use super::{LengthUnit, Parsed, ReadConfig, Refusal, tiff_pixels};
+
+const SCAN_SIZE: [u16; 2] = [0x8042, 0x8043];
+const REFLECT: u16 = 0x8045;
+const CHANNEL: u16 = 0x8050;
+const RETRACE: u16 = 0x8051;
+const SLOTS: u16 = 0x8080;
+const DEFAULT_SLOT: u16 = 0x8081;
+/// Tags of the first slot; those of slot n lie n strides further.
+const SLOT_NAME: u16 = 0x8090;
+const SLOT_UNIT: u16 = 0x80A2;
+const SLOT_SCALING: u16 = 0x80A3;
+const SLOT_MULTIPLIER: u16 = 0x80A4;
+const SLOT_OFFSET: u16 = 0x80A5;
+const SLOT_STRIDE: u16 = 0x30;
+/// Slots whose tags fit below 65536.
+const SLOTS_MAX: u64 = 600;
+
+/// Channels that are heights, best first: by the height sensor, by its old name, by the piezo's voltage.
+const HEIGHTS: [&str; 3] = ["measuredHeight", "capacitiveSensorHeight", "height"];
+
+/// Whether the file carries JPK's private tags.
+pub(super) fn is_jpk(directories: &[Directory]) -> bool {
+    SCAN_SIZE.iter().all(|&tag| directories[0].has(tag))
+        && directories.iter().any(|directory| directory.has(DEFAULT_SLOT))
+}
+
+/// Reads the best height channel, or the page asked for.
+pub(super) fn read(directories: &[Directory], config: &ReadConfig) -> Parsed<RawScan> {
+    let channels = channels(directories)?;
+    let page = choose(&channels, config.page)?;
+    let directory = &directories[page];
+    let mut stored = tiff_pixels::decode(directory, config.max_samples)?;
+    // The bottom row comes first, unless the scan was mirrored.
+    let reflected = directories[0].number(REFLECT)?.unwrap_or(0.0) != 0.0;
+    if !reflected {
+        stored.flip_rows();
+    }
+    let mut warnings = Vec::new();
+    let chosen = channels.iter().find(|channel| channel.page == page);
+    let others = channels.iter().filter(|channel| channel.page != page && channel.rank().is_some()).count();
+    if config.page.is_none() && others > 0 {
+        warnings.push(format!("page {page} is read; {others} other pages hold heights too (set `page` to choose)"));
+    }
+    let (numbers, unit_nm) = default_slot(directory)?;
+    Ok(RawScan {
+        format: "JPK TIFF",
+        page,
+        channel: chosen.map(Channel::label),
+        pitch_nm: pitch(&directories[0], stored.size)?,
+        stored,
+        no_data: None,
+        numbers,
+        unit_nm,
+        warnings,
+    })
+}
+
+/// One page with a channel name. Page 0 is the thumbnail.
+struct Channel {
+    page: usize,
+    name: String,
+    retrace: bool,
+}
+
+impl Channel {
+    /// Place in the order of preference; `None` for what is not a height.
+    fn rank(&self) -> Option<(usize, bool)> {
+        let place = HEIGHTS.iter().position(|name| *name == self.name)?;
+        Some((place, self.retrace))
+    }
+
+    fn label(&self) -> String {
+        let direction = if self.retrace { "retrace" } else { "trace" };
+        format!("{} ({direction})", self.name)
+    }
+}
+
+fn channels(directories: &[Directory]) -> Parsed<Vec<Channel>> {
+    let mut channels = Vec::new();
+    for (page, directory) in directories.iter().enumerate().skip(1) {
+        if let Some(name) = directory.text(CHANNEL)? {
+            channels.push(Channel {
+                page,
+                name: name.trim().to_owned(),
+                retrace: directory.number(RETRACE)?.unwrap_or(0.0) != 0.0,
+            });
+        }
+    }
+    Ok(channels)
+}
+
+fn choose(channels: &[Channel], asked: Option<usize>) -> Parsed<usize> {
+    let list = || {
+        let names: Vec<_> =
+            channels.iter().map(|channel| format!("page {}: {}", channel.page, channel.label())).collect();
+        names.join("; ")
+    };
+    if let Some(page) = asked {
+        return if channels.iter().any(|channel| channel.page == page) {
+            Ok(page)
+        } else {
+            Err(Refusal::new(
+                format!("page {page} holds no channel ({})", list()),
+                "set `page` to one of these, or leave it out",
+            ))
+        };
+    }
+    channels.iter().filter_map(|channel| Some((channel.rank()?, channel.page))).min().map(|(_, page)| page).ok_or_else(
+        || {
+            Refusal::new(
+                format!("no channel of this JPK file is a height ({})", list()),
+                "export measuredHeight or height; or set `page` to a channel with a length unit",
+            )
+        },
+    )
+}
+
+/// The line and unit of the slot that the page names as its default. Every slot leads from the stored
+/// numbers straight to its unit: slots are not chained.
+fn default_slot(directory: &Directory) -> Parsed<(Line, Found<f64>)> {
+    let Some(wanted) = directory.text(DEFAULT_SLOT)? else {
+        let reason = "its JPK page names no default calibration".to_owned();
+        return Ok((Line::IDENTITY, Err(reason)));
+    };
+    let count = directory.unsigned(SLOTS)?.unwrap_or(0).min(SLOTS_MAX);
+    for slot in 0..count as u16 {
+        let tag = |first: u16| first + slot * SLOT_STRIDE;
+        if directory.text(tag(SLOT_NAME))?.as_deref() != Some(wanted.as_str()) {
+            continue;
+        }
+        let numbers = scaling(directory, tag)?;
+        let unit = directory.text(tag(SLOT_UNIT))?.unwrap_or_default();
+        let unit_nm = LengthUnit::parse(&unit)
+            .map(|unit| Sourced::new(unit.to_nm(), format!("JPK slot {wanted:?}")))
+            .ok_or_else(|| format!("its JPK slot {wanted:?} is in {unit:?}, not a length"));
+        return Ok((numbers, unit_nm));
+    }
+    Err(Refusal::damaged(format!("its default calibration {wanted:?} is not among the page's {count} slots")))
+}
+
+fn scaling(directory: &Directory, tag: impl Fn(u16) -> u16) -> Parsed<Line> {
+    let name = directory.text(tag(SLOT_SCALING))?.unwrap_or_default();
+    match name.as_str() {
+        "NullScaling" => Ok(Line::IDENTITY),
+        "LinearScaling" => {
+            let scale = directory.number(tag(SLOT_MULTIPLIER))?;
+            let offset = directory.number(tag(SLOT_OFFSET))?;
+            match (scale, offset) {
+                (Some(scale), Some(offset)) if scale.is_finite() && scale != 0.0 && offset.is_finite() => {
+                    Ok(Line { scale, offset })
+                }
+                _ => Err(Refusal::damaged("its JPK slot has no usable multiplier and offset")),
+            }
+        }
+        _ => Err(Refusal::new(
+            format!("its JPK slot is scaled by {name:?}, which is not known"),
+            "export the channel as Gwyddion simple field (.gsf)",
+        )),
+    }
+}
+
+/// Scan size over samples; the tags hold the whole scan's size in metres.
+fn pitch(first: &Directory, size: [usize; 2]) -> Parsed<Found<[f64; 2]>> {
+    let mut pitch = [0.0; 2];
+    for axis in 0..2 {
+        let extent_m = first.number(SCAN_SIZE[axis])?.unwrap_or(f64::NAN);
+        pitch[axis] = extent_m * 1e9 / size[axis] as f64;
+    }
+    Ok(Ok(Sourced::new(pitch, "JPK scan size")))
+}

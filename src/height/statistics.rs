@@ -1,0 +1,135 @@
+//! Statistics of a height field: roughness, slopes, correlation, periods, and what the sampling allows.
+
+mod autocorrelation;
+mod periods;
+mod slopes;
+
+use serde::{Deserialize, Deserializer, Serialize};
+
+use super::prepare::level::{Order, subtract_surface};
+use super::prepare::range_nm;
+use crate::height::HeightField;
+
+pub use slopes::STEEP_SLOPE;
+
+/// Share of steep surface from which on the reader is warned.
+const STEEP_SHARE_WARNED: f64 = 0.01;
+
+/// Statistics of a height field.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Statistics {
+    /// Root mean square height in nm about the mean plane.
+    pub rms_height_nm: f64,
+    /// Root mean square slope (rise over run) of the triangulated surface.
+    pub rms_slope: f64,
+    /// Highest minus lowest height in nm.
+    pub peak_to_valley_nm: f64,
+    /// Shortest distance in nm, over all directions, at which the autocorrelation of the heights about their
+    /// mean plane falls to 1/e; NaN (`null` in JSON) where it does not within half of the scan.
+    #[serde(deserialize_with = "null_as_nan")]
+    pub autocorrelation_length_nm: f64,
+    /// Periods that stand out of the power spectrum, strongest first, at most three.
+    pub dominant_periods: Vec<Period>,
+    /// `|(u, v)|` up to which the sampling resolves the gratings that diffract there, at the shortest
+    /// wavelength; at most 2, which is all there is.
+    pub usable_uv_radius: f64,
+    /// Share of the triangulated surface's base with a slope above [`STEEP_SLOPE`], 0 to 1.
+    pub steep_share: f64,
+    /// Doubts in whole sentences.
+    pub warnings: Vec<String>,
+}
+
+/// A period that stands out of the power spectrum.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Period {
+    /// Period in nm.
+    pub period_nm: f64,
+    /// Direction of the grating vector in degrees from +x, counterclockwise with y up, in `[0, 180)`.
+    pub direction_deg: f64,
+    /// Highest line of its peak in the power spectrum (Hann window), relative to the strongest period's.
+    pub relative_power: f64,
+}
+
+/// Statistics of a height field that is not empty and whose heights are finite; `wavelength_min_nm` is
+/// the shortest wavelength in use, positive.
+///
+/// Needs some 50 bytes of memory for each sample while it runs.
+pub fn statistics(field: &HeightField, wavelength_min_nm: f64) -> Statistics {
+    let (low, high) = range_nm(field);
+    let mut levelled = field.clone();
+    subtract_surface(&mut levelled, Order::Plane);
+    let mean_square = mean_square(&levelled);
+    let slopes = slopes::slopes(field, 0.25 * wavelength_min_nm);
+    // Below 1e-12 of the heights' size there is rounding only.
+    let flat = mean_square.sqrt() <= 1e-12 * low.abs().max(high.abs());
+    let (length_nm, periods) = if flat {
+        (f64::NAN, Vec::new())
+    } else {
+        (autocorrelation::length_nm(&levelled), periods::dominant(&levelled))
+    };
+    let mut statistics = Statistics {
+        rms_height_nm: if flat { 0.0 } else { mean_square.sqrt() },
+        rms_slope: slopes.rms,
+        peak_to_valley_nm: high - low,
+        autocorrelation_length_nm: length_nm,
+        dominant_periods: periods,
+        usable_uv_radius: usable_uv_radius(field, wavelength_min_nm),
+        steep_share: slopes.steep_share,
+        warnings: Vec::new(),
+    };
+    statistics.warnings = warnings(&statistics, flat, slopes.ambiguous_share, wavelength_min_nm);
+    statistics
+}
+
+/// A grating of period `d` diffracts to `|(u, v)| = λ/d`, and none finer than two samples is resolved.
+fn usable_uv_radius(field: &HeightField, wavelength_min_nm: f64) -> f64 {
+    let [nx, ny] = field.size();
+    // A field of one line is constant across it, which needs no resolving.
+    let along = |count: usize, pitch_nm: f64| if count > 1 { wavelength_min_nm / (2.0 * pitch_nm) } else { 2.0 };
+    along(nx, field.pitch_nm[0]).min(along(ny, field.pitch_nm[1])).min(2.0)
+}
+
+fn mean_square(field: &HeightField) -> f64 {
+    field.heights_nm.iter().map(|height| height * height).sum::<f64>() / field.heights_nm.len() as f64
+}
+
+fn warnings(found: &Statistics, flat: bool, ambiguous_share: f64, wavelength_min_nm: f64) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if flat {
+        warnings.push("The surface is flat: it reflects as a mirror and diffracts nothing.".to_owned());
+    } else if found.autocorrelation_length_nm.is_nan() {
+        warnings.push(
+            "The heights stay correlated over half of the scan: it is smaller than the structure it should show."
+                .to_owned(),
+        );
+    }
+    if found.steep_share > STEEP_SHARE_WARNED {
+        warnings.push(format!(
+            "{:.1} % of the surface is steeper than {STEEP_SLOPE}, where polarisation and multiple reflection matter, \
+             which the scalar model leaves out.",
+            100.0 * found.steep_share
+        ));
+    }
+    if ambiguous_share > STEEP_SHARE_WARNED {
+        warnings.push(format!(
+            "{:.1} % of the surface rises by more than a quarter of {wavelength_min_nm} nm from one sample to the next: \
+             the phase in between is a guess; a finer scan would tell.",
+            100.0 * ambiguous_share
+        ));
+    }
+    if found.usable_uv_radius < 2.0 {
+        warnings.push(format!(
+            "The samples are too coarse for |(u, v)| beyond {:.2} at {wavelength_min_nm} nm: gratings finer than two \
+             samples, which would diffract there, are missing.",
+            found.usable_uv_radius
+        ));
+    }
+    warnings
+}
+
+fn null_as_nan<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+    Ok(Option::deserialize(deserializer)?.unwrap_or(f64::NAN))
+}
+
+#[cfg(test)]
+mod tests;

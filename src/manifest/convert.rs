@@ -1,0 +1,109 @@
+//! From the manifest's sections to the stages' configuration.
+
+use super::model::{
+    DespikeSection, ExposureSection, HeightSection, HeightUnit, LevelSection, Manifest, SceneSection, ShapeSection,
+    SpecimenSection,
+};
+use crate::height::prepare::{Despike, Level, PrepareConfig};
+use crate::height::read::{HeightScale, LengthUnit, ReadConfig};
+use crate::scene::model::{Exposure, Light, Scene, Shape};
+use crate::stages::config::{RunConfig, SpecimenConfig};
+
+/// The run that a manifest asks for; `text` is the manifest, word for word.
+pub fn run_config(manifest: &Manifest, text: &str) -> RunConfig {
+    RunConfig {
+        atlas_name: manifest.atlas.name.clone(),
+        atlas_root: manifest.atlas.out.join(&manifest.atlas.name),
+        tables: manifest.tables.clone(),
+        specimens: manifest.specimens.iter().map(specimen_config).collect(),
+        scenes: manifest.scenes.iter().map(scene).collect(),
+        gpu: manifest.gpu,
+        manifest_text: text.to_owned(),
+        base: manifest.base.clone(),
+    }
+}
+
+/// One specimen's configuration.
+pub fn specimen_config(section: &SpecimenSection) -> SpecimenConfig {
+    SpecimenConfig {
+        name: section.name.clone(),
+        species: section.species.clone(),
+        scans: section.scans.clone(),
+        read: ReadConfig {
+            page: section.page,
+            pitch_nm: section.pitch_nm,
+            height: section.height.map(height_scale),
+            max_missing_share: section.max_missing_share,
+            ..ReadConfig::default()
+        },
+        prepare: PrepareConfig {
+            level: level(section.level),
+            despike: section.despike.map(|DespikeSection { threshold_rms }| Despike { threshold_rms }),
+            blend_nm: section.blend_nm,
+        },
+        optics: section.optics.clone(),
+        measured: section.measured.clone(),
+    }
+}
+
+fn height_scale(section: HeightSection) -> HeightScale {
+    match section {
+        HeightSection::FullScaleNm(full_scale_nm) => HeightScale::FullScaleNm(full_scale_nm),
+        HeightSection::Unit(unit) => HeightScale::Unit(length_unit(unit)),
+        HeightSection::Linear { nm_per_count, offset_nm } => HeightScale::Linear { nm_per_count, offset_nm },
+    }
+}
+
+fn length_unit(unit: HeightUnit) -> LengthUnit {
+    match unit {
+        HeightUnit::Pm => LengthUnit::Pm,
+        HeightUnit::Nm => LengthUnit::Nm,
+        HeightUnit::Um => LengthUnit::Um,
+        HeightUnit::Mm => LengthUnit::Mm,
+        HeightUnit::Cm => LengthUnit::Cm,
+        HeightUnit::M => LengthUnit::M,
+        HeightUnit::Angstrom => LengthUnit::Angstrom,
+        HeightUnit::Inch => LengthUnit::Inch,
+    }
+}
+
+fn level(section: LevelSection) -> Level {
+    match section {
+        LevelSection::None => Level::None,
+        LevelSection::Plane => Level::Plane,
+        LevelSection::Quadratic => Level::Quadratic,
+        LevelSection::Rows => Level::Rows,
+    }
+}
+
+fn scene(section: &SceneSection) -> Scene {
+    let shape = match section.shape {
+        ShapeSection::Hemisphere => Shape::Hemisphere,
+        ShapeSection::Sphere => Shape::Sphere,
+        ShapeSection::Snake => Shape::Snake,
+        ShapeSection::Patch { width_mm, distance_mm, tilt_deg, turn_deg } => {
+            Shape::Patch { width_mm, distance_mm, tilt_deg, turn_deg }
+        }
+        ShapeSection::Screen { width_mm, distance_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg } => {
+            Shape::Screen { distance_mm, width_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg }
+        }
+    };
+    let light = |light: &super::model::LightSection| Light {
+        direction: light.direction,
+        angular_diameter_deg: light.angular_diameter_deg,
+        irradiance: light.irradiance,
+    };
+    Scene {
+        name: section.name.clone(),
+        shape,
+        lights: section.lights.iter().map(light).collect(),
+        size_px: section.size_px,
+        exposure: match section.exposure {
+            ExposureSection::Auto => Exposure::Auto,
+            ExposureSection::Ev(stops) => Exposure::Ev(stops),
+        },
+        specimen: section.specimen.clone(),
+        light_samples: section.light_samples,
+        pixel_samples: section.pixel_samples,
+    }
+}

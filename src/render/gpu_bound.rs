@@ -1,0 +1,271 @@
+//! How far a GPU may be from the CPU: a bound for every pixel, from the rounding and filtering that the hardware is allowed.
+//!
+//! Per sample, the shader computes `f = front (Σ b_n table_n + lobe)` from the same `wi`, `wo` and weights. With
+//! `u = 2^-24` (rounding to nearest) and `ulp = 2u`, WGSL allows 2.5 ulp for a quotient and about 5 for a root, the rest
+//! is rounded correctly. What may differ:
+//!
+//! - **Storage.** Half texels are off by `|half(v / scale) scale - v|`: nothing where the atlas stores halves, else at
+//!   most `2^-11 |v|`, or `2^-25 scale` among subnormals.
+//! - **Filtering.** Hardware places a position on a grid of 1/256 texel (Direct3D asks for 8 bits; Vulkan's drivers report
+//!   them), an error of `2^-9` in each share, plus that of the coordinate in 32 bits, `size 2^-22` texels. All layers
+//!   share one position, hence the error is that times the slope of the *sum*: `δ (|∂_row| + |∂_column|) + δ² |∂²|`. Next
+//!   to a texel's centre the position may fall into the neighbouring cell: the larger slope counts.
+//! - **t.** `4 - u² - v²` is off by at most `20 u`: `δt = t (10 u / (4 - ρ²) + 8 ulp)`, at most 1. `|T_n'| <= n²` in
+//!   `2t - 1`, hence `δb_n = min(2, 2 n² δt)`, and `2 n² ulp` from the recurrence. For powers of `w` it is
+//!   `(2n + 6) ulp |b_n|`.
+//! - **Front.** `1 + wi·wo` is off by `8 u`, squared in `G`; see [`front_error`] for reflectance and shadowing.
+//! - **Summing.** `n` terms in 32 bits: `n u Σ |term|`.
+
+use ndarray::{Array3, Axis};
+use rayon::prelude::*;
+use rustfft::num_complex::Complex;
+
+use super::gpu_layout::{RUN_SAMPLES_MAX, half_scale, peak};
+use crate::ground::chebyshev;
+use crate::ground::direction::{Vec3, Xyz, dot, wave_vector_change};
+use crate::optics::config::{Material, OpticsConfig};
+use crate::optics::fresnel::{cos_half_angle, reflectance};
+use crate::optics::reference::prefactor;
+use crate::scene::samples::{ShadingSamples, pixel_range};
+use crate::tables::evaluate::{Interpolation, window_power};
+use crate::tables::model::{Basis, Lobe, TableSet};
+use crate::tables::plan::w_reach;
+
+/// Rounding to nearest in 32 bits.
+const U: f64 = 1.0 / (1 << 24) as f64;
+/// Unit in the last place.
+const ULP: f64 = 2.0 * U;
+/// Error of a bilinear share on hardware that keeps 8 bits of it.
+const SHARE_ERROR: f64 = 1.0 / 512.0;
+
+/// Tables with what their upload does to them.
+struct Layers<'a> {
+    tables: &'a [Array3<f32>],
+    scales: Vec<f32>,
+}
+
+impl<'a> Layers<'a> {
+    fn of(tables: &'a [Array3<f32>]) -> Self {
+        Self { tables, scales: tables.iter().map(|table| half_scale(peak(table))).collect() }
+    }
+}
+
+/// Values of the basis functions and how far the shader's may be off.
+struct BasisValues {
+    values: Vec<f64>,
+    errors: Vec<f64>,
+}
+
+/// Largest difference `|GPU - CPU|` that each channel of each pixel may show, `[rows, columns, 3]`, in the unit of the
+/// picture.
+pub fn bound_image(set: &TableSet, samples: &ShadingSamples) -> Array3<f32> {
+    let tables = Layers::of(&set.tables);
+    let cross = Layers::of(set.lobe.as_ref().map_or(&[], |lobe| &lobe.cross));
+    let mut image = Array3::zeros((samples.rows, samples.columns, 3));
+    image.axis_iter_mut(Axis(0)).into_par_iter().enumerate().for_each(|(row, mut line)| {
+        for (column, mut pixel) in line.outer_iter_mut().enumerate() {
+            let mut bound = [0.0; 3];
+            for index in pixel_range(samples, row, column) {
+                let (wi, wo) = (samples.wi[index].map(f64::from), samples.wo[index].map(f64::from));
+                let of_sample = sample_bound(set, &tables, &cross, wi, wo);
+                for (sum, value) in bound.iter_mut().zip(of_sample) {
+                    *sum += f64::from(samples.weight[index]) * value;
+                }
+            }
+            for (slot, value) in pixel.iter_mut().zip(bound) {
+                // Numbers below the smallest normal one may be flushed to zero.
+                *slot = (value + f64::from(f32::MIN_POSITIVE)) as f32;
+            }
+        }
+    });
+    image
+}
+
+fn sample_bound(set: &TableSet, tables: &Layers, cross: &Layers, wi: Vec3, wo: Vec3) -> Xyz {
+    let front = prefactor(&set.optics, wi, wo);
+    if front == 0.0 {
+        return [0.0; 3];
+    }
+    let q = wave_vector_change(wi, wo);
+    let (w, rho) = (q[2].abs(), q[0].hypot(q[1]));
+    let reach = w_reach(rho);
+    let t = if reach == 0.0 { 0.0 } else { (w / reach).min(1.0) };
+    let t_error = (t * (10.0 * U / (reach * reach) + 8.0 * ULP)).min(1.0);
+    let basis = match set.basis {
+        Basis::Chebyshev => chebyshev_values(tables.tables.len(), t, t_error),
+        Basis::Taylor => power_values(tables.tables.len(), w),
+    };
+    let mut error = filtered_error(tables, &basis, [-0.5 * q[1], 0.5 * q[0]]);
+    if let Some(lobe) = &set.lobe {
+        add(&mut error, lobe_error(lobe, cross, q, t, t_error));
+    }
+    let value = window_power(set, Interpolation::Bilinear, q);
+    // Rounding of the runs' sums, and of both pictures.
+    let relative = front_error(&set.optics, wi, wo) + (RUN_SAMPLES_MAX + 8) as f64 * U;
+    std::array::from_fn(|c| front * (error[c] * (1.0 + relative) + relative * value[c].abs()))
+}
+
+fn add(sum: &mut Xyz, more: Xyz) {
+    sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+}
+
+fn chebyshev_values(count: usize, t: f64, t_error: f64) -> BasisValues {
+    let square = |n: usize| (n * n) as f64;
+    BasisValues {
+        values: chebyshev::shifted_values(count, t),
+        errors: (0..count).map(|n| (2.0 * square(n) * t_error).min(2.0) + 2.0 * square(n) * ULP).collect(),
+    }
+}
+
+fn power_values(count: usize, w: f64) -> BasisValues {
+    let values: Vec<f64> = (0..count).map(|n| w.powi(n as i32 - 2)).collect();
+    let errors = values.iter().enumerate().map(|(n, value)| (2 * n + 6) as f64 * ULP * value).collect();
+    BasisValues { values, errors }
+}
+
+/// Relative error of reflectance, geometry and shadowing.
+///
+/// An amplitude of reflection is a quotient whose denominator is at least as large as either term of its numerator, hence
+/// off by some ulp of 1, more where the root `cos_t` starts from a cancelled `1 - sin²/n²`; `R` then by
+/// `2 sqrt(R)` times that. The half angle's cosine `c` comes from `1 + wi·wo`, off by `8 u`.
+pub fn front_error(optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> f64 {
+    let one_plus = (1.0 + dot(wi, wo)).max(f64::MIN_POSITIVE);
+    let cosine = cos_half_angle(wi, wo).max(f64::MIN_POSITIVE);
+    let cosine_error = 4.0 * U / cosine + 5.0 * ULP;
+    let mut relative = 16.0 * U / one_plus + 10.0 * ULP;
+    if optics.shadowing {
+        relative += 16.0 * ULP + 8.0 * ULP / cosine;
+    }
+    let index = match optics.material {
+        Material::Ideal => return relative,
+        Material::Dielectric { n } => Complex::new(n, 0.0),
+        Material::Conductor { n, k } => Complex::new(n, k),
+    };
+    let cos2_t = (Complex::new(1.0, 0.0) - (1.0 - cosine * cosine).max(0.0) / (index * index)).norm();
+    let amplitude_error = ULP * (24.0 + 4.0 / cos2_t.max(U));
+    let value = reflectance(optics.material, cosine);
+    let moved = [-cosine_error, cosine_error].map(|d| (reflectance(optics.material, cosine + d) - value).abs());
+    let error = 2.0 * value.sqrt() * amplitude_error + amplitude_error.powi(2) + moved[0].max(moved[1]);
+    relative + error.min(1.0) / value.max(f64::MIN_POSITIVE)
+}
+
+/// Bound for a sum of layers at a position (row, column) in [-1, 1]².
+fn filtered_error(layers: &Layers, basis: &BasisValues, at: [f64; 2]) -> Xyz {
+    let Some(side) = layers.tables.first().map(|table| table.dim().0) else {
+        return [0.0; 3];
+    };
+    let last = (side - 1) as f64;
+    let at = at.map(|x| (0.5 + 0.5 * x).clamp(0.0, 1.0) * last);
+    let place_error = side as f64 / (1 << 22) as f64;
+    let mut error: Xyz = [0.0; 3];
+    for row in cells(at[0], place_error, side) {
+        for column in cells(at[1], place_error, side) {
+            let here = cell_error(layers, basis, [row, column], at, SHARE_ERROR + place_error);
+            error.iter_mut().zip(here).for_each(|(error, here)| *error = error.max(here));
+        }
+    }
+    error
+}
+
+/// First texels of the cells that a coordinate may fall into.
+fn cells(at: f64, error: f64, count: usize) -> std::ops::RangeInclusive<usize> {
+    let cell = |x: f64| (x.max(0.0) as usize).min(count.saturating_sub(2));
+    cell(at - error)..=cell(at + error)
+}
+
+fn cell_error(layers: &Layers, basis: &BasisValues, first: [usize; 2], at: [f64; 2], share_error: f64) -> Xyz {
+    let last = layers.tables[0].dim().0 - 1;
+    let second = first.map(|x| (x + 1).min(last));
+    let corners = [[first[0], first[1]], [first[0], second[1]], [second[0], first[1]], [second[0], second[1]]];
+    let share: [f64; 2] = std::array::from_fn(|axis| (at[axis] - first[axis] as f64).clamp(0.0, 1.0));
+    let shares = corner_shares(share);
+    let mut error = [0.0; 3];
+    for (c, error) in error.iter_mut().enumerate() {
+        let mut sums = [0.0; 4];
+        let (mut rounding, mut magnitude) = (0.0, 0.0);
+        for (n, table) in layers.tables.iter().enumerate() {
+            let (value, value_error) = (basis.values[n], basis.errors[n]);
+            let (mut between, mut stored) = (0.0, 0.0);
+            for (k, corner) in corners.iter().enumerate() {
+                let texel = table[[corner[0], corner[1], c]];
+                sums[k] += value * f64::from(texel);
+                between += shares[k] * f64::from(texel.abs());
+                stored += shares[k] * half_error(texel, layers.scales[n]);
+            }
+            // The shares that weigh the storage errors are themselves off by less than 2 %.
+            rounding += value.abs() * 1.02 * stored + value_error * between;
+            magnitude += value.abs() * between;
+        }
+        *error =
+            rounding + slope_error(sums, share, [share_error; 2]) + (layers.tables.len() + 8) as f64 * ULP * magnitude;
+    }
+    error
+}
+
+fn corner_shares([row, column]: [f64; 2]) -> [f64; 4] {
+    [(1.0 - row) * (1.0 - column), (1.0 - row) * column, row * (1.0 - column), row * column]
+}
+
+/// What errors of the shares do to a bilinear value.
+fn slope_error(corners: [f64; 4], [row, column]: [f64; 2], [row_error, column_error]: [f64; 2]) -> f64 {
+    let [a, b, c, d] = corners;
+    let along_row = (1.0 - column) * (c - a) + column * (d - b);
+    let along_column = (1.0 - row) * (b - a) + row * (d - c);
+    let twist = a - b - c + d;
+    row_error * along_row.abs() + column_error * along_column.abs() + row_error * column_error * twist.abs()
+}
+
+/// What storing a number as a half does to it; never more than the format's own bound, so that a wrong conversion
+/// cannot excuse itself.
+fn half_error(value: f32, scale: f32) -> f64 {
+    let stored = half::f16::from_f32(value / scale).to_f32();
+    let actual = (f64::from(stored) * f64::from(scale) - f64::from(value)).abs();
+    actual.min(f64::from(value.abs()) / 2048.0 + f64::from(scale) / (1 << 25) as f64)
+}
+
+/// Bound for the coherent lobe and its cross term.
+fn lobe_error(lobe: &Lobe, cross: &Layers, q: Vec3, t: f64, t_error: f64) -> Xyz {
+    let (w, radius) = (q[2].abs(), q[0].hypot(q[1]));
+    let mut error = [0.0; 3];
+    // Whether a direction counts as inside may differ within rounding of the rim.
+    let rim = 1e-6 * lobe.radius_max;
+    if radius < lobe.radius_max + rim {
+        let whole = radius > lobe.radius_max - rim;
+        let here = coherent_error(lobe, radius, t, t_error, whole);
+        add(&mut error, here.map(|e| e / (w * w)));
+    }
+    let reach = q[0].abs().max(q[1].abs());
+    if !cross.tables.is_empty() && reach < lobe.radius_max + rim {
+        let basis = chebyshev_values(cross.tables.len(), t, t_error);
+        let here = filtered_error(cross, &basis, [-q[1] / lobe.radius_max, q[0] / lobe.radius_max]);
+        add(&mut error, here.map(|e| e / w));
+        if reach > lobe.radius_max - rim {
+            // Both answers are right: all of it may be there or not.
+            let peaks = cross.tables.iter().map(|table| f64::from(peak(table))).sum::<f64>();
+            add(&mut error, [peaks / w; 3]);
+        }
+    }
+    error
+}
+
+fn coherent_error(lobe: &Lobe, radius: f64, t: f64, t_error: f64, whole: bool) -> Xyz {
+    let (rows, columns, _) = lobe.coherent.dim();
+    let at = [t * (rows - 1) as f64, (radius / lobe.radius_max).min(1.0) * (columns - 1) as f64];
+    // The radius over the lobe's is off by a root and a quotient, 8 ulp.
+    let errors = [t_error * rows as f64 + rows as f64 * 2.0 * ULP, columns as f64 * 8.0 * ULP];
+    let mut error: Xyz = [0.0; 3];
+    for row in cells(at[0], errors[0], rows) {
+        for column in cells(at[1], errors[1], columns) {
+            let (row_2, column_2) = ((row + 1).min(rows - 1), (column + 1).min(columns - 1));
+            let share = [(at[0] - row as f64).clamp(0.0, 1.0), (at[1] - column as f64).clamp(0.0, 1.0)];
+            for (c, error) in error.iter_mut().enumerate() {
+                let texel = |r: usize, k: usize| f64::from(lobe.coherent[[r, k, c]]);
+                let corners = [texel(row, column), texel(row, column_2), texel(row_2, column), texel(row_2, column_2)];
+                let largest = corners.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+                let part = if whole { 1.0 } else { 16.0 * ULP };
+                *error = error.max(slope_error(corners, share, errors) + part * largest);
+            }
+        }
+    }
+    error
+}

@@ -1,0 +1,10 @@
+// A material for other renderers: directions in the local frame in, linear sRGB out. Follows tables.wgsl.
+
+// BRDF times the cosine of incidence, in 1/sr, for a light of unit irradiance; components may be negative.
+@fragment
+fn shade_material(@location(0) wi: vec3<f32>, @location(1) wo: vec3<f32>) -> @location(0) vec4<f32> {
+    let to_light = normalize(wi);
+    let to_viewer = normalize(wo);
+    let xyz = brdf_xyz(to_light, to_viewer) * max(to_light.z, 0.0);
+    return vec4<f32>(xyz_to_linear_srgb(xyz), 1.0);
+}

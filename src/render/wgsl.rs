@@ -1,0 +1,34 @@
+//! The shaders' sources: one that evaluates tables, and the entry points put behind it.
+
+/// Evaluates tables; declares the bindings of group 0.
+pub const TABLES: &str = include_str!("shaders/tables.wgsl");
+/// Compute entry point [`SHADE_RUNS`].
+const CHECK: &str = include_str!("shaders/check.wgsl");
+/// Entry points [`FULL_SCREEN`] and [`SHADE_SPHERE`].
+const FRAME: &str = include_str!("shaders/frame.wgsl");
+/// Fragment entry point [`SHADE_MATERIAL`].
+const MATERIAL: &str = include_str!("shaders/material.wgsl");
+
+/// Compute entry point of [`check`]: one invocation per run of samples.
+pub const SHADE_RUNS: &str = "shade_runs";
+/// Vertex entry point of [`frame`].
+pub const FULL_SCREEN: &str = "full_screen";
+/// Fragment entry point of [`frame`].
+pub const SHADE_SPHERE: &str = "shade_sphere";
+/// Fragment entry point of [`material`].
+pub const SHADE_MATERIAL: &str = "shade_material";
+
+/// Source that shades uploaded samples.
+pub fn check() -> String {
+    [TABLES, CHECK].join("\n")
+}
+
+/// Source that draws a sphere.
+pub fn frame() -> String {
+    [TABLES, FRAME].join("\n")
+}
+
+/// Source that other shading languages are translated from.
+pub fn material() -> String {
+    [TABLES, MATERIAL].join("\n")
+}

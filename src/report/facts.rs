@@ -1,0 +1,334 @@
+//! What the report says about a specimen in words and numbers.
+
+use crate::ground::spectrum::Illuminant;
+use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
+use crate::report::frames::period_letter;
+use crate::report::numbers;
+use crate::stages::results::{BuildResult, ErrorRow, Period, SpecimenResult, Statistics};
+use crate::tables::model::{Basis, Storage};
+
+/// A name and what is to be said about it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fact {
+    /// The name.
+    pub name: String,
+    /// A short text.
+    pub text: String,
+}
+
+fn fact(name: &str, text: String) -> Fact {
+    Fact { name: name.into(), text }
+}
+
+/// Everything about a specimen that is not a picture or a table.
+pub fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
+    let mut facts = vec![fact("Scan", scan(specimen))];
+    if let Some(found) = &specimen.statistics {
+        facts.push(fact("Heights", heights(found)));
+        facts.push(fact("Slopes", slopes(found)));
+        if !found.dominant_periods.is_empty() {
+            facts.push(fact("Periods", periods(&found.dominant_periods)));
+        }
+        facts.push(fact(
+            "Good up to",
+            format!("|(u, v)| = {} (2 is the whole hemisphere)", numbers::number(found.usable_uv_radius, 3)),
+        ));
+    }
+    if let Some(optics) = &specimen.optics {
+        facts.push(fact("Light", light(optics)));
+        facts.push(fact("Coherence", coherence(optics)));
+        facts.push(fact("Material", material(optics)));
+    }
+    if let Some(built) = &specimen.build {
+        facts.push(fact("Tables", tables(built)));
+        facts.push(fact("Texels", texels(built)));
+        facts.push(fact("Made from", made_from(built)));
+    }
+    if let Some(lobe) = &specimen.lobe {
+        let cross = match lobe.cross_tables {
+            0 => "no cross term".into(),
+            1 => "1 cross-term patch".into(),
+            count => format!("{count} cross-term patches"),
+        };
+        let share = lobe.power_share.map_or_else(String::new, |share| {
+            format!(", {} of the light at normal incidence", numbers::percent(share))
+        });
+        facts.push(fact(
+            "Coherent lobe",
+            format!("radius {} in (u, v), {cross}{share}", numbers::number(lobe.radius_max, 3)),
+        ));
+    }
+    facts
+}
+
+/// The provenance of one scan: every entry of the JSON object, in its order. Empty entries are left out.
+pub fn of_scan(scan: &serde_json::Value) -> Vec<Fact> {
+    let Some(entries) = scan.as_object() else {
+        return vec![fact("provenance", value_text(scan))];
+    };
+    entries
+        .iter()
+        .filter(|(_, value)| match value {
+            serde_json::Value::Null => false,
+            serde_json::Value::Array(items) => !items.is_empty(),
+            _ => true,
+        })
+        .map(|(name, value)| fact(&name.replace('_', " "), value_text(value)))
+        .collect()
+}
+
+/// Every warning about a specimen once: its own, those of its statistics, and those of its scans.
+pub fn warnings(specimen: &SpecimenResult) -> Vec<String> {
+    let of_statistics = specimen.statistics.iter().flat_map(|found| &found.warnings);
+    let of_scans = specimen.scans.iter().filter_map(|scan| scan.get("warnings")?.as_array()).flatten().map(value_text);
+    let mut found: Vec<String> = Vec::new();
+    for warning in specimen.warnings.iter().chain(of_statistics).cloned().chain(of_scans) {
+        if !found.contains(&warning) {
+            found.push(warning);
+        }
+    }
+    found
+}
+
+/// "6 Chebyshev, half".
+pub fn tables_short(built: &BuildResult) -> String {
+    format!(
+        "{} {}, {}",
+        built.tables,
+        basis(built.basis),
+        match built.storage {
+            Storage::Half => "half",
+            Storage::Float => "float",
+        }
+    )
+}
+
+/// "501 × 501".
+pub fn grid_short(built: &BuildResult) -> String {
+    format!("{0} × {0}", built.size)
+}
+
+/// Whether a row breaks the tolerance. Only the causes that the tolerance governs can.
+pub fn is_over(row: &ErrorRow, tolerance: Option<f64>) -> bool {
+    let governed = matches!(row.what.as_str(), "basis" | "wavelength step");
+    tolerance.is_some_and(|limit| governed && row.p95 > limit)
+}
+
+/// The letters of the spectrum's marks and what they stand for.
+pub fn period_marks(periods: &[Period]) -> String {
+    if periods.is_empty() {
+        return "none, for no period stands out".into();
+    }
+    let marks: Vec<String> = periods
+        .iter()
+        .enumerate()
+        .map(|(index, period)| format!("{}, {}", period_letter(index), numbers::length_nm(period.period_nm)))
+        .collect();
+    marks.join("; ")
+}
+
+fn scan(specimen: &SpecimenResult) -> String {
+    let [nx, ny] = specimen.size;
+    let [px, py] = specimen.pitch_nm;
+    let pitch = if px == py {
+        numbers::round_number(px, 4)
+    } else {
+        format!("{} × {}", numbers::round_number(px, 4), numbers::round_number(py, 4))
+    };
+    format!(
+        "{nx} × {ny} samples, pitch {pitch} nm, {} × {}",
+        numbers::number(specimen.extent_um[0], 3),
+        numbers::with_unit(specimen.extent_um[1], 3, "µm"),
+    )
+}
+
+fn heights(found: &Statistics) -> String {
+    format!(
+        "rms {}, peak to valley {}",
+        numbers::with_unit(found.rms_height_nm, 3, "nm"),
+        numbers::with_unit(found.peak_to_valley_nm, 3, "nm"),
+    )
+}
+
+fn slopes(found: &Statistics) -> String {
+    format!(
+        "rms {}, {} of the surface too steep for the model; autocorrelation length {}",
+        numbers::number(found.rms_slope, 3),
+        numbers::percent(found.steep_share),
+        numbers::length_nm(found.autocorrelation_length_nm),
+    )
+}
+
+fn periods(periods: &[Period]) -> String {
+    let texts: Vec<String> = periods
+        .iter()
+        .enumerate()
+        .map(|(index, period)| {
+            format!(
+                "{}: {} at {}°, power {}",
+                period_letter(index),
+                numbers::length_nm(period.period_nm),
+                // Adding zero turns a rounded −0 into 0.
+                numbers::round_number(period.direction_deg.round() + 0.0, 3),
+                numbers::number(period.relative_power, 2),
+            )
+        })
+        .collect();
+    texts.join("; ")
+}
+
+fn light(optics: &OpticsConfig) -> String {
+    let [from, to] = optics.wavelength_nm.map(|edge| numbers::number(edge, 3));
+    match &optics.illuminant {
+        Illuminant::D65 => format!("D65, {from} to {to} nm"),
+        Illuminant::A => format!("illuminant A, {from} to {to} nm"),
+        Illuminant::E => format!("equal energy, {from} to {to} nm"),
+        Illuminant::F(number) => format!("F{number}, {from} to {to} nm"),
+        Illuminant::Tabulated { wavelength_nm, .. } => {
+            format!("a table of {} wavelengths, {from} to {to} nm", wavelength_nm.len())
+        }
+        Illuminant::Lines(lines) => {
+            let names: Vec<String> = lines.iter().map(|line| numbers::with_unit(line.wavelength_nm, 4, "nm")).collect();
+            format!("laser lines at {}", names.join(", "))
+        }
+    }
+}
+
+fn coherence(optics: &OpticsConfig) -> String {
+    let edge = match optics.edge {
+        Edge::Tile => "the scan repeats beyond its edge",
+        Edge::Fade => "the window stays inside the scan",
+    };
+    let windows = match optics.windows {
+        Windows::Grid => "window positions averaged",
+        Windows::Centre => "one window in the middle",
+    };
+    format!("σ = {} µm, {edge}, {windows}", numbers::round_number(optics.sigma_nm * 1e-3, 4))
+}
+
+fn material(optics: &OpticsConfig) -> String {
+    let material = match optics.material {
+        Material::Ideal => "ideal mirror (reflects everything)".into(),
+        Material::Dielectric { n } => format!("transparent, n = {}", numbers::round_number(n, 4)),
+        Material::Conductor { n, k } => {
+            format!("absorbing, n = {}, k = {}", numbers::round_number(n, 4), numbers::round_number(k, 4))
+        }
+    };
+    let shadowing = if optics.shadowing { "V-cavity shadowing" } else { "no shadowing" };
+    format!("{material}; {shadowing}")
+}
+
+fn tables(built: &BuildResult) -> String {
+    format!(
+        "{}, {} texels, {} stored, for a tolerance of {}",
+        tables_short(built),
+        grid_short(built),
+        numbers::bytes(built.stored_bytes),
+        numbers::round_percent(built.tolerance),
+    )
+}
+
+fn texels(built: &BuildResult) -> String {
+    if built.prefilter_width > 0.0 {
+        format!("averages over {} in u and v", numbers::round_number(built.prefilter_width, 3))
+    } else {
+        "point samples".into()
+    }
+}
+
+fn made_from(built: &BuildResult) -> String {
+    let record = &built.record;
+    let [shortest, longest] = record.wavelength_step_nm;
+    let steps = if longest > 0.0 {
+        format!(" in steps of {} to {}", numbers::number(shortest, 2), numbers::with_unit(longest, 2, "nm"))
+    } else {
+        String::new()
+    };
+    format!(
+        "{} transforms × {} window{}, up to {} wavelengths{steps}, {} samples, in {}",
+        record.transforms,
+        numbers::count(record.windows as u64),
+        if record.windows == 1 { "" } else { "s" },
+        record.wavelengths_max,
+        numbers::count(record.samples),
+        numbers::seconds(built.build_s),
+    )
+}
+
+fn basis(basis: Basis) -> &'static str {
+    match basis {
+        Basis::Chebyshev => "Chebyshev",
+        Basis::Taylor => "Taylor",
+    }
+}
+
+fn value_text(value: &serde_json::Value) -> String {
+    use serde_json::Value;
+    match value {
+        Value::Null => numbers::MISSING.into(),
+        Value::Bool(true) => "yes".into(),
+        Value::Bool(false) => "no".into(),
+        Value::String(text) => text.clone(),
+        // Provenance is quoted, not judged: all of its digits stay.
+        Value::Number(number) => number.to_string(),
+        Value::Array(items) => {
+            let texts: Vec<String> = items.iter().map(value_text).collect();
+            texts.join(", ")
+        }
+        Value::Object(entries) => {
+            let texts: Vec<String> = entries
+                .iter()
+                .map(|(name, value)| format!("{}: {}", name.replace('_', " "), value_text(value)))
+                .collect();
+            texts.join("; ")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_tolerance_governs_basis_and_wavelength_step_only() {
+        let row = |what: &str, p95| ErrorRow {
+            what: what.into(),
+            region: "grazing".into(),
+            directions: 1,
+            relative_l2: 0.0,
+            p50: 0.0,
+            p95,
+            p99: 0.0,
+            worst: 0.0,
+        };
+        assert!(is_over(&row("basis", 2e-3), Some(1e-3)));
+        assert!(!is_over(&row("basis", 1e-3), Some(1e-3)));
+        assert!(!is_over(&row("grid", 2e-3), Some(1e-3)));
+        assert!(!is_over(&row("basis", 2e-3), None));
+    }
+
+    #[test]
+    fn provenance_is_quoted_in_full() {
+        let scan = serde_json::json!({
+            "file_name": "a.tif", "pitch_nm": [48.828125, 50], "channel": null, "warnings": [],
+            "tiled": false, "level": { "slope": 0.1 }
+        });
+        let facts: Vec<(String, String)> = of_scan(&scan).into_iter().map(|fact| (fact.name, fact.text)).collect();
+        let expected =
+            [("file name", "a.tif"), ("pitch nm", "48.828125, 50"), ("tiled", "no"), ("level", "slope: 0.1")];
+        assert_eq!(facts.len(), expected.len());
+        for (found, expected) in facts.iter().zip(expected) {
+            assert_eq!((found.0.as_str(), found.1.as_str()), expected);
+        }
+    }
+
+    #[test]
+    fn directions_are_whole_degrees() {
+        let period = |direction_deg| Period { period_nm: 1140.0, direction_deg, relative_power: 1.0 };
+        let text = periods(&[period(-0.2), period(100.0), period(30.4)]);
+        assert_eq!(
+            text.replace('\u{a0}', " "),
+            "a: 1.14 µm at 0°, power 1.0; b: 1.14 µm at 100°, power 1.0; c: 1.14 µm at 30°, power 1.0"
+        );
+    }
+}

@@ -1,0 +1,495 @@
+//! The report page: results and pictures in, one self-contained HTML file out.
+
+use minijinja::{Environment, UndefinedBehavior, Value, context, escape_formatter};
+
+use crate::ground::error::{Error, Result};
+use crate::report::embed::{Album, EMBEDDED_MAX_BYTES, Picture, missing};
+use crate::report::facts::{self, Fact};
+use crate::report::svg::{escape, printable};
+use crate::report::{frames, numbers, plots};
+use crate::stages::results::{ErrorRow, GpuResult, RunResults, SceneResult, SpecimenResult, StageTime};
+
+const TEMPLATE: &str = include_str!("templates/report.html");
+
+/// The report of a run as one HTML file without scripts and without requests.
+///
+/// `pictures` gives the bytes of the PNG at a path named in the results, or `None`; a missing
+/// picture leaves a visible note. Past 96 MiB of pictures the rest are linked by their paths
+/// (said at the top), so the page belongs into the folder that the paths start from.
+/// The same results and pictures give the same bytes. Fails on a picture that is no PNG.
+pub fn render_html(results: &RunResults, pictures: &dyn Fn(&str) -> Option<Vec<u8>>) -> Result<String> {
+    render_within(results, pictures, EMBEDDED_MAX_BYTES)
+}
+
+/// [`render_html`] with room for `room_bytes` of pictures.
+fn render_within(
+    results: &RunResults,
+    pictures: &dyn Fn(&str) -> Option<Vec<u8>>,
+    room_bytes: usize,
+) -> Result<String> {
+    let mut album = Album::new(pictures, room_bytes);
+    let mut stills = Stills::default();
+    let mut summary = Vec::new();
+    let mut specimens = Vec::new();
+    for (index, specimen) in results.specimens.iter().enumerate() {
+        let number = index + 1;
+        let preview = match &specimen.preview_png {
+            Some(path) => Some(stills.add(path, &mut album)?),
+            None => None,
+        };
+        summary.push(summary_row(number, specimen, preview.as_ref(), &results.stages));
+        specimens.push(specimen_section(number, specimen, preview.as_ref(), &results.stages, &mut album)?);
+    }
+    let all: Vec<&StageTime> = results.stages.iter().collect();
+    let cpu_s: Option<f64> = all.iter().map(|stage| stage.cpu_s).sum();
+    let page = context! {
+        atlas => &results.atlas_name,
+        version => results.version.clone().unwrap_or_default(),
+        started => results.started.replace('T', " ").replace('Z', " UTC"),
+        program_version => &results.program_version,
+        total_time => numbers::seconds(results.total_wall_s),
+        threads => plural(results.threads, "thread"),
+        cpus => plural(results.cpu_count, "processor"),
+        peak_memory => results.peak_memory_mib.map(|size| numbers::bytes((size * 1048576.0) as u64)),
+        gpu => gpu(&results.gpu),
+        failures_title => format!("{} on the way to this atlas", plural(results.failures.len(), "failure")),
+        failures => failures(results),
+        unembedded => unembedded(album.linked),
+        stills => safe(stills.definitions()),
+        summary => summary,
+        specimens => specimens,
+        times => safe(plots::time_plot(&by_stage(&all))),
+        times_cpu => cpu_s.map(numbers::seconds),
+        manifest => &results.manifest_text,
+    };
+    fill_in(page)
+}
+
+/// The template with its blanks filled.
+fn fill_in(page: Value) -> Result<String> {
+    let bug = |error: minijinja::Error| {
+        Error::limit(
+            format!("the report page could not be put together: {error:#}"),
+            "this is a bug of the program; please report it with this message",
+        )
+    };
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    environment.set_formatter(|out, state, value| match value.as_str() {
+        // Names and messages come from files: control characters would break the page.
+        Some(text) if text.chars().any(|character| printable(character) != character) => {
+            let clean: String = text.chars().map(printable).collect();
+            escape_formatter(out, state, &Value::from(clean))
+        }
+        _ => escape_formatter(out, state, value),
+    });
+    environment.add_template("report.html", TEMPLATE).map_err(bug)?;
+    let template = environment.get_template("report.html").map_err(bug)?;
+    template.render(page).map_err(bug)
+}
+
+/// Pictures shown more than once: defined once, used by name.
+#[derive(Default)]
+struct Stills {
+    defined: String,
+    count: usize,
+}
+
+/// A picture that can be shown any number of times.
+enum Still {
+    Defined { name: String, size_px: [u32; 2] },
+    Missing { path: String },
+}
+
+impl Stills {
+    fn add(&mut self, path: &str, album: &mut Album) -> Result<Still> {
+        let Some(Picture { href, size_px }) = album.picture(path)? else {
+            return Ok(Still::Missing { path: path.into() });
+        };
+        self.count += 1;
+        let name = format!("still-{}", self.count);
+        self.defined +=
+            &format!(r#"<image id="{name}" width="{}" height="{}" href="{}"/>"#, size_px[0], size_px[1], escape(&href));
+        Ok(Still::Defined { name, size_px })
+    }
+
+    fn definitions(&self) -> String {
+        format!(
+            r#"<svg width="0" height="0" style="position:absolute" aria-hidden="true"><defs>{}</defs></svg>"#,
+            self.defined
+        )
+    }
+}
+
+impl Still {
+    fn show(&self, class: &str, label: &str) -> Value {
+        safe(match self {
+            Self::Defined { name, size_px } => format!(
+                r##"<svg class="{class}" viewBox="0 0 {} {}" role="img" aria-label="{}"><use href="#{name}"/></svg>"##,
+                size_px[0],
+                size_px[1],
+                escape(label)
+            ),
+            Self::Missing { path } => missing(path),
+        })
+    }
+}
+
+fn summary_row(number: usize, specimen: &SpecimenResult, preview: Option<&Still>, stages: &[StageTime]) -> Value {
+    let dash = || numbers::MISSING.to_string();
+    let statistics = specimen.statistics.as_ref();
+    let build = specimen.build.as_ref();
+    let worst_scene = specimen
+        .scenes
+        .iter()
+        .filter_map(|scene| scene.error.map(|error| error.ciede2000_p95))
+        .fold(f64::NAN, f64::max);
+    context! {
+        id => anchor(number),
+        name => &specimen.name,
+        species => specimen.species.clone().unwrap_or_default(),
+        generated => specimen.generated,
+        failed => specimen.failed.is_some(),
+        warnings => match facts::warnings(specimen).len() {
+            0 => String::new(),
+            count => plural(count, "warning"),
+        },
+        thumb => preview.map_or_else(|| Value::from(dash()), |still| match still {
+            Still::Defined { .. } => still.show("thumb", &format!("Preview of {}", specimen.name)),
+            Still::Missing { .. } => Value::from(dash()),
+        }),
+        period => statistics
+            .and_then(|found| found.dominant_periods.first())
+            .map_or_else(dash, |period| numbers::length_nm(period.period_nm)),
+        rms => statistics.map_or_else(dash, |found| numbers::with_unit(found.rms_height_nm, 3, "nm")),
+        tables => build.map_or_else(dash, facts::tables_short),
+        grid => build.map_or_else(String::new, facts::grid_short),
+        bytes => build.map_or_else(dash, |built| numbers::bytes(built.stored_bytes)),
+        error => headline_error(&specimen.errors).map_or_else(dash, |row| numbers::percent(row.p95)),
+        scenes => numbers::number(worst_scene, 2),
+        time => match own_stages(stages, &specimen.name) {
+            own if own.is_empty() => dash(),
+            own => numbers::seconds(own.iter().map(|stage| stage.wall_s).sum()),
+        },
+    }
+}
+
+fn specimen_section(
+    number: usize,
+    specimen: &SpecimenResult,
+    preview: Option<&Still>,
+    stages: &[StageTime],
+    album: &mut Album,
+) -> Result<Value> {
+    let periods = specimen.statistics.as_ref().map_or(&[][..], |found| &found.dominant_periods);
+    let height_map = match &specimen.height_map {
+        Some(file) => Some(safe(match album.picture(&file.png)? {
+            Some(picture) => {
+                let id = format!("heights-{number}");
+                frames::height_frame(&picture.href, &id, specimen.extent_um, file)
+            }
+            None => missing(&file.png),
+        })),
+        None => None,
+    };
+    let spectrum = match &specimen.spectrum {
+        Some(file) => Some(safe(match album.picture(&file.png)? {
+            Some(picture) => {
+                let id = format!("spectrum-{number}");
+                frames::spectrum_frame(&picture.href, &id, file, periods)
+            }
+            None => missing(&file.png),
+        })),
+        None => None,
+    };
+    let scenes = specimen.scenes.iter().map(|scene| scene_view(scene, album)).collect::<Result<Vec<Value>>>()?;
+    let tolerance = specimen.build.as_ref().map(|built| built.tolerance);
+    let errors: Vec<(&ErrorRow, bool)> =
+        specimen.errors.iter().map(|row| (row, facts::is_over(row, tolerance))).collect();
+    let over = errors.iter().any(|(_, over)| *over);
+    Ok(context! {
+        id => anchor(number),
+        name => &specimen.name,
+        species => specimen.species.clone().unwrap_or_default(),
+        generated => specimen.generated,
+        failed => specimen.failed.clone().unwrap_or_default(),
+        warnings => facts::warnings(specimen),
+        preview => preview.map(|still| still.show("still", &format!("Preview of {}", specimen.name))),
+        facts => fact_values(&facts::of_specimen(specimen)),
+        height_map => height_map,
+        spectrum => spectrum,
+        marks => facts::period_marks(periods),
+        scenes => scenes,
+        errors => errors
+            .iter()
+            .enumerate()
+            .map(|(index, &(row, over))| {
+                let first = index == 0 || errors[index - 1].0.what != row.what;
+                error_view(row, first, over)
+            })
+            .collect::<Vec<_>>(),
+        error_plot => safe(plots::error_plot(&specimen.errors, tolerance)),
+        over => if over {
+            format!(
+                "Highlighted: above the tolerance of {} that was asked for.",
+                numbers::round_percent(tolerance.unwrap_or(f64::NAN))
+            )
+        } else {
+            String::new()
+        },
+        power_plot => safe(plots::power_plot(&specimen.power_sums)),
+        times => safe(plots::time_plot(&by_stage(&own_stages(stages, &specimen.name)))),
+        scans_title => plural(specimen.scans.len(), "scan"),
+        scans => specimen
+            .scans
+            .iter()
+            .map(|scan| fact_values(&facts::of_scan(scan)))
+            .collect::<Vec<_>>(),
+    })
+}
+
+fn scene_view(scene: &SceneResult, album: &mut Album) -> Result<Value> {
+    let mut optional = |path: &Option<String>, alt: &str| -> Result<Option<Value>> {
+        path.as_ref().map(|path| Ok(safe(album.img(path, alt)?))).transpose()
+    };
+    let side_by_side = optional(&scene.side_by_side_png, "Tables and reference side by side")?;
+    let difference = optional(&scene.difference_png, "Difference from the reference")?;
+    let table = safe(album.img(&scene.table_png, &format!("Scene {}", scene.name))?);
+    let error = scene.error.as_ref();
+    let cell = |value: Option<f64>, show: &dyn Fn(f64) -> String| value.map_or_else(|| numbers::MISSING.into(), show);
+    let delta = |value: f64| numbers::number(value, 2);
+    let pixels = error.map_or_else(|| numbers::MISSING.into(), |error| numbers::count(error.pixels as u64));
+    Ok(context! {
+        name => &scene.name,
+        about => format!(
+            "{}, {} × {} pixels, exposure {}",
+            scene.shape,
+            scene.size_px[0],
+            scene.size_px[1],
+            numbers::number(scene.exposure, 3)
+        ),
+        table => table,
+        side_by_side => side_by_side,
+        difference => difference,
+        difference_scale => scene.difference_scale.clone().unwrap_or_default(),
+        pixels => pixels.clone(),
+        cells => vec![
+            cell(error.map(|error| error.relative_l2), &numbers::percent),
+            cell(error.map(|error| error.ciede2000_mean), &delta),
+            cell(error.map(|error| error.ciede2000_p95), &delta),
+            cell(error.map(|error| error.ciede2000_max), &delta),
+            pixels,
+            numbers::seconds(scene.seconds),
+        ],
+    })
+}
+
+/// A table row; only the first of a cause names it.
+fn error_view(row: &ErrorRow, first: bool, over: bool) -> Value {
+    context! {
+        what => if first { row.what.as_str() } else { "" },
+        region => &row.region,
+        directions => numbers::count(row.directions as u64),
+        p50 => numbers::percent(row.p50),
+        p95 => numbers::percent(row.p95),
+        p99 => numbers::percent(row.p99),
+        worst => numbers::percent(row.worst),
+        l2 => numbers::percent(row.relative_l2),
+        over => over,
+    }
+}
+
+/// The row for the summary: everything together, over the whole hemisphere.
+fn headline_error(rows: &[ErrorRow]) -> Option<&ErrorRow> {
+    let mut totals = rows.iter().filter(|row| row.what == "total");
+    let first = totals.clone().next();
+    totals.find(|row| row.region == "whole hemisphere").or(first)
+}
+
+fn failures(results: &RunResults) -> Vec<Value> {
+    results
+        .failures
+        .iter()
+        .map(|failure| {
+            let place = match &failure.specimen {
+                Some(specimen) => format!("{specimen}, {}", failure.stage),
+                None => failure.stage.clone(),
+            };
+            context! { place => place, message => &failure.message }
+        })
+        .collect()
+}
+
+fn gpu(result: &GpuResult) -> Value {
+    let none: Vec<Value> = Vec::new();
+    match result {
+        GpuResult::Off => {
+            context! { tone => "", text => "check switched off", adapter => "", rows => none }
+        }
+        GpuResult::Skipped { why } => {
+            context! { tone => "amber", text => format!("not checked, {why}"), adapter => "", rows => none }
+        }
+        GpuResult::Checked { adapter, rows } => {
+            let beyond = rows.iter().filter(|row| !row.passed()).count();
+            let (tone, text) = if rows.is_empty() {
+                ("amber", format!("nothing compared on {adapter}"))
+            } else if beyond == 0 {
+                let compared = plural(rows.len(), "comparison");
+                ("green", format!("{compared} with the CPU within limits"))
+            } else {
+                let of = plural(rows.len(), "comparison");
+                ("red", format!("{beyond} of {of} with the CPU beyond the limit"))
+            };
+            let rows: Vec<Value> = rows
+                .iter()
+                .map(|row| {
+                    context! {
+                        specimen => &row.specimen,
+                        what => &row.what,
+                        values => numbers::count(row.values as u64),
+                        l2 => numbers::number(row.relative_l2, 2),
+                        worst => numbers::number(row.worst, 2),
+                        limit => numbers::number(row.limit, 2),
+                        passed => row.passed(),
+                    }
+                })
+                .collect();
+            context! { tone => tone, text => text, adapter => adapter, rows => rows }
+        }
+    }
+}
+
+fn unembedded(linked: usize) -> String {
+    if linked == 0 {
+        return String::new();
+    }
+    format!(
+        "{} did not fit into this page and {} read from the files beside it: keep them together.",
+        plural(linked, "picture"),
+        if linked == 1 { "is" } else { "are" }
+    )
+}
+
+fn own_stages<'a>(stages: &'a [StageTime], specimen: &str) -> Vec<&'a StageTime> {
+    stages.iter().filter(|stage| stage.specimen.as_deref() == Some(specimen)).collect()
+}
+
+/// Elapsed seconds per stage name, in the order in which the names first occur.
+fn by_stage(stages: &[&StageTime]) -> Vec<(String, f64)> {
+    let mut sums: Vec<(String, f64)> = Vec::new();
+    for stage in stages {
+        match sums.iter_mut().find(|sum| sum.0 == stage.name) {
+            Some(sum) => sum.1 += stage.wall_s,
+            None => sums.push((stage.name.clone(), stage.wall_s)),
+        }
+    }
+    sums
+}
+
+fn fact_values(facts: &[Fact]) -> Vec<Value> {
+    facts.iter().map(|fact| context! { name => &fact.name, text => &fact.text }).collect()
+}
+
+fn anchor(number: usize) -> String {
+    format!("specimen-{number}")
+}
+
+fn plural(count: usize, noun: &str) -> String {
+    let ending = if count == 1 { "" } else { "s" };
+    format!("{} {noun}{ending}", numbers::count(count as u64))
+}
+
+/// Markup made here, not to be escaped again.
+fn safe(markup: String) -> Value {
+    Value::from_safe_string(markup)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::pictures::encode_png;
+
+    fn png() -> Vec<u8> {
+        encode_png(&ndarray::Array3::zeros((4, 6, 3))).unwrap()
+    }
+
+    /// A run with one specimen and two pictures.
+    fn small_run() -> RunResults {
+        serde_json::from_value(serde_json::json!({
+            "schema": 1, "atlas_name": "small", "version": null, "program_version": "0",
+            "started": "2025-01-01T00:00:00Z", "threads": 1, "cpu_count": 1,
+            "manifest_text": "", "stages": [], "gpu": { "state": "skipped", "why": "no adapter" },
+            "failures": [], "peak_memory_mib": null, "total_wall_s": 1.0,
+            "specimens": [{
+                "name": "a", "species": null, "generated": false, "scans": [], "size": [4, 4],
+                "pitch_nm": [50.0, 50.0], "extent_um": [0.2, 0.2], "statistics": null,
+                "optics": null, "build": null, "lobe": null, "errors": [], "power_sums": [],
+                "scenes": [], "preview_png": "a/preview.png", "warnings": [], "failed": null,
+                "height_map": {
+                    "png": "a/heights.png", "scale_bar_um": 0.05, "low_nm": 0.0, "high_nm": 1.0
+                },
+                "spectrum": null
+            }]
+        }))
+        .unwrap()
+    }
+
+    #[test]
+    fn a_full_page_links_the_rest_and_says_so() {
+        let source = |_: &str| Some(png());
+        let roomy = render_within(&small_run(), &source, 2 * png().len()).unwrap();
+        assert!(!roomy.contains("did not fit") && !roomy.contains("./a/"));
+        let full = render_within(&small_run(), &source, png().len()).unwrap();
+        assert!(full.contains("1 picture did not fit into this page and is read"));
+        assert!(full.contains("./a/heights.png") && full.contains("data:image/png"));
+    }
+
+    #[test]
+    fn a_picture_that_is_none_is_an_error_that_names_it() {
+        let error = render_html(&small_run(), &|_| Some(b"GIF89a".to_vec())).unwrap_err();
+        assert!(error.to_string().starts_with("a/preview.png: "), "{error}");
+    }
+
+    #[test]
+    fn a_blank_that_nobody_fills_is_an_error() {
+        assert!(fill_in(context! { atlas => "a" }).is_err());
+    }
+
+    #[test]
+    fn the_headline_is_the_whole_hemisphere() {
+        let row = |what: &str, region: &str| ErrorRow {
+            what: what.into(),
+            region: region.into(),
+            directions: 1,
+            relative_l2: 0.0,
+            p50: 0.0,
+            p95: 0.0,
+            p99: 0.0,
+            worst: 0.0,
+        };
+        let rows = [row("basis", "whole hemisphere"), row("total", "grazing"), row("total", "whole hemisphere")];
+        assert_eq!(headline_error(&rows), Some(&rows[2]));
+        assert_eq!(headline_error(&rows[..2]), Some(&rows[1]));
+        assert_eq!(headline_error(&rows[..1]), None);
+    }
+
+    #[test]
+    fn the_gpu_line_tells_failure_from_success() {
+        let row = |worst| crate::stages::results::GpuRow {
+            specimen: "a".into(),
+            what: "sphere".into(),
+            values: 1,
+            relative_l2: 0.0,
+            worst,
+            limit: 1e-4,
+        };
+        let text = |rows: Vec<_>| {
+            let adapter = "x".to_string();
+            let view = gpu(&GpuResult::Checked { adapter, rows });
+            view.get_attr("text").unwrap().to_string()
+        };
+        assert_eq!(text(vec![row(1e-5)]), "1 comparison with the CPU within limits");
+        assert_eq!(text(vec![row(1e-5), row(f64::NAN)]), "1 of 2 comparisons with the CPU beyond the limit");
+        assert_eq!(text(vec![]), "nothing compared on x");
+    }
+}

@@ -1,0 +1,31 @@
+//! The report: a self-contained page about a run, its plots, and pictures of the data.
+
+pub mod colour_maps;
+pub mod html;
+pub mod pictures;
+
+mod embed;
+mod facts;
+mod frames;
+mod numbers;
+mod plots;
+mod spectrum_picture;
+mod svg;
+
+pub use html::render_html;
+
+use std::path::Path;
+
+use crate::ground::error::Result;
+use crate::ground::files;
+use crate::stages::results::{RunResults, to_json};
+
+/// Writes `report.html` and `report.json` into a version's folder, whose pictures the page embeds.
+///
+/// # Errors
+/// The disk's, or a picture that is no PNG.
+pub fn write(results: &RunResults, folder: &Path) -> Result<()> {
+    let page = render_html(results, &|path| std::fs::read(folder.join(path)).ok())?;
+    files::replace(&folder.join("report.html"), page.as_bytes())?;
+    files::replace(&folder.join("report.json"), to_json(results).as_bytes())
+}

@@ -1,0 +1,370 @@
+//! SVG plots of a run's numbers: error ranges, power sums, stage times.
+
+use crate::report::numbers;
+use crate::report::svg::{at, escape, ticks};
+use crate::stages::results::{ErrorRow, PowerSum};
+
+/// Width of every plot in SVG units; text is 12 units high.
+const WIDTH: f64 = 620.0;
+/// Height of one row of a plot of rows.
+const ROW: f64 = 19.0;
+
+/// Median to 95th percentile as a bar, on to the 99th percentile as a line, and the worst as a
+/// cross, one row per [`ErrorRow`], on a logarithmic axis; the tolerance as a dashed line.
+///
+/// Errors of zero and missing ones are not drawn: a logarithm has no place for them.
+pub fn error_plot(rows: &[ErrorRow], tolerance: Option<f64>) -> String {
+    const LEFT: f64 = 248.0;
+    const TOP: f64 = 20.0;
+    let span = WIDTH - LEFT - 18.0;
+    let values: Vec<f64> = rows
+        .iter()
+        .flat_map(|row| [row.p50, row.p95, row.p99, row.worst])
+        .chain(tolerance)
+        .filter(|&value| drawable(value))
+        .collect();
+    let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = values.iter().copied().fold(0.0, f64::max);
+    if high == 0.0 {
+        return String::new();
+    }
+    // Whole decades; at most twelve, the uninteresting end being the small one.
+    let last = high.log10().ceil() as i32;
+    let first = (low.log10().floor() as i32).min(last - 1).max(last - 12);
+    let x = |value: f64| {
+        let place = (value.log10() - f64::from(first)) / f64::from(last - first);
+        LEFT + span * place.clamp(0.0, 1.0)
+    };
+    let bottom = TOP + ROW * rows.len() as f64;
+    let mut body = decades(first, last, &x, TOP, bottom);
+    if let Some(limit) = tolerance.filter(|&value| drawable(value)) {
+        body += &format!(
+            r#"<path class="limit" d="M{0} {1}V{2}"/><text class="small" x="{0}" y="{3}" text-anchor="middle">tolerance</text>"#,
+            at(x(limit)),
+            at(TOP - 4.0),
+            at(bottom),
+            at(TOP - 7.0)
+        );
+    }
+    let mut previous = "";
+    for (index, row) in rows.iter().enumerate() {
+        let y = TOP + ROW * (index as f64 + 0.5);
+        if row.what != previous {
+            if index > 0 {
+                body += &format!(r#"<path class="grid" d="M0 {}H{WIDTH}"/>"#, at(y - ROW / 2.0));
+            }
+            body += &format!(r#"<text class="strong" x="0" y="{}">{}</text>"#, at(y + 4.0), escape(&row.what));
+            previous = &row.what;
+        }
+        body += &format!(
+            r#"<text x="{}" y="{}" text-anchor="end">{}</text>"#,
+            at(LEFT - 8.0),
+            at(y + 4.0),
+            escape(&row.region)
+        );
+        body += &error_range(row, y, &x);
+    }
+    svg("Measured relative errors per cause and region", bottom + 22.0, &body)
+}
+
+fn drawable(value: f64) -> bool {
+    value.is_finite() && value > 0.0
+}
+
+fn decades(first: i32, last: i32, x: &dyn Fn(f64) -> f64, top: f64, bottom: f64) -> String {
+    let every = if last - first > 6 { 2 } else { 1 };
+    (first..=last)
+        .map(|power| {
+            let value = 10f64.powi(power);
+            let place = at(x(value));
+            // Labels of the coarse decades only; every decade has its line.
+            let label = if (last - power) % every == 0 {
+                format!(
+                    r#"<text x="{place}" y="{}" text-anchor="middle">{}</text>"#,
+                    at(bottom + 16.0),
+                    escape(&decade_percent(power))
+                )
+            } else {
+                String::new()
+            };
+            format!(r#"<path class="grid" d="M{place} {}V{}"/>{label}"#, at(top), at(bottom))
+        })
+        .collect()
+}
+
+/// `10^power` in per cent without trailing zeros.
+fn decade_percent(power: i32) -> String {
+    let power = power + 2;
+    if (-3..=4).contains(&power) {
+        let decimals = (-power).max(0) as usize;
+        format!("{:.decimals$} %", 10f64.powi(power))
+    } else {
+        format!("10{} %", numbers::superscript(power))
+    }
+}
+
+fn error_range(row: &ErrorRow, y: f64, x: &dyn Fn(f64) -> f64) -> String {
+    let mut body = String::new();
+    let line = |class: &str, from: f64, to: f64| {
+        if drawable(from) && drawable(to) {
+            format!(r#"<path class="{class}" d="M{} {}H{}"/>"#, at(x(from)), at(y), at(x(to)))
+        } else {
+            String::new()
+        }
+    };
+    body += &line("whisker", row.p95, row.p99);
+    body += &line("span", row.p50, row.p95);
+    if drawable(row.p50) {
+        body += &format!(r#"<circle class="dot" cx="{}" cy="{}" r="3.5"/>"#, at(x(row.p50)), at(y));
+    }
+    if drawable(row.worst) {
+        body += &format!(r#"<path class="cross" d="M{} {}l6 6m0 -6l-6 6"/>"#, at(x(row.worst) - 3.0), at(y - 3.0));
+    }
+    body
+}
+
+/// Power sums against the angle of incidence, one line per wavelength and one for the luminous sum.
+/// 1 is what goes in.
+pub fn power_plot(sums: &[PowerSum]) -> String {
+    const LEFT: f64 = 46.0;
+    const TOP: f64 = 12.0;
+    const HEIGHT: f64 = 190.0;
+    let span = WIDTH - LEFT - 120.0;
+    let usable: Vec<&PowerSum> =
+        sums.iter().filter(|sum| sum.sum.is_finite() && (0.0..=90.0).contains(&sum.theta_i_deg)).collect();
+    if usable.is_empty() {
+        return String::new();
+    }
+    // The scalar model can run away towards grazing; the part that matters stays readable.
+    let top_sum = usable.iter().map(|sum| sum.sum).fold(1.0, f64::max).min(3.0) * 1.08;
+    let x = |theta_deg: f64| LEFT + span * theta_deg / 90.0;
+    let y = |sum: f64| TOP + HEIGHT * (1.0 - (sum / top_sum).clamp(0.0, 1.0));
+    let mut body = format!(r#"<path class="limit" d="M{LEFT} {0}H{1}"/>"#, at(y(1.0)), at(LEFT + span));
+    for (value, text) in ticks(0.0, top_sum, 5) {
+        let place = y(value);
+        body += &format!(
+            r#"<path class="grid" d="M{LEFT} {0}H{1}"/><text x="{2}" y="{3}" text-anchor="end">{text}</text>"#,
+            at(place),
+            at(LEFT + span),
+            at(LEFT - 6.0),
+            at(place + 4.0)
+        );
+    }
+    for theta_deg in [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0] {
+        let place = at(x(theta_deg));
+        body += &format!(
+            r#"<path class="tick" d="M{place} {0}v4"/><text x="{place}" y="{1}" text-anchor="middle">{theta_deg}°</text>"#,
+            at(TOP + HEIGHT),
+            at(TOP + HEIGHT + 17.0)
+        );
+    }
+    body += &format!(
+        r#"<text x="{}" y="{}" text-anchor="middle">angle of incidence</text>"#,
+        at(LEFT + span / 2.0),
+        at(TOP + HEIGHT + 34.0)
+    );
+    for (index, Series { name, colour, points }) in series(&usable).iter().enumerate() {
+        body += &curve(points, colour, &x, &y);
+        let place = TOP + 8.0 + 18.0 * index as f64;
+        body += &format!(
+            r#"<path style="stroke:{colour};stroke-width:2.5" d="M{0} {1}h16"/><text x="{2}" y="{3}">{4}</text>"#,
+            at(LEFT + span + 14.0),
+            at(place),
+            at(LEFT + span + 36.0),
+            at(place + 4.0),
+            escape(name)
+        );
+    }
+    svg("Power sums against the angle of incidence", TOP + HEIGHT + 40.0, &body)
+}
+
+fn curve(points: &[(f64, f64)], colour: &str, x: &dyn Fn(f64) -> f64, y: &dyn Fn(f64) -> f64) -> String {
+    let path: Vec<String> =
+        points.iter().map(|&(theta_deg, sum)| format!("{} {}", at(x(theta_deg)), at(y(sum)))).collect();
+    let dots: String = points
+        .iter()
+        .map(|&(theta_deg, sum)| {
+            format!(r#"<circle style="fill:{colour}" cx="{}" cy="{}" r="2.5"/>"#, at(x(theta_deg)), at(y(sum)))
+        })
+        .collect();
+    format!(r#"<path style="fill:none;stroke:{colour};stroke-width:1.6" d="M{}"/>{dots}"#, path.join("L"))
+}
+
+/// One line of a plot.
+struct Series {
+    name: String,
+    colour: String,
+    /// `(theta_i_deg, sum)` by rising angle.
+    points: Vec<(f64, f64)>,
+}
+
+/// The lines: luminous first, then by wavelength.
+fn series(sums: &[&PowerSum]) -> Vec<Series> {
+    let mut kinds: Vec<Option<f64>> = sums.iter().map(|sum| sum.wavelength_nm).collect();
+    kinds.sort_by(|a, b| a.unwrap_or(0.0).total_cmp(&b.unwrap_or(0.0)));
+    kinds.dedup();
+    kinds
+        .into_iter()
+        .map(|kind| {
+            let mut points: Vec<(f64, f64)> =
+                sums.iter().filter(|sum| sum.wavelength_nm == kind).map(|sum| (sum.theta_i_deg, sum.sum)).collect();
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            match kind {
+                None => Series { name: "luminous".into(), colour: "currentColor".into(), points },
+                Some(wavelength_nm) => Series {
+                    name: format!("{} nm", numbers::round_number(wavelength_nm, 4)),
+                    colour: wavelength_colour(wavelength_nm),
+                    points,
+                },
+            }
+        })
+        .collect()
+}
+
+/// A colour that recalls the wavelength and is readable on black and on white.
+fn wavelength_colour(wavelength_nm: f64) -> String {
+    const HUES: [(f64, f64); 7] =
+        [(400.0, 275.0), (450.0, 228.0), (490.0, 190.0), (530.0, 130.0), (580.0, 45.0), (610.0, 20.0), (660.0, 0.0)];
+    let above = HUES.iter().position(|&(edge, _)| wavelength_nm < edge);
+    let hue = match above {
+        Some(0) => HUES[0].1,
+        Some(index) => {
+            let ((w0, h0), (w1, h1)) = (HUES[index - 1], HUES[index]);
+            h0 + (h1 - h0) * (wavelength_nm - w0) / (w1 - w0)
+        }
+        None => HUES[HUES.len() - 1].1,
+    };
+    format!("hsl({}, 65%, 48%)", at(hue))
+}
+
+/// Named durations in seconds as bars.
+pub fn time_plot(times: &[(String, f64)]) -> String {
+    const LEFT: f64 = 150.0;
+    let longest = times.iter().map(|time| time.1).filter(|&time| drawable(time)).fold(0.0, f64::max);
+    if longest == 0.0 {
+        return String::new();
+    }
+    let span = WIDTH - LEFT - 84.0;
+    let mut body = String::new();
+    for (index, (name, time)) in times.iter().enumerate() {
+        let top = ROW * index as f64;
+        let length = if drawable(*time) { span * time / longest } else { 0.0 };
+        body += &format!(
+            r#"<text x="{0}" y="{1}" text-anchor="end">{2}</text><rect class="bar" x="{LEFT}" y="{3}" width="{4}" height="11"/><text x="{5}" y="{1}">{6}</text>"#,
+            at(LEFT - 8.0),
+            at(top + 13.5),
+            escape(name),
+            at(top + 4.0),
+            at(length.max(1.0)),
+            at(LEFT + length + 7.0),
+            escape(&numbers::seconds(*time))
+        );
+    }
+    svg("Time per stage", ROW * times.len() as f64 + 2.0, &body)
+}
+
+fn svg(label: &str, height: f64, body: &str) -> String {
+    format!(
+        r#"<svg class="plot wide" viewBox="0 0 {WIDTH} {}" role="img" aria-label="{}">{body}</svg>"#,
+        at(height),
+        escape(label)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(what: &str, errors: [f64; 4]) -> ErrorRow {
+        ErrorRow {
+            what: what.into(),
+            region: "grazing".into(),
+            directions: 100,
+            relative_l2: errors[0],
+            p50: errors[0],
+            p95: errors[1],
+            p99: errors[2],
+            worst: errors[3],
+        }
+    }
+
+    fn check(svg: &str) {
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+        if !svg.is_empty() {
+            roxmltree::Document::parse(svg).unwrap();
+        }
+    }
+
+    /// The x of every mark of a class.
+    fn places(svg: &str, class: &str) -> Vec<f64> {
+        let document = roxmltree::Document::parse(svg).unwrap();
+        document
+            .descendants()
+            .filter(|node| node.attribute("class") == Some(class))
+            .map(|node| node.attribute("cx").unwrap().parse().unwrap())
+            .collect()
+    }
+
+    #[test]
+    fn a_decade_is_a_decade() {
+        let rows = [
+            row("total", [1e-4, 1e-3, 1e-2, 1e-1]),
+            row("basis", [1e-3, 1e-2, 1e-2, 1e-1]),
+            row("grid", [1e-2, 1e-2, 1e-2, 1e-1]),
+        ];
+        let svg = error_plot(&rows, Some(1e-3));
+        check(&svg);
+        let x = places(&svg, "dot");
+        assert_eq!(x.len(), 3);
+        assert!(x[1] > x[0] + 50.0);
+        assert!(((x[2] - x[1]) - (x[1] - x[0])).abs() < 0.02, "{x:?}");
+    }
+
+    #[test]
+    fn missing_and_zero_errors_are_left_out_of_the_plot() {
+        let nan = f64::NAN;
+        check(&error_plot(&[row("a<&", [nan, 0.0, f64::INFINITY, 1e-300])], Some(nan)));
+        assert_eq!(error_plot(&[row("a", [0.0; 4])], None), "");
+        assert_eq!(error_plot(&[], None), "");
+    }
+
+    #[test]
+    fn power_sums_are_grouped_by_wavelength_whatever_their_order() {
+        let sum = |theta_i_deg, wavelength_nm, sum| PowerSum { theta_i_deg, wavelength_nm, sum };
+        let sums = [
+            sum(60.0, Some(550.0), 0.9),
+            sum(0.0, None, 1.0),
+            sum(0.0, Some(550.0), 1.01),
+            sum(30.0, None, f64::NAN),
+            sum(120.0, None, 1.0),
+        ];
+        let usable: Vec<&PowerSum> = sums.iter().take(3).collect();
+        let lines = series(&usable);
+        assert_eq!(lines.len(), 2);
+        assert_eq!(lines[0].name, "luminous");
+        assert_eq!(lines[1].points, [(0.0, 1.01), (60.0, 0.9)]);
+        check(&power_plot(&sums));
+        assert_eq!(power_plot(&[]), "");
+    }
+
+    #[test]
+    fn bars_are_as_long_as_their_times() {
+        let svg = time_plot(&[("read".into(), 1.0), ("build".into(), 4.0), ("x".into(), f64::NAN)]);
+        check(&svg);
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        let widths: Vec<f64> = document
+            .descendants()
+            .filter(|node| node.attribute("class") == Some("bar"))
+            .map(|node| node.attribute("width").unwrap().parse().unwrap())
+            .collect();
+        assert!((widths[1] / widths[0] - 4.0).abs() < 1e-3, "{widths:?}");
+    }
+
+    #[test]
+    fn decades_read_as_per_cent() {
+        assert_eq!(decade_percent(0), "100 %");
+        assert_eq!(decade_percent(-3), "0.1 %");
+        assert_eq!(decade_percent(-5), "0.001 %");
+        assert_eq!(decade_percent(-9), "10⁻⁷ %");
+    }
+}

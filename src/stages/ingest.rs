@@ -1,0 +1,40 @@
+//! From a specimen's scan files to prepared height fields with their statistics.
+
+use super::config::SpecimenConfig;
+use crate::ground::error::Result;
+use crate::height::HeightField;
+use crate::height::prepare::{PrepareRecord, prepare};
+use crate::height::read::{Provenance, read_scan};
+use crate::height::statistics::{Statistics, statistics};
+
+/// A specimen's scans, ready for the optics.
+#[derive(Debug, Clone)]
+pub struct Ingested {
+    /// Prepared heights, one per scan.
+    pub fields: Vec<HeightField>,
+    /// Where each comes from.
+    pub provenance: Vec<Provenance>,
+    /// What preparing did to each.
+    pub preparation: Vec<PrepareRecord>,
+    /// Statistics of each prepared field.
+    pub statistics: Vec<Statistics>,
+}
+
+/// Reads and prepares every scan of a specimen.
+///
+/// # Errors
+/// The first scan that cannot be read or prepared.
+pub fn ingest(specimen: &SpecimenConfig) -> Result<Ingested> {
+    let mut ingested =
+        Ingested { fields: Vec::new(), provenance: Vec::new(), preparation: Vec::new(), statistics: Vec::new() };
+    let shortest_nm = specimen.optics.illuminant.reach_nm(specimen.optics.wavelength_nm)[0];
+    for path in &specimen.scans {
+        let scan = read_scan(path, &specimen.read)?;
+        let (field, record) = prepare(&scan.field, &specimen.prepare)?;
+        ingested.statistics.push(statistics(&field, shortest_nm));
+        ingested.fields.push(field);
+        ingested.provenance.push(scan.provenance);
+        ingested.preparation.push(record);
+    }
+    Ok(ingested)
+}

@@ -1,0 +1,210 @@
+//! Measured errors of a specimen's tables: in total, and each cause by itself.
+//!
+//! The yardstick is `optics::spectral`, evaluated at the same fixed directions for every specimen. One
+//! pass over the windows serves the error rows and the scenes' reference pictures.
+
+use super::results::{ErrorRow, PowerSum};
+use crate::ground::chebyshev;
+use crate::ground::direction::{Vec3, Xyz, from_angles_deg, wave_vector_change};
+use crate::ground::error::Result;
+use crate::ground::metrics;
+use crate::ground::sampling::{Region, direction_pairs};
+use crate::height::HeightField;
+use crate::optics::config::OpticsConfig;
+use crate::optics::reference::{self, FULL_STEP, PICTURE_STEP};
+use crate::optics::spectra::{self, Spectra};
+use crate::optics::spectral;
+use crate::tables::build::BuildPlan;
+use crate::tables::evaluate::{Interpolation, brdf_xyz, diffuse_window_power, lobe_window_power};
+use crate::tables::model::TableSet;
+use crate::tables::plan::w_reach;
+use rayon::prelude::*;
+
+/// Directions per region.
+const DIRECTIONS: usize = 128;
+
+/// Pairs at which the yardstick itself is held against the direct sum.
+const DIRECT_PAIRS: usize = 2;
+
+/// Luminance below which an error is taken relative to this instead, in 1/sr: a millionth of white.
+const FLOOR_PER_SR: f64 = 1e-6;
+
+/// Everything the yardstick is asked for, in one list.
+#[derive(Debug, Clone, Default)]
+pub struct Yardstick {
+    /// Pairs of directions: the regions' first, then whatever scenes added.
+    pub pairs: Vec<(Vec3, Vec3)>,
+    /// XYZ of the BRDF at each, in 1/sr.
+    pub xyz: Vec<Xyz>,
+    /// Diffuse luminance at the regions' pairs: exact, with the tables' wavelengths, and with the tables'
+    /// interpolation in `w` too; geometry and reflectance left out.
+    diffuse: [Vec<f64>; 3],
+}
+
+/// The fixed directions of all regions.
+pub fn fixed_pairs() -> Vec<(Vec3, Vec3)> {
+    Region::ALL.into_iter().flat_map(|region| direction_pairs(region, DIRECTIONS)).collect()
+}
+
+/// Evaluates the yardstick: `pairs` start with [`fixed_pairs`], further ones are the scenes'.
+///
+/// # Errors
+/// Those of the transforms.
+pub fn yardstick(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    plan: &BuildPlan,
+    nodes: usize,
+    pairs: Vec<(Vec3, Vec3)>,
+) -> Result<Yardstick> {
+    let fixed = fixed_pairs().len();
+    let mut yardstick =
+        Yardstick { xyz: vec![[0.0; 3]; pairs.len()], pairs, diffuse: [(); 3].map(|()| vec![0.0; fixed]) };
+    let share = 1.0 / plan.windows.len().max(1) as f64;
+    for &(scan, placement) in &plan.windows {
+        let spectra = spectra::transform(&fields[scan], placement, optics, &plan.spectra)?;
+        let (exact, pictures) = yardstick.xyz.split_at_mut(fixed);
+        spectral::add_window(&spectra, optics, &yardstick.pairs[..fixed], FULL_STEP, exact)?;
+        spectral::add_window(&spectra, optics, &yardstick.pairs[fixed..], PICTURE_STEP, pictures)?;
+        let rows: Vec<[f64; 3]> = yardstick.pairs[..fixed]
+            .par_iter()
+            .map(|&(wi, wo)| diffuse_shares(&spectra, optics, plan, nodes, wave_vector_change(wi, wo)))
+            .collect::<Result<_>>()?;
+        for (index, row) in rows.iter().enumerate() {
+            for (sums, value) in yardstick.diffuse.iter_mut().zip(row) {
+                sums[index] += share * value;
+            }
+        }
+    }
+    yardstick.xyz.iter_mut().for_each(|xyz| *xyz = xyz.map(|x| x * share));
+    Ok(yardstick)
+}
+
+/// Diffuse luminance at one `q`: exact, with the ring's wavelengths, with the nodes in `w` as well.
+fn diffuse_shares(
+    spectra: &Spectra,
+    optics: &OpticsConfig,
+    plan: &BuildPlan,
+    nodes: usize,
+    q: Vec3,
+) -> Result<[f64; 3]> {
+    let (uv, w) = ([q[0], q[1]], q[2].abs());
+    let exact =
+        spectral::diffuse_power(spectra, &reference::resolving_wavelengths(optics, q, FULL_STEP)?, uv, &[w])[0][1];
+    let rho = uv[0].hypot(uv[1]);
+    let Some(ring) = plan.rings.iter().find(|r| rho >= r.rho[0] && rho < r.rho[1]) else {
+        return Ok([exact; 3]);
+    };
+    let mut points = chebyshev::gauss_nodes(nodes, 0.0, ring.w_max());
+    let weights = chebyshev::interpolation_weights(nodes, 0.0, ring.w_max(), w.min(w_reach(rho)));
+    points.push(w);
+    let values = spectral::diffuse_power(spectra, &ring.quadrature, uv, &points);
+    let interpolated = values.iter().zip(&weights).map(|(value, weight)| value[1] * weight).sum();
+    Ok([exact, values[nodes][1], interpolated])
+}
+
+/// Error rows of the stored tables (as read back) and of the tables before rounding.
+pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) -> Vec<ErrorRow> {
+    let mut rows = Vec::new();
+    for (index, region) in Region::ALL.into_iter().enumerate() {
+        let range = index * DIRECTIONS..(index + 1) * DIRECTIONS;
+        let pairs = &yardstick.pairs[range.clone()];
+        let luminance = |values: &[Xyz]| values.iter().map(|xyz| xyz[1]).collect::<Vec<_>>();
+        let exact = luminance(&yardstick.xyz[range.clone()]);
+        let tables = |set: &TableSet, interpolation| {
+            luminance(&pairs.iter().map(|&(wi, wo)| brdf_xyz(set, interpolation, wi, wo)).collect::<Vec<_>>())
+        };
+        let diffuse = |set: &TableSet| -> Vec<f64> {
+            let at = |&(wi, wo): &(Vec3, Vec3)| {
+                diffuse_window_power(set, Interpolation::Bilinear, wave_vector_change(wi, wo))[1]
+            };
+            pairs.iter().map(at).collect()
+        };
+        let [fine, ringed, interpolated] = [0, 1, 2].map(|i| &yardstick.diffuse[i][range.clone()]);
+        let on_grid = diffuse(built);
+        let mut push = |what: &str, reference: &[f64], test: &[f64]| rows.push(row(what, region, reference, test));
+        push("total", &exact, &tables(stored, Interpolation::Bilinear));
+        push("total, cubic look-up", &exact, &tables(stored, Interpolation::Cubic));
+        push("wavelength step", fine, ringed);
+        push("basis", ringed, interpolated);
+        push("grid", interpolated, &on_grid);
+        push("storage", &on_grid, &diffuse(stored));
+    }
+    rows
+}
+
+fn row(what: &str, region: Region, reference: &[f64], test: &[f64]) -> ErrorRow {
+    let quantiles = metrics::relative_error_quantiles(reference, test, FLOOR_PER_SR);
+    ErrorRow {
+        what: what.into(),
+        region: region.name().into(),
+        directions: quantiles.count,
+        relative_l2: metrics::relative_l2(reference, test),
+        p50: quantiles.p50,
+        p95: quantiles.p95,
+        p99: quantiles.p99,
+        worst: quantiles.worst,
+    }
+}
+
+/// The yardstick against the direct sum at a few directions.
+///
+/// # Errors
+/// Those of the reference.
+pub fn direct_row(fields: &[HeightField], optics: &OpticsConfig, yardstick: &Yardstick) -> Result<ErrorRow> {
+    let direct = reference::brdf_xyz_batch(fields, optics, &yardstick.pairs[..DIRECT_PAIRS])?;
+    let luminance = |values: &[Xyz]| values.iter().map(|xyz| xyz[1]).collect::<Vec<_>>();
+    Ok(row(
+        "yardstick against direct sum",
+        Region::Hemisphere,
+        &luminance(&direct),
+        &luminance(&yardstick.xyz[..DIRECT_PAIRS]),
+    ))
+}
+
+/// Luminous sums `∫ f cos_theta_o dω_o` for unit reflectance, from the tables: the diffuse part on a grid
+/// over the viewer's disc, the lobe on a fine patch around the mirror direction. Also the lobe's share at
+/// normal incidence.
+pub fn power_sums(set: &TableSet) -> (Vec<PowerSum>, Option<f64>) {
+    let unit = TableSet {
+        optics: OpticsConfig { material: crate::optics::config::Material::Ideal, ..set.optics.clone() },
+        ..set.clone()
+    };
+    let mut sums = Vec::new();
+    let mut lobe_share = None;
+    for theta_i_deg in [0.0, 30.0, 60.0] {
+        let wi = from_angles_deg(theta_i_deg, 0.0);
+        let front = |wo: Vec3| reference::prefactor(&unit.optics, wi, wo);
+        let diffuse = integrate([0.0, 0.0], 1.0, 256, |wo| {
+            front(wo) * diffuse_window_power(&unit, Interpolation::Bilinear, wave_vector_change(wi, wo))[1]
+        });
+        let radius = unit.lobe.as_ref().map_or(0.0, |lobe| lobe.radius_max);
+        let lobe = integrate([-wi[0], -wi[1]], radius, 192, |wo| {
+            front(wo) * lobe_window_power(&unit, Interpolation::Bilinear, wave_vector_change(wi, wo))[1]
+        });
+        if theta_i_deg == 0.0 && unit.lobe.is_some() {
+            lobe_share = Some(lobe / (lobe + diffuse));
+        }
+        sums.push(PowerSum { theta_i_deg, wavelength_nm: None, sum: lobe + diffuse });
+    }
+    (sums, lobe_share)
+}
+
+/// Midpoint rule over the square of half width `half` around a projected direction, inside the unit disc:
+/// `cos_theta_o dω_o` is the area element there.
+fn integrate(centre: [f64; 2], half: f64, steps: usize, f: impl Fn(Vec3) -> f64 + Sync) -> f64 {
+    let cell = 2.0 * half / steps as f64;
+    let rows: Vec<f64> = (0..steps)
+        .into_par_iter()
+        .map(|row| {
+            let y = centre[1] - half + (row as f64 + 0.5) * cell;
+            let line = (0..steps).map(|column| {
+                let x = centre[0] - half + (column as f64 + 0.5) * cell;
+                let z2 = 1.0 - x * x - y * y;
+                if z2 > 0.0 { f([x, y, z2.sqrt()]) } else { 0.0 }
+            });
+            line.sum::<f64>()
+        })
+        .collect();
+    rows.iter().sum::<f64>() * cell * cell
+}

@@ -1,0 +1,381 @@
+//! Everything a run found out, as plain data: what the stages hand to the report and to `report.json`.
+//!
+//! Picture paths are relative to the folder that holds `report.html`. A measured number that could
+//! not be determined is NaN in memory, `null` in JSON and a dash in the report.
+
+use serde::{Deserialize, Serialize};
+
+use crate::ground::error::{Error, Result};
+pub use crate::height::statistics::{Period, Statistics};
+use crate::optics::config::OpticsConfig;
+use crate::tables::model::{Basis, BuildRecord, Storage};
+
+/// Version of the layout of `report.json`; raised when a field changes its meaning or disappears.
+pub const RESULTS_SCHEMA: u32 = 1;
+
+/// A whole run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RunResults {
+    /// [`RESULTS_SCHEMA`] of the program that wrote this.
+    pub schema: u32,
+    /// Name of the atlas, from the manifest.
+    pub atlas_name: String,
+    /// The version this run published, such as `v0003`; `None` where it published none.
+    pub version: Option<String>,
+    /// Version of the program.
+    pub program_version: String,
+    /// When the run began: UTC in RFC 3339.
+    pub started: String,
+    /// Threads the run used.
+    pub threads: usize,
+    /// Logical processors of the machine.
+    pub cpu_count: usize,
+    /// The manifest, word for word.
+    pub manifest_text: String,
+    /// One entry per specimen, in the manifest's order.
+    pub specimens: Vec<SpecimenResult>,
+    /// Times, in the order the stages ended in.
+    pub stages: Vec<StageTime>,
+    /// Outcome of comparing the GPU with the CPU.
+    pub gpu: GpuResult,
+    /// What went wrong, in the order it happened.
+    pub failures: Vec<Failure>,
+    /// Most memory the process held, in MiB, where the system tells.
+    pub peak_memory_mib: Option<f64>,
+    /// Duration of the run in seconds.
+    pub total_wall_s: f64,
+}
+
+/// Duration of one stage.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StageTime {
+    /// A verb phrase: "build tables".
+    pub name: String,
+    /// The specimen it worked on; `None` for what concerns the whole atlas.
+    pub specimen: Option<String>,
+    /// Elapsed seconds.
+    pub wall_s: f64,
+    /// Processor seconds over all threads, where measured.
+    pub cpu_s: Option<f64>,
+}
+
+/// One thing that went wrong without stopping the run.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Failure {
+    /// The specimen it concerns, if any.
+    pub specimen: Option<String>,
+    /// The stage that failed.
+    pub stage: String,
+    /// What happened and what to do about it.
+    pub message: String,
+}
+
+/// Outcome of comparing the GPU with the CPU.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "state", rename_all = "snake_case")]
+pub enum GpuResult {
+    /// Switched off in the manifest.
+    Off,
+    /// Wanted where possible, but not possible here.
+    Skipped {
+        /// Why.
+        why: String,
+    },
+    /// Done.
+    Checked {
+        /// The adapter's own name and driver.
+        adapter: String,
+        /// One row per comparison.
+        rows: Vec<GpuRow>,
+    },
+}
+
+/// One comparison of GPU values with CPU values.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct GpuRow {
+    /// The specimen.
+    pub specimen: String,
+    /// What was compared: a scene's name or "directions".
+    pub what: String,
+    /// Number of XYZ values compared.
+    pub values: usize,
+    /// Root of the summed squared differences over the root of the summed squares.
+    #[serde(with = "null_for_nan")]
+    pub relative_l2: f64,
+    /// Largest difference, relative to the larger of the value and the floor of the comparison.
+    #[serde(with = "null_for_nan")]
+    pub worst: f64,
+    /// `worst` must not exceed this.
+    pub limit: f64,
+}
+
+impl GpuRow {
+    /// Whether the GPU met the limit; a comparison without a result did not.
+    pub fn passed(&self) -> bool {
+        self.worst <= self.limit
+    }
+}
+
+/// One specimen, from its scans to its measured errors.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SpecimenResult {
+    /// Name, from the manifest; also its folder in the atlas.
+    pub name: String,
+    /// Species, from the manifest.
+    pub species: Option<String>,
+    /// Whether the heights were generated rather than scanned.
+    pub generated: bool,
+    /// Provenance of each scan, one JSON object each.
+    pub scans: Vec<serde_json::Value>,
+    /// Samples along x and y.
+    pub size: [usize; 2],
+    /// Sample spacing in nm along x and y.
+    pub pitch_nm: [f64; 2],
+    /// Extent in µm along x and y.
+    pub extent_um: [f64; 2],
+    /// Statistics of the prepared heights; `None` where reading them failed.
+    pub statistics: Option<Statistics>,
+    /// The optics the tables were computed for.
+    pub optics: Option<OpticsConfig>,
+    /// What was built; `None` where building failed.
+    pub build: Option<BuildResult>,
+    /// The coherent lobe, for tables that keep it apart.
+    pub lobe: Option<LobeResult>,
+    /// Measured errors against the reference evaluator.
+    pub errors: Vec<ErrorRow>,
+    /// Sums over the hemisphere of `f cos_theta_o`, for unit Fresnel reflectance.
+    pub power_sums: Vec<PowerSum>,
+    /// The scenes rendered with the tables.
+    pub scenes: Vec<SceneResult>,
+    /// Picture of the heights.
+    pub height_map: Option<HeightMapFile>,
+    /// Picture of the heights' power spectrum.
+    pub spectrum: Option<SpectrumFile>,
+    /// Path of a small picture of the material.
+    pub preview_png: Option<String>,
+    /// What the reader must know before using the tables.
+    pub warnings: Vec<String>,
+    /// Why there are no tables.
+    pub failed: Option<String>,
+}
+
+/// What was built and what it cost.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct BuildResult {
+    /// The expansion in `w`.
+    pub basis: Basis,
+    /// Number of tables.
+    pub tables: usize,
+    /// Texels along u and v.
+    pub size: usize,
+    /// Number format of the stored tables.
+    pub storage: Storage,
+    /// Bytes of all table files of the specimen.
+    pub stored_bytes: u64,
+    /// Side of the square in (u, v) that a texel averages over; 0 for point samples.
+    pub prefilter_width: f64,
+    /// The error asked for, relative.
+    pub tolerance: f64,
+    /// Choices made while building.
+    pub record: BuildRecord,
+    /// Elapsed seconds.
+    pub build_s: f64,
+}
+
+/// The coherent lobe, in numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LobeResult {
+    /// Radius in (u, v) beyond which it is zero.
+    pub radius_max: f64,
+    /// Number of cross-term patches.
+    pub cross_tables: usize,
+    /// Share of the reflected luminous power at normal incidence that lies in the lobe, where measured.
+    pub power_share: Option<f64>,
+}
+
+/// Errors of the stored tables against the reference, over directions of one region.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ErrorRow {
+    /// Which error: "total", "basis", "wavelength step", "grid", "storage".
+    pub what: String,
+    /// Which directions: "whole hemisphere", "near specular", "grazing".
+    pub region: String,
+    /// Directions compared.
+    pub directions: usize,
+    /// Root of the summed squared differences over the root of the summed squares.
+    #[serde(with = "null_for_nan")]
+    pub relative_l2: f64,
+    /// Median relative error of the luminance.
+    #[serde(with = "null_for_nan")]
+    pub p50: f64,
+    /// Its 95th percentile.
+    #[serde(with = "null_for_nan")]
+    pub p95: f64,
+    /// Its 99th percentile.
+    #[serde(with = "null_for_nan")]
+    pub p99: f64,
+    /// Its maximum.
+    #[serde(with = "null_for_nan")]
+    pub worst: f64,
+}
+
+/// `∫ f cos_theta_o dω_o` for one incidence, relative to the incident power.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct PowerSum {
+    /// Angle of incidence in degrees.
+    pub theta_i_deg: f64,
+    /// Wavelength in nm; `None` for the luminous sum.
+    pub wavelength_nm: Option<f64>,
+    /// The sum.
+    #[serde(with = "null_for_nan")]
+    pub sum: f64,
+}
+
+/// One rendered scene.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SceneResult {
+    /// Name, from the manifest.
+    pub name: String,
+    /// Shape, in the manifest's word.
+    pub shape: String,
+    /// Width and height of the picture in pixels.
+    pub size_px: [usize; 2],
+    /// Factor applied to the luminance before it is shown.
+    pub exposure: f64,
+    /// Seconds to render from the tables.
+    pub seconds: f64,
+    /// Measured difference from the reference, where one was rendered.
+    pub error: Option<SceneError>,
+    /// The picture made with the tables.
+    pub table_png: String,
+    /// Tables left, reference right, on the pixels that were compared.
+    pub side_by_side_png: Option<String>,
+    /// Map of the difference.
+    pub difference_png: Option<String>,
+    /// What the brightest colour of the difference map stands for, in words.
+    pub difference_scale: Option<String>,
+}
+
+/// Difference of a scene from its reference.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SceneError {
+    /// Pixels compared.
+    pub pixels: usize,
+    /// Root of the summed squared differences of XYZ over the root of the summed squares.
+    #[serde(with = "null_for_nan")]
+    pub relative_l2: f64,
+    /// Mean colour difference CIEDE2000.
+    #[serde(with = "null_for_nan")]
+    pub ciede2000_mean: f64,
+    /// Its 95th percentile.
+    #[serde(with = "null_for_nan")]
+    pub ciede2000_p95: f64,
+    /// Its maximum.
+    #[serde(with = "null_for_nan")]
+    pub ciede2000_max: f64,
+}
+
+/// A picture of the heights and what its colours mean.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct HeightMapFile {
+    /// Path of the PNG.
+    pub png: String,
+    /// Length in µm of the bar drawn into the picture; 0 where there was no room for one.
+    pub scale_bar_um: f64,
+    /// Height of the darkest colour in nm.
+    pub low_nm: f64,
+    /// Height of the brightest colour in nm.
+    pub high_nm: f64,
+}
+
+/// A picture of the power spectrum and what its axes and colours mean.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SpectrumFile {
+    /// Path of the PNG; frequency 0 is in its centre, +y up.
+    pub png: String,
+    /// Frequency at the middle of each edge, in cycles per µm.
+    pub half_range_per_um: f64,
+    /// Power of the darkest colour in dB below the brightest, negative.
+    pub low_db: f64,
+}
+
+/// The results as indented JSON, fields in their order here.
+pub fn to_json(results: &RunResults) -> String {
+    // Plain structs with string keys: there is nothing in them that JSON could refuse.
+    serde_json::to_string_pretty(results).expect("plain data can always be written as JSON")
+}
+
+/// Results read back from JSON; refuses a layout this program does not know.
+///
+/// `name` is the file's name for the messages.
+pub fn from_json(text: &str, name: &str) -> Result<RunResults> {
+    let bad = |what: String| {
+        Error::bad_file(
+            std::path::Path::new(name),
+            what,
+            format!("name a report.json of schema {RESULTS_SCHEMA}, as this program writes it"),
+        )
+    };
+    // The schema comes first: another layout would only fail on some field or other.
+    let value: serde_json::Value = serde_json::from_str(text).map_err(|error| bad(format!("is not JSON: {error}")))?;
+    match value.get("schema").and_then(serde_json::Value::as_u64) {
+        Some(schema) if schema == u64::from(RESULTS_SCHEMA) => {}
+        Some(schema) => return Err(bad(format!("has schema {schema}"))),
+        None => return Err(bad("has no `schema`".into())),
+    }
+    serde_json::from_value(value).map_err(|error| bad(format!("does not hold the results of a run: {error}")))
+}
+
+/// JSON has no NaN: it is written as `null` and read back as NaN, and infinities likewise.
+mod null_for_nan {
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+        if value.is_finite() { serializer.serialize_f64(*value) } else { serializer.serialize_none() }
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+        Ok(Option::<f64>::deserialize(deserializer)?.unwrap_or(f64::NAN))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(worst: f64) -> GpuRow {
+        GpuRow { specimen: "a".into(), what: "sphere".into(), values: 3, relative_l2: 1e-6, worst, limit: 1e-4 }
+    }
+
+    #[test]
+    fn a_missing_measurement_is_null_and_comes_back_as_nan() {
+        for missing in [f64::NAN, f64::INFINITY] {
+            let text = serde_json::to_string(&row(missing)).unwrap();
+            assert!(text.contains("\"worst\":null"), "{text}");
+            let back: GpuRow = serde_json::from_str(&text).unwrap();
+            assert!(back.worst.is_nan());
+        }
+        let back: GpuRow = serde_json::from_str(&serde_json::to_string(&row(2e-5)).unwrap()).unwrap();
+        assert_eq!(back, row(2e-5));
+    }
+
+    #[test]
+    fn a_comparison_passes_only_within_its_limit() {
+        assert!(row(1e-4).passed());
+        assert!(!row(1.1e-4).passed());
+        assert!(!row(f64::NAN).passed());
+    }
+
+    #[test]
+    fn an_unknown_layout_is_refused_by_name() {
+        for (text, complaint) in [
+            ("{", "report.json: is not JSON"),
+            ("{}", "report.json: has no `schema`"),
+            ("{\"schema\": 99}", "report.json: has schema 99"),
+            ("{\"schema\": 1}", "report.json: does not hold"),
+        ] {
+            let error = from_json(text, "report.json").unwrap_err().to_string();
+            assert!(error.starts_with(complaint), "{error}");
+        }
+    }
+}

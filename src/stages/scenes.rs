@@ -1,0 +1,153 @@
+//! Scenes rendered from the tables, and from the yardstick on a coarser lattice of the same pixels.
+
+use std::path::Path;
+use std::time::Instant;
+
+use ndarray::Array3;
+use serde_json::json;
+
+use super::results::{SceneError, SceneResult};
+use crate::ground::colour::to_srgb8;
+use crate::ground::direction::{Vec3, Xyz};
+use crate::ground::error::Result;
+use crate::ground::exr_image::{Precision, write_rgb};
+use crate::ground::metrics;
+use crate::ground::png_image::{heat_map, side_by_side, write_png};
+use crate::render::cpu;
+use crate::scene::model::{Scene, Shape, exposure_factor};
+use crate::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
+use crate::tables::evaluate::{Interpolation, brdf_xyz};
+use crate::tables::model::TableSet;
+
+/// Most pairs of directions that one scene may ask of the yardstick: sets the lattice of its picture.
+const REFERENCE_SAMPLES_MAX: usize = 24_000;
+
+/// Share of white at which the difference map reaches its brightest colour.
+const DIFFERENCE_FULL_SCALE: f32 = 0.1;
+
+/// Gap between pictures side by side, and its colour.
+const GAP_PX: usize = 4;
+const GAP_RGB: [u8; 3] = [128, 128, 128];
+
+/// A scene rendered from the tables, waiting for its reference.
+pub struct SceneWork {
+    scene: Scene,
+    image: Array3<f32>,
+    exposure: f32,
+    seconds: f64,
+    /// Every `stride`-th pixel is compared.
+    stride: usize,
+    subset: ShadingSamples,
+}
+
+/// Renders a scene from the tables and lists the pairs its reference needs.
+///
+/// # Errors
+/// A scene that cannot be rendered.
+pub fn render_tables(scene: &Scene, set: &TableSet) -> Result<SceneWork> {
+    let started = Instant::now();
+    let image = cpu::render(scene, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo))?;
+    let seconds = started.elapsed().as_secs_f64();
+    let per_pixel = samples_per_pixel(scene).max(1);
+    let side = ((REFERENCE_SAMPLES_MAX / per_pixel) as f64).sqrt().max(1.0);
+    let stride = (scene.size_px as f64 / side).ceil().max(1.0) as usize;
+    let subset = samples_of(scene, 0..scene.size_px, stride)?;
+    let exposure = exposure_factor(scene.exposure, &image);
+    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, stride, subset })
+}
+
+impl SceneWork {
+    /// The pairs of directions whose BRDF the reference picture needs, in order.
+    pub fn pairs(&self) -> impl Iterator<Item = (Vec3, Vec3)> + '_ {
+        self.subset.wi.iter().zip(&self.subset.wo).map(|(wi, wo)| (wi.map(f64::from), wo.map(f64::from)))
+    }
+
+    /// Number of pairs.
+    pub fn pair_count(&self) -> usize {
+        self.subset.wi.len()
+    }
+
+    /// Writes the pictures into the specimen's folder and compares them. `reference` holds the BRDF at
+    /// [`Self::pairs`]; `prefix` is the specimen's folder relative to the report.
+    ///
+    /// # Errors
+    /// The disk's.
+    pub fn finish(&self, reference: &[Xyz], folder: &Path, prefix: &str) -> Result<SceneResult> {
+        let name = &self.scene.name;
+        let expected = gather(&self.subset, reference);
+        let ours = every(&self.image, self.stride);
+        let white = 1.0 / f64::from(self.exposure);
+        let path = |ending: &str| folder.join(format!("scenes/{name}{ending}"));
+        let difference = &ours - &expected;
+        for (image, ending, kind) in [
+            (&self.image, "", "tables"),
+            (&expected, ".reference", "reference"),
+            (&difference, ".difference", "difference"),
+        ] {
+            let attributes = json!({ "kind": kind, "scene": name, "exposure": f64::from(self.exposure) });
+            write_rgb(&path(&format!("{ending}.exr")), image, Precision::Float, &attributes)?;
+        }
+        write_png(&path(".png"), &to_srgb8(&self.image, self.exposure))?;
+        let enlarge = |image: &Array3<u8>| enlarged(image, self.stride);
+        let pair = [&ours, &expected].map(|image| enlarge(&to_srgb8(image, self.exposure)));
+        write_png(&path(".compare.png"), &side_by_side(&[&pair[0], &pair[1]], GAP_PX, GAP_RGB))?;
+        let map = metrics::difference_to_white_map(&expected, &ours, white);
+        write_png(&path(".difference.png"), &enlarge(&heat_map(&map, DIFFERENCE_FULL_SCALE)))?;
+        let colour = metrics::ciede2000(&expected, &ours, white);
+        let flat = |image: &Array3<f32>| image.iter().map(|&v| f64::from(v)).collect::<Vec<_>>();
+        let file = |ending: &str| format!("{prefix}/scenes/{name}{ending}");
+        Ok(SceneResult {
+            name: name.clone(),
+            shape: shape_name(&self.scene.shape).into(),
+            size_px: [self.scene.size_px; 2],
+            exposure: f64::from(self.exposure),
+            seconds: self.seconds,
+            error: Some(SceneError {
+                pixels: ours.len() / 3,
+                relative_l2: metrics::relative_l2(&flat(&expected), &flat(&ours)),
+                ciede2000_mean: colour.mean,
+                ciede2000_p95: colour.p95,
+                ciede2000_max: colour.max,
+            }),
+            table_png: file(".png"),
+            side_by_side_png: Some(file(".compare.png")),
+            difference_png: Some(file(".difference.png")),
+            difference_scale: Some(format!("{} % of white", DIFFERENCE_FULL_SCALE * 100.0)),
+        })
+    }
+}
+
+/// The word the manifest uses for a shape.
+pub fn shape_name(shape: &Shape) -> &'static str {
+    match shape {
+        Shape::Hemisphere => "hemisphere",
+        Shape::Sphere => "sphere",
+        Shape::Snake => "snake",
+        Shape::Patch { .. } => "patch",
+        Shape::Screen { .. } => "screen",
+    }
+}
+
+/// XYZ image from the BRDF at each sample: what `render::cpu::shade` does with a function.
+fn gather(samples: &ShadingSamples, brdf: &[Xyz]) -> Array3<f32> {
+    Array3::from_shape_fn((samples.rows, samples.columns, 3), |(row, column, channel)| {
+        let range = crate::scene::samples::pixel_range(samples, row, column);
+        range.map(|index| f64::from(samples.weight[index]) * brdf[index][channel]).sum::<f64>() as f32
+    })
+}
+
+/// Every `stride`-th pixel of an image.
+fn every(image: &Array3<f32>, stride: usize) -> Array3<f32> {
+    let (rows, columns, _) = image.dim();
+    Array3::from_shape_fn((rows.div_ceil(stride), columns.div_ceil(stride), 3), |(row, column, channel)| {
+        image[[row * stride, column * stride, channel]]
+    })
+}
+
+/// Each pixel as a square of `factor` pixels.
+fn enlarged(image: &Array3<u8>, factor: usize) -> Array3<u8> {
+    let (rows, columns, _) = image.dim();
+    Array3::from_shape_fn((rows * factor, columns * factor, 3), |(row, column, channel)| {
+        image[[row / factor, column / factor, channel]]
+    })
+}

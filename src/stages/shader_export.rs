@@ -1,0 +1,162 @@
+//! The table shader in other shading languages, translated from the one WGSL source.
+
+use naga::back::{glsl, hlsl, msl, spv};
+use naga::proc::BoundsCheckPolicies;
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+
+use crate::ground::error::{Error, Result};
+use crate::render::wgsl::{SHADE_MATERIAL, material};
+
+/// What the shader is translated into.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ShaderLanguage {
+    /// The source itself.
+    Wgsl,
+    /// GLSL ES 3.00: WebGL 2.
+    GlslEs300,
+    /// GLSL 4.50.
+    Glsl450,
+    /// HLSL, shader model 5.1.
+    Hlsl,
+    /// Metal Shading Language 2.0.
+    Msl,
+    /// SPIR-V 1.3, as bytes in little-endian order.
+    Spirv,
+}
+
+impl ShaderLanguage {
+    /// All of them.
+    pub const ALL: [Self; 6] = [Self::Wgsl, Self::GlslEs300, Self::Glsl450, Self::Hlsl, Self::Msl, Self::Spirv];
+
+    /// The name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Wgsl => "wgsl",
+            Self::GlslEs300 => "glsl-es-300",
+            Self::Glsl450 => "glsl-450",
+            Self::Hlsl => "hlsl",
+            Self::Msl => "msl",
+            Self::Spirv => "spirv",
+        }
+    }
+
+    /// The language of a name.
+    ///
+    /// # Errors
+    /// `Error::Call` that lists the names.
+    pub fn from_name(name: &str) -> Result<Self> {
+        Self::ALL.into_iter().find(|language| language.name() == name).ok_or_else(|| {
+            let names = Self::ALL.map(Self::name).join(", ");
+            Error::Call(format!("no shading language \"{name}\": one of {names}"))
+        })
+    }
+
+    /// The usual ending of its files.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Wgsl => "wgsl",
+            Self::GlslEs300 | Self::Glsl450 => "frag",
+            Self::Hlsl => "hlsl",
+            Self::Msl => "metal",
+            Self::Spirv => "spv",
+        }
+    }
+}
+
+/// The fragment shader `shade_material` with all that it calls, in a language: text in UTF-8, or SPIR-V's words.
+///
+/// # Errors
+/// `Error::Gpu` if a translation fails, which would be a fault of this program.
+pub fn shader(language: ShaderLanguage) -> Result<Vec<u8>> {
+    let source = material();
+    if language == ShaderLanguage::Wgsl {
+        return Ok(source.into_bytes());
+    }
+    let module = naga::front::wgsl::parse_str(&source).map_err(|error| fault("WGSL", error.emit_to_string(&source)))?;
+    let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
+        .validate(&module)
+        .map_err(|error| fault("WGSL", error.emit_to_string(&source)))?;
+    match language {
+        ShaderLanguage::Wgsl => unreachable!("returned above"),
+        ShaderLanguage::GlslEs300 => to_glsl(&module, &info, glsl::Version::new_gles(300)),
+        ShaderLanguage::Glsl450 => to_glsl(&module, &info, glsl::Version::Desktop(450)),
+        ShaderLanguage::Hlsl => to_hlsl(&module, &info),
+        ShaderLanguage::Msl => to_msl(&module, &info),
+        ShaderLanguage::Spirv => to_spirv(&module, &info),
+    }
+}
+
+fn fault(language: &str, message: impl std::fmt::Display) -> Error {
+    Error::Gpu(format!("the table shader has no {language} form, a fault of this program: {message}"))
+}
+
+/// Where each binding of group 0 goes in GLSL: the number it has in WGSL.
+fn glsl_bindings(module: &naga::Module) -> glsl::BindingMap {
+    let bindings = module.global_variables.iter().filter_map(|(_, variable)| variable.binding);
+    bindings.map(|binding| (binding, binding.binding as u8)).collect()
+}
+
+fn to_glsl(module: &naga::Module, info: &ModuleInfo, version: glsl::Version) -> Result<Vec<u8>> {
+    let options = glsl::Options {
+        version,
+        // Fragment shader only: no coordinate space to adjust.
+        writer_flags: glsl::WriterFlags::empty(),
+        binding_map: glsl_bindings(module),
+        zero_initialize_workgroup_memory: true,
+    };
+    let pipeline = glsl::PipelineOptions {
+        shader_stage: naga::ShaderStage::Fragment,
+        entry_point: SHADE_MATERIAL.into(),
+        multiview: None,
+    };
+    let mut text = String::new();
+    glsl::Writer::new(&mut text, module, info, &options, &pipeline, BoundsCheckPolicies::default())
+        .and_then(|mut writer| writer.write())
+        .map_err(|error| fault("GLSL", error))?;
+    Ok(text.into_bytes())
+}
+
+fn to_hlsl(module: &naga::Module, info: &ModuleInfo) -> Result<Vec<u8>> {
+    let options = hlsl::Options { shader_model: hlsl::ShaderModel::V5_1, ..Default::default() };
+    let pipeline = hlsl::PipelineOptions { entry_point: Some((naga::ShaderStage::Fragment, SHADE_MATERIAL.into())) };
+    let mut text = String::new();
+    hlsl::Writer::new(&mut text, &options, &pipeline)
+        .write(module, info, None)
+        .map_err(|error| fault("HLSL", error))?;
+    Ok(text.into_bytes())
+}
+
+fn to_msl(module: &naga::Module, info: &ModuleInfo) -> Result<Vec<u8>> {
+    let slot = |binding: naga::ResourceBinding| {
+        let slot = binding.binding as u8;
+        let target = msl::BindTarget {
+            buffer: (slot == 0).then_some(0),
+            texture: (1..4).contains(&slot).then_some(slot - 1),
+            sampler: (slot == 4).then_some(msl::BindSamplerTarget::Resource(0)),
+            ..Default::default()
+        };
+        (binding, target)
+    };
+    let resources = module.global_variables.iter().filter_map(|(_, variable)| variable.binding).map(slot).collect();
+    let entry = msl::EntryPointResources { resources, ..Default::default() };
+    let options = msl::Options {
+        lang_version: (2, 0),
+        per_entry_point_map: [(SHADE_MATERIAL.to_owned(), entry)].into_iter().collect(),
+        fake_missing_bindings: false,
+        ..Default::default()
+    };
+    let pipeline = msl::PipelineOptions {
+        entry_point: Some((naga::ShaderStage::Fragment, SHADE_MATERIAL.into())),
+        ..Default::default()
+    };
+    let (text, _) = msl::write_string(module, info, &options, &pipeline).map_err(|error| fault("MSL", error))?;
+    Ok(text.into_bytes())
+}
+
+fn to_spirv(module: &naga::Module, info: &ModuleInfo) -> Result<Vec<u8>> {
+    let options = spv::Options { lang_version: (1, 3), ..Default::default() };
+    let pipeline =
+        spv::PipelineOptions { shader_stage: naga::ShaderStage::Fragment, entry_point: SHADE_MATERIAL.into() };
+    let words = spv::write_vec(module, info, &options, Some(&pipeline)).map_err(|error| fault("SPIR-V", error))?;
+    Ok(words.iter().flat_map(|word| word.to_le_bytes()).collect())
+}

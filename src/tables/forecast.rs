@@ -1,0 +1,137 @@
+//! What building a table set will take, from its plan alone.
+
+use serde::Serialize;
+
+use super::build::{BuildPlan, plan};
+use super::model::{Storage, TablesConfig};
+use crate::ground::chebyshev;
+use crate::ground::error::Result;
+use crate::height::HeightField;
+use crate::optics::config::OpticsConfig;
+use crate::optics::kernel::{OVERSAMPLING, SEMICIRCLE_TAPS};
+use crate::optics::window::{Placement, SUPPORT_SIGMAS};
+
+/// What a build will take.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Forecast {
+    /// Windows averaged.
+    pub windows: usize,
+    /// Transforms per window.
+    pub transforms: usize,
+    /// Tables, estimated from the heights' spread.
+    pub tables: usize,
+    /// Texels along u and v.
+    pub size: usize,
+    /// Smallest wavelength step in nm.
+    pub step_min_nm: f64,
+    /// Texels times wavelengths.
+    pub samples: f64,
+    /// Predicted seconds.
+    pub seconds: f64,
+    /// Predicted peak memory in bytes.
+    pub memory_bytes: u64,
+    /// Predicted bytes of the table files before compression.
+    pub stored_bytes: u64,
+}
+
+/// Nanoseconds per elementary operation on one thread, measured on a server processor of 2023; another
+/// machine scales all predictions alike.
+const NS_PER_FFT_POINT: f64 = 12.0;
+const NS_PER_LANE_TAP: f64 = 0.9;
+
+/// Predicts a build.
+///
+/// # Errors
+/// Those of planning.
+pub fn forecast(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    config: &TablesConfig,
+    threads: usize,
+) -> Result<Forecast> {
+    let plan = plan(fields, optics, config)?;
+    let transforms = chebyshev::nodes_for_exponential(plan.bandwidth_nm, plan.spectra.s_max, plan.spectra.tolerance);
+    let tables = config.count.unwrap_or_else(|| expected_tables(fields, &plan, config.tolerance));
+    let lanes = tables.next_multiple_of(4) as f64 / 4.0;
+    let (mut work_ns, mut lines_most) = (0.0, 0.0f64);
+    let samples = samples(&plan);
+    for &(scan, placement) in &plan.windows {
+        let lines = lines(&fields[scan], placement, optics, &plan);
+        let padded = lines.padded[0] * lines.padded[1];
+        work_ns += transforms as f64 * padded * NS_PER_FFT_POINT;
+        let complex = if placement == Placement::TileMean { 1.0 } else { 2.0 };
+        for ring in &plan.rings {
+            let area = std::f64::consts::PI * (ring.rho[1].powi(2) - ring.rho[0].powi(2));
+            let texels = area / plan.grid.texel().powi(2);
+            for nm in &ring.quadrature.wavelengths_nm {
+                let cells = area / (nm * nm * lines.step[0] * lines.step[1]);
+                let rows = texels * plan.grid.texel() / (nm * lines.step[1]).min(plan.grid.texel() * 8.0);
+                let box_samples = if complex == 1.0 { 1.0 } else { plan.filter.samples as f64 };
+                work_ns += NS_PER_LANE_TAP
+                    * lanes
+                    * (2.0 * cells * transforms as f64
+                        + complex * lines.taps * (rows * box_samples + texels * box_samples.powi(2)));
+            }
+        }
+        lines_most = lines_most.max(lines.lines[0] * lines.lines[1]);
+    }
+    let texels = (plan.grid.size * plan.grid.size) as f64;
+    let memory = lines_most * transforms as f64 * 8.0 + texels * 3.0 * 4.0 * (lanes * 4.0 + 2.0 * tables as f64);
+    let value_bytes = if config.storage == Storage::Half { 2.0 } else { 4.0 };
+    let steps = plan.rings.iter().flat_map(|r| r.quadrature.wavelengths_nm.windows(2).map(|p| (p[0] - p[1]).abs()));
+    Ok(Forecast {
+        windows: plan.windows.len(),
+        transforms,
+        tables,
+        size: plan.grid.size,
+        step_min_nm: steps.fold(f64::MAX, f64::min),
+        samples,
+        seconds: work_ns * 1e-9 / threads as f64,
+        memory_bytes: memory as u64,
+        stored_bytes: (texels * 3.0 * value_bytes * tables as f64) as u64,
+    })
+}
+
+/// Tables that the pilot will likely choose: as for a surface of bandwidth 1.5 rms in each phasor.
+fn expected_tables(fields: &[HeightField], plan: &BuildPlan, tolerance: f64) -> usize {
+    let rms = fields.iter().map(super::build::rms_nm).fold(0.0, f64::max);
+    chebyshev::nodes_for_exponential(1.5 * rms, plan.spectra.s_max, tolerance).min(plan.nodes_bound).max(2)
+}
+
+fn samples(plan: &BuildPlan) -> f64 {
+    let area = |ring: &super::plan::Ring| std::f64::consts::PI * (ring.rho[1].powi(2) - ring.rho[0].powi(2));
+    let texel = plan.grid.texel().powi(2);
+    plan.rings.iter().map(|r| area(r) / texel * r.quadrature.wavelengths_nm.len() as f64).sum()
+}
+
+/// Sizes of one window's transforms.
+struct Lines {
+    padded: [f64; 2],
+    step: [f64; 2],
+    lines: [f64; 2],
+    taps: f64,
+}
+
+fn lines(field: &HeightField, placement: Placement, optics: &OpticsConfig, plan: &BuildPlan) -> Lines {
+    let size = field.size();
+    let mut lines = Lines { padded: [0.0; 2], step: [0.0; 2], lines: [0.0; 2], taps: 0.0 };
+    for axis in 0..2 {
+        let pitch = field.pitch_nm[axis];
+        let samples = size[axis] as f64;
+        lines.padded[axis] = match placement {
+            Placement::Inside { .. } => OVERSAMPLING * samples.min(2.0 * SUPPORT_SIGMAS * optics.sigma_nm / pitch),
+            _ => samples,
+        };
+        lines.step[axis] = 1.0 / (lines.padded[axis] * pitch);
+        let reach = (2.0 * plan.spectra.frequency_max / lines.step[axis]).min(lines.padded[axis]);
+        lines.lines[axis] = reach + 1.0;
+        // A Gaussian of 5.5 standard deviations on each side, or the fixed kernel.
+        let gaussian = 11.0 / (std::f64::consts::TAU * optics.sigma_nm * lines.step[axis]);
+        lines.taps = lines.taps.max(match placement {
+            Placement::Inside { .. } => SEMICIRCLE_TAPS as f64,
+            Placement::TileCentre => gaussian.ceil(),
+            Placement::TileMean => (gaussian / std::f64::consts::SQRT_2).ceil(),
+        });
+    }
+    lines
+}

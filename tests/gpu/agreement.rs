@@ -1,0 +1,80 @@
+//! Every kind of table set, in every kind of scene, agrees with the CPU within the derived bound.
+
+use diffraction_atlas::optics::config::{Material, Windows};
+use diffraction_atlas::render::cpu::shade;
+use diffraction_atlas::scene::samples::samples;
+use diffraction_atlas::stages::gpu_check::{check_scene, check_specimen};
+use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
+use diffraction_atlas::tables::model::{Basis, TableSet};
+use half::f16;
+
+use crate::sets::{build_set, full_set, gpu, scenes, sphere};
+
+fn agrees(name: &str, set: &TableSet) {
+    let Some(gpu) = gpu(name) else { return };
+    for check in check_specimen(gpu, set, &scenes()).unwrap() {
+        println!(
+            "{name} {}: worst {:.2e}, mean {:.2e} of white; allowed {:.2e}, {:.2e}; share {:.3}; dE {:.4}",
+            check.scene,
+            check.worst,
+            check.mean,
+            check.tolerance,
+            check.tolerance_mean,
+            check.worst_of_tolerance,
+            check.ciede2000.max
+        );
+        assert!(check.samples > 100, "{}: nothing to see", check.scene);
+        assert!(check.worst > 0.0, "{}: no difference at all is no comparison", check.scene);
+        assert!(check.passed, "{name}: {check:?}");
+    }
+}
+
+#[test]
+fn lobe_and_cross_term_with_a_conductor_and_shadowing() {
+    let set = full_set();
+    assert!(set.lobe.as_ref().is_some_and(|lobe| !lobe.cross.is_empty()));
+    agrees("full", set);
+}
+
+#[test]
+fn lobe_without_cross_term_on_a_dielectric() {
+    let set = build_set(Basis::Chebyshev, Windows::Grid, Material::Dielectric { n: 1.56 }, false);
+    assert!(set.lobe.as_ref().is_some_and(|lobe| lobe.cross.is_empty()));
+    agrees("mean", &set);
+}
+
+#[test]
+fn powers_of_w_on_an_ideal_reflector() {
+    agrees("taylor", &build_set(Basis::Taylor, Windows::Centre, Material::Ideal, false));
+}
+
+/// Where the atlas stores halves nothing is lost on the way to the GPU, and the tolerance knows it.
+#[test]
+fn stored_halves_tighten_the_tolerance() {
+    let Some(gpu) = gpu("stored halves") else { return };
+    let mut set = full_set().clone();
+    let check = |set: &TableSet| check_specimen(gpu, set, &[sphere(32)]).unwrap().remove(0);
+    let float = check(&set);
+    for table in &mut set.tables {
+        let scale =
+            diffraction_atlas::render::gpu_layout::half_scale(diffraction_atlas::render::gpu_layout::peak(table));
+        table.mapv_inplace(|value| f16::from_f32(value / scale).to_f32() * scale);
+    }
+    let half = check(&set);
+    println!(
+        "allowed {:.2e} for floats, {:.2e} for halves; share {:.3}, {:.3}",
+        float.tolerance_mean, half.tolerance_mean, float.worst_of_tolerance, half.worst_of_tolerance
+    );
+    assert!(half.passed && half.tolerance_mean < float.tolerance_mean, "{half:?} {float:?}");
+}
+
+#[test]
+fn gathered_samples_give_the_same_answer_as_the_scene() {
+    let Some(gpu) = gpu("gathered samples") else { return };
+    let (set, scene) = (full_set(), sphere(24));
+    let samples = samples(&scene).unwrap();
+    let image = shade(&samples, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo));
+    let mut check = check_scene(gpu, set, &samples, &image).unwrap();
+    check.scene = scene.name.clone();
+    assert_eq!(check, check_specimen(gpu, set, &[scene]).unwrap()[0]);
+}

@@ -1,0 +1,103 @@
+//! The check fails when anything of what is uploaded is wrong.
+
+use diffraction_atlas::render::gpu_layout::{TableImage, table_image};
+use diffraction_atlas::render::gpu_tables::upload;
+use diffraction_atlas::stages::gpu_check::{GpuSceneCheck, check_uploaded};
+use half::f16;
+
+use crate::sets::{full_set, gpu, sphere};
+
+/// The check of the full set with an upload that was tampered with.
+fn check_with(test: &str, tamper: impl FnOnce(&mut TableImage)) -> Option<GpuSceneCheck> {
+    let gpu = gpu(test)?;
+    let set = full_set();
+    let mut image = table_image(set).unwrap();
+    tamper(&mut image);
+    Some(check_uploaded(gpu, &upload(gpu, &image).unwrap(), set, &sphere(48)).unwrap())
+}
+
+fn must_fail(what: &str, tamper: impl FnOnce(&mut TableImage)) {
+    let Some(check) = check_with(what, tamper) else { return };
+    println!("{what}: {:.1e} times what is allowed", check.worst_of_tolerance);
+    assert!(!check.passed && check.difference.is_some(), "{what} went unnoticed: {check:?}");
+}
+
+fn layer(image: &mut TableImage, n: usize) -> &mut [[f16; 4]] {
+    let texels = image.tables.side * image.tables.side;
+    &mut image.tables.texels[n * texels..(n + 1) * texels]
+}
+
+#[test]
+fn nothing_changed_passes() {
+    if let Some(check) = check_with("untouched", |_| ()) {
+        assert!(check.passed);
+    }
+}
+
+#[test]
+fn a_table_set_to_zero() {
+    for n in 0..full_set().tables.len() {
+        must_fail(&format!("table {n} zero"), |image| layer(image, n).fill([f16::ZERO; 4]));
+    }
+}
+
+#[test]
+fn a_flipped_sign() {
+    for n in 0..full_set().tables.len() {
+        must_fail(&format!("table {n} negative"), |image| {
+            for texel in layer(image, n) {
+                *texel = texel.map(|value| -value);
+            }
+        });
+    }
+}
+
+#[test]
+fn a_wrong_scale() {
+    must_fail("scale 0 up by 2 %", |image| image.params.table_scales[0][0] *= 1.02);
+    must_fail("scale 1 doubled", |image| image.params.table_scales[0][1] *= 2.0);
+    must_fail("scale of a cross term doubled", |image| image.params.cross_scales[0][0] *= 2.0);
+}
+
+#[test]
+fn exchanged_layers() {
+    must_fail("tables 0 and 1 exchanged", |image| {
+        let texels = image.tables.side * image.tables.side;
+        let (first, second) = image.tables.texels.split_at_mut(texels);
+        first.swap_with_slice(&mut second[..texels]);
+        image.params.table_scales[0].swap(0, 1);
+    });
+    must_fail("last table left out", |image| image.params.table_count -= 1);
+}
+
+#[test]
+fn a_mirrored_or_shifted_table() {
+    must_fail("rows upside down", |image| {
+        let side = image.tables.side;
+        let rows: Vec<_> = layer(image, 0).chunks(side).rev().flatten().copied().collect();
+        layer(image, 0).copy_from_slice(&rows);
+    });
+    must_fail("one column further", |image| layer(image, 0).rotate_right(1));
+}
+
+#[test]
+fn a_wrong_lobe() {
+    must_fail("lobe 2 % up", |image| image.coherent.iter_mut().for_each(|texel| *texel = texel.map(|v| 1.02 * v)));
+    must_fail("lobe 1 % wider", |image| image.params.radius_max *= 1.01);
+    must_fail("cross term left out", |image| image.params.cross_count = 0);
+}
+
+#[test]
+fn a_wrong_material() {
+    must_fail("no reflectance", |image| image.params.material = 0);
+    must_fail("1 % of the index", |image| image.params.index_k *= 1.01);
+    must_fail("no shadowing", |image| image.params.shadowing = 0);
+}
+
+#[test]
+fn a_number_that_is_not_finite() {
+    must_fail("infinite texel", |image| {
+        let middle = image.tables.side * image.tables.side / 2;
+        layer(image, 0)[middle][1] = f16::INFINITY;
+    });
+}

@@ -1,0 +1,6 @@
+//! Tables on the GPU against the CPU, on whatever Vulkan adapter there is (Mesa's software driver will do).
+
+mod agreement;
+mod corruption;
+mod frame;
+mod sets;

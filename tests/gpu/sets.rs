@@ -1,0 +1,102 @@
+//! Small table sets of every kind, and the adapter.
+
+use std::sync::OnceLock;
+
+use diffraction_atlas::ground::spectrum::Illuminant;
+use diffraction_atlas::height::HeightField;
+use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_atlas::render::gpu::Gpu;
+use diffraction_atlas::scene::model::{Exposure, Light, Scene, Shape};
+use diffraction_atlas::tables::build::build;
+use diffraction_atlas::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+use ndarray::Array2;
+
+/// The adapter, or `None` with a loud line.
+pub fn gpu(test: &str) -> Option<&'static Gpu> {
+    static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
+    let gpu = GPU.get_or_init(|| Gpu::open().expect("an adapter that is there must open")).as_ref();
+    if gpu.is_none() {
+        eprintln!("SKIPPED {test}: no Vulkan adapter");
+    }
+    gpu
+}
+
+/// A sinusoid with a few bumps: 64 x 64 samples of 100 nm.
+fn surface() -> HeightField {
+    let heights_nm = Array2::from_shape_fn((64, 64), |(row, column)| {
+        let (x, y) = (column as f64 / 64.0, row as f64 / 64.0);
+        let bump = |cx: f64, cy: f64| 90.0 * (-((x - cx).powi(2) + (y - cy).powi(2)) / 0.004).exp();
+        60.0 * (std::f64::consts::TAU * 5.0 * x).sin() + bump(0.3, 0.6) + bump(0.62, 0.4)
+    });
+    let middle = heights_nm.iter().fold((f64::MAX, f64::MIN), |(l, h), &x| (l.min(x), h.max(x)));
+    HeightField { heights_nm: heights_nm - 0.5 * (middle.0 + middle.1), pitch_nm: [100.0, 100.0] }
+}
+
+/// A set over that surface: `Windows::Centre` has a cross term, `Windows::Grid` none.
+pub fn build_set(basis: Basis, windows: Windows, material: Material, shadowing: bool) -> TableSet {
+    let optics = OpticsConfig {
+        illuminant: Illuminant::D65,
+        wavelength_nm: [380.0, 780.0],
+        sigma_nm: 1_500.0,
+        edge: Edge::Tile,
+        windows,
+        material,
+        shadowing,
+    };
+    let config = TablesConfig {
+        basis,
+        tolerance: 1e-2,
+        size: Some(65),
+        // Few enough that the last Chebyshev table still shows above rounding; enough powers to converge.
+        count: Some(if basis == Basis::Taylor { 16 } else { 5 }),
+        wavelength_step_nm: Some(20.0),
+        storage: Storage::Float,
+        prefilter: Prefilter::None,
+        memory_mib: 256,
+    };
+    build(&[surface()], &optics, &config, &|_| ()).expect("the set builds").0
+}
+
+/// A set with everything: cross term, conductor, shadowing.
+pub fn full_set() -> &'static TableSet {
+    static SET: OnceLock<TableSet> = OnceLock::new();
+    SET.get_or_init(|| build_set(Basis::Chebyshev, Windows::Centre, Material::Conductor { n: 0.9, k: 6.2 }, true))
+}
+
+/// A sphere under a lamp and the sun.
+pub fn sphere(size_px: usize) -> Scene {
+    let light = |direction, angular_diameter_deg| Light { direction, angular_diameter_deg, irradiance: 1.0 };
+    Scene {
+        name: "sphere".into(),
+        shape: Shape::Sphere,
+        lights: vec![light([0.3, 0.2, 1.0], 0.0), light([-0.8, 0.5, 0.4], 8.0)],
+        size_px,
+        exposure: Exposure::Auto,
+        specimen: None,
+        light_samples: 5,
+        pixel_samples: 1,
+    }
+}
+
+/// Every kind of picture, small.
+pub fn scenes() -> Vec<Scene> {
+    let base = sphere(48);
+    let of = |name: &str, shape, pixel_samples| Scene { name: name.into(), shape, pixel_samples, ..base.clone() };
+    vec![
+        base.clone(),
+        of("hemisphere", Shape::Hemisphere, 4),
+        of("patch", Shape::Patch { width_mm: 20.0, distance_mm: 60.0, tilt_deg: 30.0, turn_deg: 15.0 }, 1),
+        of("snake", Shape::Snake, 1),
+        of(
+            "screen",
+            Shape::Screen {
+                distance_mm: 50.0,
+                width_mm: 100.0,
+                beam_diameter_mm: 1.0,
+                hole_diameter_mm: None,
+                incidence_deg: 10.0,
+            },
+            70, // more than one run of samples in a pixel
+        ),
+    ]
+}

@@ -1,0 +1,124 @@
+"""Reads a version of an atlas with the OpenEXR library alone and evaluates its check values as FORMAT.md tells.
+
+    python3 tests/read_with_openexr.py out/atlas/NAME/v0001
+
+Needs OpenEXR and numpy. Shares no code with the program: what agrees here can be read by others.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import OpenEXR
+
+# Both sides compute in double precision from the same stored numbers. What remains is rounding of the directions:
+# 1e-16 in u and v, steepened by at most (texels per unit of u, about 1e3) x (largest ratio of neighbours, about 1e3).
+TOLERANCE = 1e-9
+
+
+def read_image(path, scale):
+    """X, Y, Z of shape [rows, columns, 3] in 1/sr, and the header."""
+    with OpenEXR.File(str(path), separate_channels=True) as file:
+        header = dict(file.header())
+        channels = file.channels()
+        assert sorted(channels) == ["B", "G", "R"], (path, sorted(channels))
+        image = np.stack([np.array(channels[name].pixels) for name in "RGB"], axis=-1)
+    assert header["colorInteropID"] == "data", path
+    assert not {"chromaticities", "whiteLuminance"} & set(header), path
+    if scale is not None:
+        stated = json.loads(header["diffractionAtlas"])
+        assert stated["scale"] == scale, path
+        assert header["atlas:kind"] == stated["kind"] and header["atlas:order"] == stated["order"], path
+        assert abs(header["atlas:scale"] - scale) <= 1e-7 * scale, path
+    return image.astype(np.float64) * (1.0 if scale is None else scale), image.dtype
+
+
+def bilinear(image, column, row):
+    rows, columns, _ = image.shape
+    c, r = min(int(column), columns - 2), min(int(row), rows - 2)
+    x, y = column - c, row - r
+    top = (1 - x) * image[r, c] + x * image[r, c + 1]
+    bottom = (1 - x) * image[r + 1, c] + x * image[r + 1, c + 1]
+    return (1 - y) * top + y * bottom
+
+
+def fresnel(material, c):
+    if material == "ideal":
+        return 1.0
+    ((_, index),) = material.items()
+    m2 = complex(index["n"], index.get("k", 0.0)) ** 2
+    g = np.sqrt(m2 - 1 + c * c)
+    a, b = (c - g) / (c + g), (m2 * c - g) / (m2 * c + g)
+    return (abs(a) ** 2 + abs(b) ** 2) / 2
+
+
+class Specimen:
+    def __init__(self, folder):
+        self.about = json.loads((folder / "specimen.json").read_text())
+        stored = self.about["tables"]
+        expected = {"half": np.float16, "float": np.float32}[stored["storage"]]
+
+        def image(array, dtype=expected):
+            values, found = read_image(folder / array["file"], array["scale"])
+            assert found == dtype, (array["file"], found)
+            return values
+
+        self.basis = stored["basis"]
+        self.tables = [image(array) for array in stored["tables"]]
+        self.lobe = stored["lobe"]
+        if self.lobe:
+            self.coherent = image(self.lobe["coherent"], np.float32)
+            cross = self.lobe["cross"]
+            self.cross = [image(array) for array in cross["patches"]] if cross else []
+
+    def evaluate(self, wi, wo):
+        u, v, w = -(np.array(wi) + np.array(wo))
+        size = self.tables[0].shape[0]
+        column, row = (size - 1) * (u + 2) / 4, (size - 1) * (2 - v) / 4
+        geometry = (1 + np.dot(wi, wo)) ** 2 / (wi[2] * wo[2])
+        c = np.linalg.norm(np.array(wi) + np.array(wo)) / 2
+        factor = fresnel(self.about["optics"]["material"], c) * geometry
+        if self.about["optics"]["shadowing"]:
+            m = (np.array(wi) + np.array(wo)) / (2 * c)
+            factor *= min(1.0, 2 * m[2] * wo[2] / np.dot(wo, m), 2 * m[2] * wi[2] / np.dot(wo, m))
+        values = [bilinear(table, column, row) for table in self.tables]
+        if self.basis == "taylor":
+            return factor * sum(abs(w) ** n * value for n, value in enumerate(values)) / w**2
+        t = min(1.0, abs(w) / np.sqrt(4 - u * u - v * v))
+        chebyshev = [1.0, 2 * t - 1]
+        while len(chebyshev) < max(len(values), len(self.cross) if self.lobe else 0):
+            chebyshev.append(2 * (2 * t - 1) * chebyshev[-1] - chebyshev[-2])
+        total = sum(basis * value for basis, value in zip(chebyshev, values))
+        if self.lobe:
+            r = self.lobe["radius_max"]
+            rows, columns, _ = self.coherent.shape
+            if np.hypot(u, v) < r:
+                total = total + bilinear(self.coherent, (columns - 1) * np.hypot(u, v) / r, (rows - 1) * t) / w**2
+            for basis, patch in zip(chebyshev, self.cross if max(abs(u), abs(v)) < r else []):
+                side = patch.shape[0] - 1
+                total = total + basis * bilinear(patch, side * (u + r) / (2 * r), side * (r - v) / (2 * r)) / abs(w)
+        return factor * total
+
+
+def main(version):
+    index = json.loads((version / "atlas.json").read_text())
+    images = [file["path"] for file in index["files"] if file["path"].endswith(".exr")]
+    for path in images:
+        read_image(version / path, None)
+    checked = 0
+    for entry in index["specimens"]:
+        specimen = Specimen(version / entry["name"])
+        for check in specimen.about["check_values"]:
+            expected, found = np.array(check["xyz"]), specimen.evaluate(check["wi"], check["wo"])
+            error = np.max(np.abs(found - expected)) / np.max(np.abs(expected))
+            if not error <= TOLERANCE:
+                sys.exit(f"{entry['name']}: expected {expected}, found {found} at wi {check['wi']}, wo {check['wo']}")
+            checked += 1
+    print(f"{len(images)} images read, {checked} check values met")
+    if not images or not checked:
+        sys.exit("nothing to check")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))
