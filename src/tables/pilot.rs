@@ -10,8 +10,8 @@ use crate::ground::chebyshev;
 use crate::ground::sampling;
 use crate::optics::spectra::Spectra;
 
-/// Texels tried, half of them spread evenly and half where there is light; the 95th percentile of either
-/// half then rests on twenty errors.
+/// Texels spread over the disc, and half as many where there is light; the 95th percentiles then rest on
+/// the forty and the twenty largest errors.
 const TEXELS: usize = 160;
 
 /// Values of `t` at which the interpolation in `w` is judged: between and beyond the nodes.
@@ -26,19 +26,20 @@ const BASIS_SHARE: f64 = 0.5;
 pub fn nodes_for_tolerance(spectra: &Spectra, plan: &BuildPlan, tolerance: f64) -> usize {
     let fine = plan.nodes_bound.max(4);
     // Deep surfaces have many nodes and lines: fewer texels keep the pilot short beside the build.
-    let half = (TEXELS * 12 / fine.max(24)).max(12);
-    let halves = [even_texels(half), lit_texels(spectra, plan, half)]
+    let texels = (TEXELS * 24 / fine.max(24)).max(24);
+    let groups = [spread_texels(texels), lit_texels(spectra, plan, texels / 2)]
         .map(|texels| luminance_polynomials(spectra, plan, fine, &texels));
-    let error = |count: usize| halves.iter().map(|half| basis_error(half, fine, count, 0.95)).fold(0.0, f64::max);
+    let error = |count: usize| groups.iter().map(|group| basis_error(group, fine, count, 0.95)).fold(0.0, f64::max);
     (2..fine).find(|&count| error(count) <= BASIS_SHARE * tolerance).unwrap_or(fine)
 }
 
-/// Texels `(u, v)` evenly spread over the disc.
-fn even_texels(count: usize) -> Vec<[f64; 2]> {
+/// Texels `(u, v)`: half of them even over the disc, half towards its centre, where directions crowd near
+/// specular.
+fn spread_texels(count: usize) -> Vec<[f64; 2]> {
     (0..count)
         .map(|index| {
             let [a, b] = sampling::plane(index);
-            let (rho, phi) = (2.0 * a.sqrt(), TAU * b);
+            let (rho, phi) = (2.0 * if index % 2 == 0 { a.sqrt() } else { a * a }, TAU * b);
             [rho * phi.cos(), rho * phi.sin()]
         })
         .collect()
