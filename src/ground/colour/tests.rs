@@ -191,6 +191,9 @@ proptest! {
             prop_assert!(hue_change_deg(rgb, mapped) < 0.01);
             prop_assert!(hue_change_deg(mapped, shown) < 0.01);
         }
-        prop_assert!(luminance(shown) <= luminance(mapped) * (1.0 + 1e-9));
+        // The brightest channel never rises and stays displayable. Luminance itself may rise a little just
+        // above the shoulder, where paling mixes in white faster than the roll-off dims.
+        let peak = |rgb: LinearRgb| rgb[0].max(rgb[1]).max(rgb[2]);
+        prop_assert!(peak(shown) <= peak(mapped) * (1.0 + 1e-12) && peak(shown) < 1.0);
     }
 }
