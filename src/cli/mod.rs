@@ -12,7 +12,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::ground::error::{Error, Result};
-use commands::{diff, eval, inspect, list, plan, run, synthesize, verify};
+use commands::{diff, eval, export, inspect, list, plan, run, study, synthesize, verify};
 use output::Outcome;
 
 /// Turns height scans of iridescent surfaces into BRDF tables that any renderer can evaluate.
@@ -58,6 +58,10 @@ pub enum Command {
     Verify(verify::VerifyArgs),
     /// Say what changed between two versions
     Diff(diff::DiffArgs),
+    /// Measure error against run time and memory, and run the stability suite
+    Study(study::StudyArgs),
+    /// Write an atlas in other forms
+    Export(export::ExportArgs),
     /// List the atlases in a folder, their versions and specimens
     List(list::ListArgs),
     /// Write a generated height field as a TIFF
@@ -89,6 +93,8 @@ fn dispatch(cli: &Cli) -> Result<Outcome> {
         Some(Command::Eval(args)) => eval::run(args, global),
         Some(Command::Verify(args)) => verify::run(args, global),
         Some(Command::Diff(args)) => diff::run(args, global),
+        Some(Command::Study(args)) => study::run(args, global),
+        Some(Command::Export(args)) => export::run(args, global),
         Some(Command::List(args)) => list::run(args, global),
         Some(Command::Synthesize(args)) => synthesize::run(args, global),
     }

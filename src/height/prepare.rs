@@ -65,7 +65,7 @@ pub struct PrepareRecord {
 
 /// Prepares a height field: outliers, level, edges, and at last 0 midway between highest and lowest.
 ///
-/// Size and pitch stay. Prepared heights prepared again (without outliers and blending) stay the same.
+/// Size and pitch stay. Levelling what is levelled changes nothing; outliers and edges may be treated anew.
 ///
 /// # Errors
 /// [`Error::Limit`] if the field is empty or not finite, or a setting does not suit its size.
@@ -128,7 +128,7 @@ fn check(field: &HeightField, config: &PrepareConfig) -> Result<()> {
         return Err(Error::limit(format!("the pitch is {x} x {y} nm"), "set `pitch_nm` to two positive lengths"));
     }
     // Squares of heights are summed: these bounds keep the sums of any scan finite.
-    if let Some(height) = field.heights_nm.iter().find(|height| !(height.abs() <= 1e100)) {
+    if let Some(height) = field.heights_nm.iter().find(|height| !height.is_finite() || height.abs() > 1e100) {
         return Err(Error::limit(
             format!("a height is {height} nm, which is no height"),
             "set `height` to what the file's numbers mean, or use another scan",

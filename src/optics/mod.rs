@@ -3,6 +3,7 @@
 pub mod config;
 pub mod fresnel;
 pub mod kernel;
+pub mod powers;
 pub mod reference;
 pub mod spectra;
 pub mod spectral;

@@ -62,19 +62,23 @@ pub struct Spectra {
 
 /// Half the peak-to-valley range of the heights in nm: the bandwidth in `s` after centring.
 pub fn bandwidth_nm(field: &HeightField) -> f64 {
-    let (low, high) = field.heights_nm.iter().fold((f64::MAX, f64::MIN), |(low, high), &h| (low.min(h), high.max(h)));
+    let [low, high] = range_nm(field);
     0.5 * (high - low).max(0.0)
 }
 
+fn range_nm(field: &HeightField) -> [f64; 2] {
+    field.heights_nm.iter().fold([f64::MAX, f64::MIN], |[low, high], &h| [low.min(h), high.max(h)])
+}
+
 /// What one axis of the transform looks like.
-struct AxisPlan {
-    window: WindowAxis,
+pub(super) struct AxisPlan {
+    pub(super) window: WindowAxis,
     /// Factor of each sample besides the phasor.
     factor: Vec<f64>,
     padded: usize,
-    step: f64,
-    first: i32,
-    lines: usize,
+    pub(super) step: f64,
+    pub(super) first: i32,
+    pub(super) lines: usize,
 }
 
 fn axis_plan(placement: Placement, axis: usize, count: usize, pitch_nm: f64, sigma_nm: f64, reach: f64) -> AxisPlan {
@@ -95,6 +99,27 @@ fn axis_plan(placement: Placement, axis: usize, count: usize, pitch_nm: f64, sig
     AxisPlan { window, factor, padded, step, first: -last, lines: 2 * last as usize + 1 }
 }
 
+/// Kernel and axes of one window's transforms up to a frequency (1/nm).
+pub(super) fn window_plan(
+    field: &HeightField,
+    placement: Placement,
+    sigma_nm: f64,
+    frequency_max: f64,
+) -> (Kernel, [AxisPlan; 2]) {
+    let size = field.size();
+    let kernel = match placement {
+        Placement::Inside { .. } => Kernel::Semicircle,
+        Placement::TileCentre => Kernel::GaussianAmplitude { sigma_nm },
+        Placement::TileMean => Kernel::GaussianPower { sigma_nm },
+    };
+    let plans = std::array::from_fn(|axis| {
+        let step = 1.0 / (size[axis] as f64 * field.pitch_nm[axis]);
+        let reach = frequency_max + kernel.half_width(step, 0.0);
+        axis_plan(placement, axis, size[axis], field.pitch_nm[axis], sigma_nm, reach)
+    });
+    (kernel, plans)
+}
+
 /// Smallest number of at least `size` with prime factors 2, 3 and 5 only: fast for the FFT.
 fn smooth_size(size: usize) -> usize {
     (size..)
@@ -110,7 +135,7 @@ fn smooth_size(size: usize) -> usize {
         .unwrap_or(size)
 }
 
-/// Transforms one window of a prepared (centred) height field.
+/// Transforms one window of a prepared height field.
 ///
 /// # Errors
 /// `Error::Limit` if the transforms would need more memory than allowed; nothing is computed then.
@@ -120,18 +145,7 @@ pub fn transform(
     optics: &OpticsConfig,
     config: &SpectraConfig,
 ) -> Result<Spectra> {
-    let size = field.size();
-    let sigma_nm = optics.sigma_nm;
-    let kernel = match placement {
-        Placement::Inside { .. } => Kernel::Semicircle,
-        Placement::TileCentre => Kernel::GaussianAmplitude { sigma_nm },
-        Placement::TileMean => Kernel::GaussianPower { sigma_nm },
-    };
-    let plans: [AxisPlan; 2] = std::array::from_fn(|axis| {
-        let step = 1.0 / (size[axis] as f64 * field.pitch_nm[axis]);
-        let reach = config.frequency_max + kernel.half_width(step, 0.0);
-        axis_plan(placement, axis, size[axis], field.pitch_nm[axis], sigma_nm, reach)
-    });
+    let (kernel, plans) = window_plan(field, placement, optics.sigma_nm, config.frequency_max);
     let nodes = chebyshev::nodes_for_exponential(bandwidth_nm(field), config.s_max, config.tolerance);
     let values = plans[0].lines as u64 * plans[1].lines as u64 * nodes as u64;
     let bytes = values * size_of::<Complex<f32>>() as u64;
@@ -172,11 +186,14 @@ pub fn transform(
     Ok(spectra)
 }
 
-/// The heights under the window, shape `[rows, columns]`.
-fn window_heights(field: &HeightField, plans: &[AxisPlan; 2]) -> Array2<f64> {
+/// The heights under the window from the middle of the field's range, shape `[rows, columns]`: the
+/// nodes in `s` are counted for heights of either sign, and no power depends on the level.
+pub(super) fn window_heights(field: &HeightField, plans: &[AxisPlan; 2]) -> Array2<f64> {
     let [x, y] = [&plans[0].window, &plans[1].window];
+    let [low, high] = range_nm(field);
+    let middle = 0.5 * (low + high);
     Array2::from_shape_fn((y.position_nm.len(), x.position_nm.len()), |(row, column)| {
-        field.heights_nm[[y.first + row, x.first + column]]
+        field.heights_nm[[y.first + row, x.first + column]] - middle
     })
 }
 
@@ -190,19 +207,19 @@ fn mean_phasor(phasor: &Array2<Complex<f64>>, plans: &[AxisPlan; 2]) -> Complex<
 }
 
 /// Plans and buffers of the two-dimensional transform, reused for every node.
-struct Engine {
+pub(super) struct Engine {
     along_x: std::sync::Arc<dyn Fft<f64>>,
     along_y: std::sync::Arc<dyn Fft<f64>>,
     /// `[row][ξ line]` after the first pass.
     half_done: Vec<Complex<f64>>,
     /// `[ξ line][η line]` after the second.
-    done: Vec<Complex<f64>>,
+    pub(super) done: Vec<Complex<f64>>,
     /// `exp(2πi ξ x_first)` per line, and the same for η.
     phase: [Vec<Complex<f64>>; 2],
 }
 
 impl Engine {
-    fn new(plans: &[AxisPlan; 2]) -> Self {
+    pub(super) fn new(plans: &[AxisPlan; 2]) -> Self {
         let mut planner = FftPlanner::new();
         let phase = [0, 1].map(|axis| {
             let plan = &plans[axis];
@@ -219,7 +236,8 @@ impl Engine {
         }
     }
 
-    fn run(&mut self, phasor: &Array2<Complex<f64>>, mean: Complex<f64>, s: f64, plans: &[AxisPlan; 2]) {
+    /// Transforms `(phasor - mean) / s` times the window.
+    pub(super) fn run(&mut self, phasor: &Array2<Complex<f64>>, mean: Complex<f64>, s: f64, plans: &[AxisPlan; 2]) {
         let [x, y] = plans;
         let (along_x, along_y) = (&self.along_x, &self.along_y);
         let [phase_x, phase_y] = &self.phase;
@@ -370,6 +388,41 @@ impl Spectra {
                 }
             }
         }
+    }
+
+    /// `⟨|P|²⟩ / A` in nm² at one frequency, the coherent part included, for several `s`: the reference by fast
+    /// Fourier transforms.
+    pub fn whole_power_at(&self, frequency: [f64; 2], s: &[f64]) -> Vec<f64> {
+        let weights: Vec<Vec<f64>> = s.iter().map(|&s| self.node_weights(s)).collect();
+        if let Kernel::GaussianPower { .. } = self.kernel {
+            let lobe: f64 = frequency.iter().map(|&f| self.kernel.value(f, 1.0, 0.0)).product();
+            let rest = self.power_at(frequency, &weights);
+            let parts = s.iter().zip(rest);
+            return parts.map(|(&s, rest)| self.mean_phasor_at(s).norm_sqr() * lobe + s * s * rest).collect();
+        }
+        let window = self.window_transform(0, frequency[0]) * self.window_transform(1, frequency[1]);
+        let rest = self.interpolated(frequency);
+        let at = |(&s, weights): (&f64, &Vec<f64>)| {
+            let e: Complex<f64> = rest.iter().zip(weights).map(|(e, w)| e * w).sum();
+            (self.mean_phasor_at(s) * window + e * s).norm_sqr()
+        };
+        s.iter().zip(&weights).map(at).collect()
+    }
+
+    /// `E` at every node, interpolated to a frequency as an amplitude.
+    fn interpolated(&self, frequency: [f64; 2]) -> Vec<Complex<f64>> {
+        let taps: [_; 2] = std::array::from_fn(|axis| self.kernel.taps(&[frequency[axis]], self.step[axis], 0.0));
+        let mut sum = vec![Complex::<f64>::default(); self.nodes];
+        for (ty, wy) in taps[1].weight.iter().enumerate() {
+            for (tx, wx) in taps[0].weight.iter().enumerate() {
+                let line = self.line(taps[0].first[0] + tx as i32, taps[1].first[0] + ty as i32);
+                let tap = f64::from(*wx) * f64::from(*wy);
+                for (sum, e) in sum.iter_mut().zip(line.unwrap_or_default()) {
+                    *sum += Complex::new(f64::from(e.re), f64::from(e.im)) * tap;
+                }
+            }
+        }
+        sum
     }
 
     /// All nodes of one pair of lines, `None` outside what is stored.

@@ -3,6 +3,8 @@
 pub mod colour_maps;
 pub mod html;
 pub mod pictures;
+pub mod study_page;
+pub mod study_plots;
 
 mod embed;
 mod facts;

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
 use super::plan::{Grid, Ring};
-use crate::optics::kernel::Taps;
+use crate::optics::kernel::{Kernel, Taps};
 use crate::optics::spectra::Spectra;
 
 /// Four values of `w`.
@@ -86,6 +86,46 @@ pub fn add_ring(
     }
 }
 
+/// The frequencies a ring's texels ask for at one wavelength, and the taps that interpolate them.
+pub(super) struct Targets {
+    /// Box samples per texel and axis.
+    pub samples: usize,
+    /// First to last column (and row) of the ring.
+    pub columns: std::ops::Range<usize>,
+    /// Frequencies in 1/nm along x and y, box samples of a texel side by side.
+    pub frequency: [Vec<f64>; 2],
+    /// Their taps.
+    pub taps: [Taps; 2],
+}
+
+impl Targets {
+    pub(super) fn new(
+        grid: &Grid,
+        ring: &Ring,
+        filter: BoxFilter,
+        kernel: Kernel,
+        step: [f64; 2],
+        wavelength_nm: f64,
+    ) -> Self {
+        let columns = grid.columns_within(ring.rho[1]);
+        // A mean over window positions is a sum of powers: its kernel averages the box exactly.
+        let mean_power = matches!(kernel, Kernel::GaussianPower { .. });
+        let (samples, box_width) = if mean_power { (1, filter.width) } else { (filter.samples, 0.0) };
+        let offsets: Vec<f64> =
+            (0..samples).map(|i| ((i as f64 + 0.5) / samples as f64 - 0.5) * filter.width).collect();
+        let frequencies = |at: &dyn Fn(usize) -> f64| -> Vec<f64> {
+            columns
+                .clone()
+                .flat_map(|i| offsets.iter().map(move |o| (i, o)))
+                .map(|(i, o)| (at(i) + o) / wavelength_nm)
+                .collect()
+        };
+        let frequency = [frequencies(&|i| grid.u(i)), frequencies(&|i| grid.v(i))];
+        let taps = [0, 1].map(|axis| kernel.taps(&frequency[axis], step[axis], box_width / wavelength_nm));
+        Self { samples, columns, frequency, taps }
+    }
+}
+
 /// Everything one wavelength needs on one ring.
 struct Wave<'a> {
     spectra: &'a Spectra,
@@ -114,27 +154,16 @@ impl<'a> Wave<'a> {
         wavelength_nm: f64,
         colour: [f32; 3],
     ) -> Self {
-        let columns = grid.columns_within(ring.rho[1]);
-        // A mean over window positions is a sum of powers: its kernel averages the box exactly.
-        let (samples, box_width) = if spectra.mean_power { (1, filter.width) } else { (filter.samples, 0.0) };
-        let offsets: Vec<f64> =
-            (0..samples).map(|i| ((i as f64 + 0.5) / samples as f64 - 0.5) * filter.width).collect();
-        let frequencies = |at: &dyn Fn(usize) -> f64| -> Vec<f64> {
-            columns
-                .clone()
-                .flat_map(|i| offsets.iter().map(move |o| (i, o)))
-                .map(|(i, o)| (at(i) + o) / wavelength_nm)
-                .collect()
-        };
-        let (xi, eta) = (frequencies(&|i| grid.u(i)), frequencies(&|i| grid.v(i)));
-        let taps = |axis: usize, f: &[f64]| spectra.kernel.taps(f, spectra.step[axis], box_width / wavelength_nm);
+        let targets = Targets::new(grid, ring, filter, spectra.kernel, spectra.step, wavelength_nm);
+        let [taps_x, taps_y] = targets.taps;
+        let [xi, eta] = targets.frequency;
         let transforms = |axis: usize, f: &[f64]| match quantity {
             Quantity::Power => Vec::new(),
             Quantity::Cross => f.iter().map(|&f| spectra.window_transform(axis, f) as f32).collect(),
         };
         Self {
-            taps_x: taps(0, &xi),
-            taps_y: taps(1, &eta),
+            taps_x,
+            taps_y,
             window: [transforms(0, &xi), transforms(1, &eta)],
             spectra,
             grid,
@@ -142,8 +171,8 @@ impl<'a> Wave<'a> {
             quantity,
             wavelength_nm,
             colour,
-            samples,
-            columns,
+            samples: targets.samples,
+            columns: targets.columns,
         }
     }
 
@@ -300,14 +329,14 @@ impl<'a> Wave<'a> {
 }
 
 /// First line any tap reads, and one past the last.
-fn span(taps: &Taps) -> (i32, i32) {
+pub(super) fn span(taps: &Taps) -> (i32, i32) {
     let first = taps.first.iter().copied().min().unwrap_or(0);
     let last = taps.first.iter().copied().max().unwrap_or(0);
     (first, last + taps.count as i32)
 }
 
 /// Columns of a row that lie inside a ring's hole.
-fn inner_columns(grid: &Grid, rho: f64, v: f64) -> std::ops::Range<usize> {
+pub(super) fn inner_columns(grid: &Grid, rho: f64, v: f64) -> std::ops::Range<usize> {
     let reach = rho * rho - v * v;
     if reach <= 0.0 {
         return 0..0;

@@ -52,6 +52,7 @@ pub struct BuildPlan {
 /// # Errors
 /// A scan too small for the window, an invisible light, or sums beyond the allowed memory.
 pub fn plan(fields: &[HeightField], optics: &OpticsConfig, config: &TablesConfig) -> Result<BuildPlan> {
+    check_heights(fields)?;
     let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
     let resolving = plan::resolving_size(optics, config.tolerance);
     let size = config.size.unwrap_or(resolving.min(AUTOMATIC_SIZE_MAX));
@@ -98,11 +99,53 @@ pub fn plan(fields: &[HeightField], optics: &OpticsConfig, config: &TablesConfig
     })
 }
 
-/// Builds the Chebyshev tables of one specimen from its prepared scans.
+/// Half range of the heights beyond which no surface is meant: phases of 3000 rad at the shortest visible
+/// wavelength. Counting the nodes alone would take for ever long before the memory's limit is reached.
+const BANDWIDTH_MAX_NM: f64 = 1e5;
+
+/// Refuses heights that are not numbers, or that cannot be a relief that diffracts.
+fn check_heights(fields: &[HeightField]) -> Result<()> {
+    for (scan, field) in fields.iter().enumerate() {
+        if let Some(((row, column), height)) = field.heights_nm.indexed_iter().find(|(_, h)| !h.is_finite()) {
+            return Err(Error::limit(
+                format!("scan {} holds a height of {height} nm at row {row}, column {column}", scan + 1),
+                "fill or cut out missing samples before tables are built",
+            ));
+        }
+        let half_range = bandwidth_nm(field);
+        if half_range > BANDWIDTH_MAX_NM {
+            return Err(Error::limit(
+                format!(
+                    "scan {} is {:.3e} nm from valley to peak, {:.0e} nm are the most",
+                    scan + 1,
+                    2.0 * half_range,
+                    2.0 * BANDWIDTH_MAX_NM
+                ),
+                "check the unit of height, or clip outliers with despike",
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Builds the tables of one specimen from its prepared scans.
 ///
 /// # Errors
-/// Those of [`plan`], and transforms beyond the allowed memory.
+/// Those of [`plan`], transforms beyond the allowed memory, and for `Basis::Taylor` those of
+/// [`super::taylor::build_taylor`].
 pub fn build(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    config: &TablesConfig,
+    advance: Advance,
+) -> Result<(TableSet, BuildRecord)> {
+    match config.basis {
+        Basis::Chebyshev => build_chebyshev(fields, optics, config, advance),
+        Basis::Taylor => super::taylor::build_taylor(fields, optics, config, advance),
+    }
+}
+
+fn build_chebyshev(
     fields: &[HeightField],
     optics: &OpticsConfig,
     config: &TablesConfig,
@@ -238,7 +281,7 @@ pub fn rms_nm(field: &HeightField) -> f64 {
 }
 
 /// Counts of a plan for reports.
-fn record(plan: &BuildPlan) -> BuildRecord {
+pub(super) fn record(plan: &BuildPlan) -> BuildRecord {
     let mut record = BuildRecord { wavelength_step_nm: [f64::MAX, 0.0], ..BuildRecord::default() };
     for ring in &plan.rings {
         let nm = &ring.quadrature.wavelengths_nm;

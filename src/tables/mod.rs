@@ -1,6 +1,7 @@
 //! Tables floor: bases, building, storage, evaluation.
 
 pub mod accumulate;
+pub mod baselines;
 pub mod build;
 pub mod evaluate;
 pub mod forecast;
@@ -9,3 +10,4 @@ pub mod model;
 pub mod pilot;
 pub mod plan;
 pub mod storage;
+pub mod taylor;

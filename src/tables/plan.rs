@@ -84,7 +84,9 @@ pub fn wavelengths_needed(optics: &OpticsConfig, bandwidth_nm: f64, rho: f64, to
     let spiky = matches!(optics.illuminant, Illuminant::F(_) | Illuminant::Tabulated { .. });
     let factor = if spiky { SPIKY_FACTOR } else { 1.0 };
     let count = (factor * lag_nm * (1.0 / low_nm - 1.0 / high_nm)).ceil() as usize + 1;
-    count.max((factor * WAVELENGTHS_MIN as f64) as usize)
+    // A range wider than the eye's spreads the same nodes thinner over what it sees.
+    let widening = ((1.0 / low_nm - 1.0 / high_nm) / (1.0 / 380.0 - 1.0 / 780.0)).max(1.0);
+    count.max((factor * widening * WAVELENGTHS_MIN as f64) as usize)
 }
 
 /// Rings from the outside in, each narrower by the root of two, until the fewest wavelengths suffice.

@@ -2,6 +2,9 @@
 
 #![allow(dead_code)] // each test file uses its own part
 
+pub mod optics_forms;
+pub mod surfaces;
+
 use std::path::{Path, PathBuf};
 
 use diffraction_atlas::ground::direction::{Vec3, Xyz, from_angles_deg};

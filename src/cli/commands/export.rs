@@ -1,10 +1,19 @@
 //! `export`: the atlas in other forms.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+
+use crate::cli::Global;
+use crate::cli::output::{self, Outcome};
+use crate::ground::error::{Error, Result};
+use crate::ground::files;
+use crate::stages::shader_export::{ShaderLanguage, shader};
+use crate::stages::{atlas, specimen};
+use crate::tables::model::Storage;
+use crate::tables::storage::write_tables;
 
 /// Arguments of `export`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
-#[command(after_help = "Example:\n  diffraction-atlas export out/atlas/squamates --form exr-stack --out export")]
+#[command(after_help = "Example:\n  diffraction-atlas export out/atlas/squamates --form float-tables --out export")]
 pub struct ExportArgs {
     /// An atlas, or one version of it
     pub atlas: PathBuf,
@@ -22,8 +31,54 @@ pub struct ExportArgs {
 /// Other forms of an atlas.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum Form {
-    /// One single-part EXR file per specimen, with a layer per table
-    ExrStack,
+    /// The same tables as 32-bit floats, scales multiplied in
+    FloatTables,
     /// Code that evaluates the tables, in the shading languages translated from WGSL
     Shaders,
+}
+
+/// Exports.
+///
+/// # Errors
+/// A folder that is no atlas, an unknown specimen, or files that are there already.
+pub fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
+    let folder = atlas::resolve(&args.atlas)?;
+    let index = atlas::read_index(&folder)?;
+    let written = match args.form {
+        Form::Shaders => export_shaders(&args.out)?,
+        Form::FloatTables => {
+            let all: Vec<String> = index.specimens.iter().map(|entry| entry.name.clone()).collect();
+            let names = if args.specimen.is_empty() { &all } else { &args.specimen };
+            for name in names {
+                export_float(&atlas::specimen_folder(&folder, &index, name)?, &args.out.join(name))?;
+            }
+            names.len()
+        }
+    };
+    output::print(&format!("exported {written} to {}\n", args.out.display()))?;
+    Ok(Outcome::Done)
+}
+
+/// A folder of its own: nothing is overwritten.
+fn fresh_folder(folder: &Path) -> Result<()> {
+    if folder.exists() {
+        return Err(Error::Call(format!("{}: is there already; name another `--out`", folder.display())));
+    }
+    files::create_folder(folder)
+}
+
+fn export_shaders(out: &Path) -> Result<usize> {
+    fresh_folder(out)?;
+    for language in ShaderLanguage::ALL {
+        let file = format!("tables.{}.{}", language.name(), language.extension());
+        files::replace(&out.join(file), &shader(language)?)?;
+    }
+    Ok(ShaderLanguage::ALL.len())
+}
+
+fn export_float(from: &Path, to: &Path) -> Result<()> {
+    fresh_folder(to)?;
+    let (file, set) = specimen::load(from)?;
+    let tables = write_tables(to, &set, Storage::Float)?;
+    specimen::write(to, &specimen::SpecimenFile { tables, ..file })
 }

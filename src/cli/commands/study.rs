@@ -2,6 +2,17 @@
 
 use std::path::PathBuf;
 
+use crate::cli::Global;
+use crate::cli::output::{self, Outcome};
+use crate::cli::progress::reporter;
+use crate::ground::error::Result;
+use crate::ground::json;
+use crate::manifest::{self, convert::specimen_config};
+use crate::report::study_page::write_study;
+use crate::stages::ingest::ingest;
+use crate::stages::stability::{StabilityCase, Verdict, run_stability};
+use crate::stages::study::{StudyConfig, StudySpecimen, run_study};
+
 /// Arguments of `study`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
 #[command(after_help = "Example:\n  diffraction-atlas study snakes.toml --specimen elaphe_guttata --out out/study")]
@@ -12,7 +23,58 @@ pub struct StudyArgs {
     /// Only these specimens; may be given several times
     #[arg(long, value_name = "NAME")]
     pub specimen: Vec<String>,
+    /// More directions and settings: minutes per specimen instead of seconds
+    #[arg(long)]
+    pub thorough: bool,
     /// Folder for tables, plots, and JSON
     #[arg(long, value_name = "DIR", default_value = "out/study")]
     pub out: PathBuf,
+}
+
+/// Studies, runs the stability suite, and writes.
+///
+/// # Errors
+/// A wrong manifest, a specimen it does not hold, or the disk's.
+pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
+    let (manifest, _) = manifest::load(&args.manifest)?;
+    if let Some(unknown) = args.specimen.iter().find(|name| manifest.specimens.iter().all(|s| s.name != **name)) {
+        return Err(crate::ground::error::Error::Call(format!(
+            "{}: no specimen is called `{unknown}`",
+            args.manifest.display()
+        )));
+    }
+    let progress = reporter(global.quiet);
+    let mut failures = Vec::new();
+    let mut specimens = Vec::new();
+    for section in manifest.specimens.iter().filter(|s| args.specimen.is_empty() || args.specimen.contains(&s.name)) {
+        match ingest(&specimen_config(section)) {
+            Ok(ingested) => specimens.push(StudySpecimen {
+                name: section.name.clone(),
+                fields: ingested.fields,
+                optics: section.optics.clone(),
+            }),
+            Err(error) => failures.push(format!("{}: {error}", section.name)),
+        }
+    }
+    let config = if args.thorough { StudyConfig::thorough() } else { StudyConfig::quick() };
+    let study = run_study(&specimens, &config, progress.as_ref());
+    failures.extend(study.failures.iter().map(|refusal| format!("{}: {}", refusal.what, refusal.message)));
+    write_study(&args.out, &study)?;
+    progress.stage("stability suite", 0);
+    let cases = run_stability();
+    progress.finish();
+    json::write(&args.out.join("stability.json"), &cases)?;
+    failures.extend(cases.iter().filter(|case| case.verdict() == Verdict::Broken).map(broken));
+    output::print(&format!(
+        "studied {} specimen(s), {} of {} stability cases kept their bound\nstudy     {}\n",
+        study.specimens.len(),
+        cases.iter().filter(|case| case.verdict() == Verdict::Kept).count(),
+        cases.len(),
+        args.out.join("study.html").display()
+    ))?;
+    Ok(if failures.is_empty() { Outcome::Done } else { Outcome::Failures(failures) })
+}
+
+fn broken(case: &StabilityCase) -> String {
+    format!("stability, {}: measured {:.2e}, bound {:.2e}", case.name, case.measured, case.bound)
 }

@@ -1,0 +1,130 @@
+//! The study as files: a self-contained page, the numbers as JSON, and each plot as SVG.
+
+use std::path::Path;
+
+use minijinja::{Environment, Value, context};
+
+use super::study_plots::{Cost, cost_plot, knob_plot};
+use crate::ground::error::{Error, Result};
+use crate::stages::study::Study;
+
+/// Knobs whose settings are numbers: file key, rows drawn together, axis.
+const KNOB_PLOTS: [(&str, &[&str], &str); 3] = [
+    ("basis", &["basis"], "number of tables"),
+    ("wavelength-step", &["wavelength step"], "largest wavelength step (nm)"),
+    ("grid", &["grid, bilinear", "grid, cubic"], "texels along u and v"),
+];
+
+/// A file's name and its bytes.
+pub type File = (String, Vec<u8>);
+
+/// All files of a study: `study.html`, `study.json`, and the SVG pictures, which the page contains as well.
+///
+/// # Errors
+/// `Error::Call` if a plot or the page cannot be made: a defect of the program.
+pub fn study_files(study: &Study) -> Result<Vec<File>> {
+    let mut pictures: Vec<File> = Vec::new();
+    let mut of_specimens = Vec::new();
+    for specimen in &study.specimens {
+        let first = pictures.len();
+        let name = file_name(&specimen.name);
+        for cost in Cost::ALL {
+            pictures.push((format!("{name}.{}.svg", cost.key()), cost_plot(specimen, cost)?.into_bytes()));
+        }
+        for (key, knobs, axis) in KNOB_PLOTS {
+            if let Some(plot) = knob_plot(specimen, knobs, axis)? {
+                pictures.push((format!("{name}.{key}.svg"), plot.into_bytes()));
+            }
+        }
+        let svgs = pictures[first..].iter();
+        of_specimens.push(svgs.map(|(_, svg)| String::from_utf8_lossy(svg).into_owned()).collect());
+    }
+    let failed = |what: &str, error: &dyn std::fmt::Display| Error::Call(format!("writing {what} failed: {error}"));
+    let json = serde_json::to_vec_pretty(study).map_err(|e| failed("study.json", &e))?;
+    let data = serde_json::to_value(study).map_err(|e| failed("study.json", &e))?;
+    let html = page(&data, of_specimens).map_err(|e| failed("study.html", &e))?;
+    let mut files = vec![("study.html".to_owned(), html.into_bytes()), ("study.json".to_owned(), json)];
+    files.extend(pictures);
+    Ok(files)
+}
+
+/// Writes all files into a folder, which is made if need be.
+///
+/// # Errors
+/// Those of [`study_files`], and `Error::Disk`.
+pub fn write_study(folder: &Path, study: &Study) -> Result<()> {
+    let files = study_files(study)?;
+    std::fs::create_dir_all(folder).map_err(|source| Error::disk(folder, "create the folder", source))?;
+    for (name, bytes) in files {
+        let path = folder.join(name);
+        std::fs::write(&path, bytes).map_err(|source| Error::disk(&path, "write", source))?;
+    }
+    Ok(())
+}
+
+fn page(study: &serde_json::Value, pictures: Vec<Vec<String>>) -> std::result::Result<String, minijinja::Error> {
+    let mut environment = Environment::new();
+    environment.add_filter("number", number);
+    environment.add_filter("bytes", |value: Option<u64>| value.map_or("–".to_owned(), bytes));
+    environment.add_template("study.html", include_str!("templates/study.html"))?;
+    let pictures: Vec<Vec<Value>> =
+        pictures.into_iter().map(|svgs| svgs.into_iter().map(Value::from_safe_string).collect()).collect();
+    environment.get_template("study.html")?.render(context! { study => template_value(study), pictures })
+}
+
+/// JSON as the template engine sees it.
+fn template_value(value: &serde_json::Value) -> Value {
+    use serde_json::Value as Json;
+    match value {
+        Json::Null => Value::from(()),
+        Json::Bool(b) => Value::from(*b),
+        Json::Number(n) => n.as_u64().map_or_else(|| Value::from(n.as_f64()), Value::from),
+        Json::String(s) => Value::from(s.as_str()),
+        Json::Array(items) => items.iter().map(template_value).collect(),
+        Json::Object(map) => Value::from_pairs(map.iter().map(|(key, item)| (key.as_str(), template_value(item)))),
+    }
+}
+
+/// Three significant digits, powers of ten where they are shorter.
+fn number(value: Option<f64>) -> String {
+    match value {
+        None => "–".into(),
+        Some(0.0) => "0".into(),
+        Some(v) if !v.is_finite() => format!("{v}"),
+        Some(v) if (0.01..1000.0).contains(&v.abs()) => {
+            let decimals = (2 - v.abs().log10().floor() as i32).max(0) as usize;
+            format!("{v:.decimals$}")
+        }
+        Some(v) => format!("{v:.1e}"),
+    }
+}
+
+fn bytes(value: u64) -> String {
+    let v = value as f64;
+    match value {
+        0..10_000 => format!("{value} B"),
+        10_000..10_000_000 => format!("{:.0} kB", v / 1e3),
+        _ => format!("{:.0} MB", v / 1e6),
+    }
+}
+
+/// A specimen's name with everything but letters, digits, `-` and `_` replaced.
+fn file_name(name: &str) -> String {
+    name.chars().map(|c| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { '_' }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        let cases = [(0.0, "0"), (0.012345, "0.0123"), (12.345, "12.3"), (1.0e-5, "1.0e-5"), (f64::NAN, "NaN")];
+        for (value, text) in cases {
+            assert_eq!(number(Some(value)), text);
+        }
+        assert_eq!(number(None), "–");
+        assert_eq!([bytes(999), bytes(1_230_000), bytes(45_600_000)], ["999 B", "1230 kB", "46 MB"]);
+        assert_eq!(file_name("a/b c.d"), "a_b_c_d");
+    }
+}

@@ -1,0 +1,260 @@
+//! The study: every method over its settings, its errors against the direct sum, its time, memory and bytes.
+//!
+//! All methods answer the same question on the same directions: one coherence window, no prefilter, and a
+//! window no wider than the tables' grid resolves, so that methods are compared and not their filters.
+
+mod knobs;
+mod memory;
+mod methods;
+mod sample;
+
+pub use methods::stored;
+
+use serde::{Deserialize, Serialize};
+
+use super::progress::Progress;
+use crate::ground::error::Result;
+use crate::ground::metrics::ErrorQuantiles;
+use crate::ground::sampling::Region;
+use crate::height::HeightField;
+use crate::optics::config::{Edge, OpticsConfig, Windows};
+use crate::optics::window::FADE_SIGMAS;
+use crate::tables::baselines::statistics::{SurfaceStatistics, surface_statistics};
+use crate::tables::model::{Basis, Storage};
+use crate::tables::plan::{lobe_width, usable_radius};
+
+/// Directions darker than this (1/sr) are left out of relative errors: 3e-4 of a white Lambertian.
+pub const FLOOR_PER_SR: f64 = 1e-4;
+
+/// Standard deviations of the narrowest lobe per texel of the study's tables: cubic interpolation then errs by
+/// about `3/128 · 0.5⁴ · 3` = 0.4 % of a lobe's peak at worst, and far less at the median.
+const TEXEL_WIDTHS: f64 = 0.5;
+
+/// One specimen: its prepared scans.
+#[derive(Debug, Clone)]
+pub struct StudySpecimen {
+    /// Name for people.
+    pub name: String,
+    /// Prepared (levelled, centred) scans.
+    pub fields: Vec<HeightField>,
+    /// As in the manifest.
+    pub optics: OpticsConfig,
+}
+
+/// How much is measured.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StudyConfig {
+    /// Pairs of directions per region.
+    pub directions: usize,
+    /// Pairs of directions on which evaluation is timed.
+    pub timed_directions: usize,
+    /// Texels along u and v.
+    pub size: usize,
+    /// Numbers of Chebyshev tables.
+    pub chebyshev: Vec<usize>,
+    /// Numbers of Taylor tables.
+    pub taylor: Vec<usize>,
+    /// Degrees of the spherical harmonics.
+    pub harmonics: Vec<usize>,
+    /// Largest wavelength steps in nm.
+    pub wavelength_steps_nm: Vec<f64>,
+    /// Numbers of texels of the grid's own study.
+    pub sizes: Vec<usize>,
+    /// Working memory of a build in MiB.
+    pub memory_mib: usize,
+}
+
+impl StudyConfig {
+    /// A few seconds per specimen.
+    pub fn quick() -> Self {
+        Self {
+            directions: 48,
+            timed_directions: 20_000,
+            size: 201,
+            chebyshev: vec![2, 3, 4, 6],
+            taylor: vec![8, 16, 24],
+            harmonics: vec![2, 4, 6],
+            wavelength_steps_nm: vec![20.0, 10.0, 5.0, 2.5],
+            sizes: vec![51, 101, 201],
+            memory_mib: 2048,
+        }
+    }
+
+    /// Minutes per specimen.
+    pub fn thorough() -> Self {
+        Self {
+            directions: 400,
+            timed_directions: 200_000,
+            size: 501,
+            chebyshev: vec![1, 2, 3, 4, 5, 6, 8, 10],
+            taylor: vec![4, 8, 12, 16, 20, 24, 32, 40],
+            harmonics: vec![2, 4, 6, 8, 10],
+            wavelength_steps_nm: vec![20.0, 10.0, 5.0, 2.5, 1.25],
+            sizes: vec![63, 125, 251, 501],
+            memory_mib: 8192,
+        }
+    }
+}
+
+/// A whole study.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Study {
+    /// What was asked.
+    pub config: StudyConfig,
+    /// Threads that builds used; evaluation is timed on one.
+    pub threads: usize,
+    /// Luminance in 1/sr below which directions are left out.
+    pub floor_per_sr: f64,
+    /// One entry per specimen that could be studied.
+    pub specimens: Vec<SpecimenStudy>,
+    /// Specimens that could not, with the reason.
+    pub failures: Vec<Refusal>,
+}
+
+/// Something that was refused, and why.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Refusal {
+    /// A specimen, or a method with its setting.
+    pub what: String,
+    /// The program's own message.
+    pub message: String,
+}
+
+/// Everything measured on one specimen.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SpecimenStudy {
+    /// Name of the specimen.
+    pub name: String,
+    /// Samples along x and y of the first scan.
+    pub samples: [usize; 2],
+    /// Standard deviation of the coherence window in nm: the manifest's, or what the grid resolves.
+    pub sigma_nm: f64,
+    /// Radius in (u, v) that the scan's sampling answers for; directions beyond are not compared.
+    pub usable_radius: f64,
+    /// What the closed forms were fitted to.
+    pub statistics: SurfaceStatistics,
+    /// Digits that cancel in the published method's series.
+    pub taylor_digits_lost: f64,
+    /// Tables that the published method needs for 1e-3.
+    pub taylor_terms: usize,
+    /// One row per method and setting.
+    pub methods: Vec<MethodRow>,
+    /// One row per knob and setting.
+    pub knobs: Vec<KnobRow>,
+    /// Settings that were refused.
+    pub refusals: Vec<Refusal>,
+}
+
+/// One method at one setting.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MethodRow {
+    /// Family: rows of one family are joined in plots.
+    pub method: String,
+    /// What was set, such as "8 tables".
+    pub setting: String,
+    /// Expansion, for tables.
+    pub basis: Option<Basis>,
+    /// Number format, for tables.
+    pub storage: Option<Storage>,
+    /// Seconds to build or fit; what must be done once.
+    pub build_s: f64,
+    /// Seconds per direction on one thread.
+    pub evaluate_s: f64,
+    /// Largest resident memory of the process while building, in bytes, where the system tells.
+    pub peak_bytes: Option<u64>,
+    /// Bytes a renderer has to hold.
+    pub stored_bytes: u64,
+    /// Errors by region.
+    pub errors: Vec<RegionErrors>,
+    /// `∫ Y cos_o dω_o` at normal incidence over the usable disc: the share of power sent back. `None` for
+    /// methods too slow to integrate.
+    pub power_sum: Option<f64>,
+}
+
+/// Errors over the directions of one region.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct RegionErrors {
+    /// Which directions.
+    pub region: Region,
+    /// `‖Y - Y_ref‖ / ‖Y_ref‖`, dark directions included.
+    pub relative_l2: f64,
+    /// Pointwise relative errors above the floor.
+    pub quantiles: ErrorQuantiles,
+}
+
+/// One knob changed alone, everything else at its finest.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct KnobRow {
+    /// The knob: "basis", "wavelength step", "grid, bilinear", "grid, cubic", "storage", "windows".
+    pub knob: String,
+    /// Its value for the axis of a plot: tables, nm, texels; 0 where it is not a number.
+    pub value: f64,
+    /// The setting for people.
+    pub setting: String,
+    /// Errors of Y over the whole hemisphere, above the floor.
+    pub quantiles: ErrorQuantiles,
+}
+
+/// Studies specimens one after another; one that fails never stops the others.
+pub fn run_study(specimens: &[StudySpecimen], config: &StudyConfig, progress: &dyn Progress) -> Study {
+    let mut study = Study {
+        config: config.clone(),
+        threads: rayon::current_num_threads(),
+        floor_per_sr: FLOOR_PER_SR,
+        specimens: Vec::new(),
+        failures: Vec::new(),
+    };
+    for specimen in specimens {
+        progress.stage(&format!("study {}", specimen.name), methods::count(config) + knobs::count(config));
+        match study_specimen(specimen, config, progress) {
+            Ok(result) => study.specimens.push(result),
+            Err(error) => {
+                study.failures.push(Refusal { what: specimen.name.clone(), message: error.to_string() });
+            }
+        }
+        progress.finish();
+    }
+    study
+}
+
+fn study_specimen(specimen: &StudySpecimen, config: &StudyConfig, progress: &dyn Progress) -> Result<SpecimenStudy> {
+    let optics = study_optics(&specimen.optics, &specimen.fields, config.size);
+    let sample = sample::Sample::measured(&specimen.fields, &optics, config.directions)?;
+    let mut refusals = Vec::new();
+    let statistics = surface_statistics(&specimen.fields);
+    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    let s_max = 2.0 * std::f64::consts::TAU / low_nm;
+    let forecast = crate::tables::taylor::forecast(&specimen.fields, s_max, 1e-3);
+    let context = methods::Context { fields: &specimen.fields, optics: &optics, config, sample: &sample, progress };
+    let methods = context.rows(&statistics, &mut refusals)?;
+    let knobs = knobs::rows(&context)?;
+    Ok(SpecimenStudy {
+        name: specimen.name.clone(),
+        samples: specimen.fields.first().map_or([0; 2], HeightField::size),
+        sigma_nm: optics.sigma_nm,
+        usable_radius: specimen.fields.iter().map(|f| usable_radius(&optics, f.pitch_nm)).fold(2.0, f64::min),
+        statistics,
+        taylor_digits_lost: forecast.digits_lost,
+        taylor_terms: forecast.terms,
+        methods,
+        knobs,
+        refusals,
+    })
+}
+
+/// The specimen's optics with one window inside the scan, no wider than a grid of `size` resolves. Such a window
+/// sees only its own patch, so that even the direct sum is quick.
+fn study_optics(optics: &OpticsConfig, fields: &[HeightField], size: usize) -> OpticsConfig {
+    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    let resolved_width = 4.0 / (size - 1) as f64 / TEXEL_WIDTHS;
+    // The lobe's width is inversely proportional to σ.
+    let resolved_nm = lobe_width(1.0, low_nm) / resolved_width;
+    let extents = fields.iter().flat_map(HeightField::extent_nm);
+    let inside_nm = extents.fold(f64::MAX, f64::min) / (2.0 * FADE_SIGMAS);
+    OpticsConfig {
+        sigma_nm: optics.sigma_nm.min(resolved_nm).min(inside_nm),
+        edge: Edge::Fade,
+        windows: Windows::Centre,
+        ..optics.clone()
+    }
+}

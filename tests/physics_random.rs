@@ -1,0 +1,235 @@
+//! Random surfaces: the coherent lobe, means over windows, tables against the direct sum.
+
+mod common;
+
+use std::f64::consts::TAU;
+
+use common::surfaces::{centred, laser, outgoing, quantile, random, rolled, stretched, tables};
+use diffraction_atlas::ground::direction::{Vec3, from_angles_deg, wave_vector_change};
+use diffraction_atlas::ground::sampling::{Region, direction_pairs};
+use diffraction_atlas::ground::spectrum::Illuminant;
+use diffraction_atlas::height::HeightField;
+use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_atlas::optics::reference::brdf_xyz_batch;
+use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+
+type Pair = (Vec3, Vec3);
+
+const WAVELENGTH_NM: f64 = 550.0;
+
+fn reference(field: &HeightField, optics: &OpticsConfig, pairs: &[Pair]) -> Vec<f64> {
+    brdf_xyz_batch(std::slice::from_ref(field), optics, pairs).unwrap().iter().map(|xyz| xyz[1]).collect()
+}
+
+fn table(field: &HeightField, optics: &OpticsConfig, pairs: &[Pair]) -> Vec<f64> {
+    let set = tables(field, optics, 1e-3, Some(201));
+    pairs.iter().map(|p| brdf_xyz(&set, Interpolation::Cubic, p.0, p.1)[1]).collect()
+}
+
+/// Sides of the tile of the coherent lobe's test, and the surface's correlation length.
+const TILE_NM: f64 = 64_000.0;
+const CORRELATION_NM: f64 = 800.0;
+const SPOT_SIGMA_NM: f64 = 16_000.0;
+
+/// Relative power of the mirror direction against a mirror's own `4πσ²/λ²` at several angles: the
+/// coherent lobe's share of the light, besides the little of the diffuse part that falls there.
+fn coherent_share(field: &HeightField, from_tables: bool) -> Vec<(f64, f64)> {
+    let optics = laser(&[WAVELENGTH_NM], SPOT_SIGMA_NM, Edge::Tile, Windows::Grid);
+    let mirror = 2.0 * TAU * (SPOT_SIGMA_NM / WAVELENGTH_NM).powi(2);
+    let pairs: Vec<Pair> = [0.0, 30.0, 45.0, 60.0, 75.0]
+        .iter()
+        .map(|&theta| (from_angles_deg(theta, 20.0), from_angles_deg(theta, 200.0)))
+        .collect();
+    let f = if from_tables { table(field, &optics, &pairs) } else { reference(field, &optics, &pairs) };
+    // R G / w² is 1 there.
+    pairs.iter().zip(f).map(|(p, f)| (TAU / WAVELENGTH_NM * 2.0 * p.0[2], f / mirror)).collect()
+}
+
+/// Worst deviation from `exp(-(k w h_rms)²)`, in units of what sampling allows.
+///
+/// The mean of `exp(iφ)` over a sample expands in Hermite polynomials of the heights: `χ iⁿ φⁿ/n!` times the mean
+/// of `He_n`, which scatters by `sqrt(n!/p_n)` over `p_n = L² / (π l²/n)` patches, the area under `Cⁿ` of the
+/// autocorrelation `C`. Mean and rms are exact here, so that the fourth and the sixth degree lead
+/// in the real part and the third, squared, in the imaginary one. Four deviations are allowed. The
+/// diffuse part adds less than `1 - χ²` times the ratio of the patches' and the window's areas, `l²/(4σ²)`.
+fn excess(field: &HeightField, rms_nm: f64, from_tables: bool) -> f64 {
+    let patches = |n: f64| TILE_NM * TILE_NM / (std::f64::consts::PI * CORRELATION_NM.powi(2) / n);
+    coherent_share(field, from_tables)
+        .into_iter()
+        .map(|(kw, share)| {
+            let phase = kw * rms_nm;
+            let expected = (-phase * phase).exp();
+            let real = phase.powi(4) / (24.0 * patches(4.0)).sqrt() + phase.powi(6) / (720.0 * patches(6.0)).sqrt();
+            let imaginary = phase.powi(6) / (6.0 * patches(3.0));
+            let diffuse = (1.0 - expected) * 0.25 * (CORRELATION_NM / SPOT_SIGMA_NM).powi(2);
+            // The lobe's rows in t are spaced for its tolerance of 1e-3.
+            let reading = if from_tables { 1e-3 } else { 1e-9 };
+            let allowed = expected * (8.0 * real + 16.0 * imaginary + reading) + 1.5 * diffuse;
+            (share - expected).abs() / allowed
+        })
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn a_gaussian_surface_dims_its_mirror_image_as_the_textbook_says() {
+    for (seed, rms_nm) in [(11, 15.0), (12, 30.0), (13, 45.0)] {
+        let field = random([320, 256], [TILE_NM / 320.0, TILE_NM / 256.0], CORRELATION_NM, rms_nm, seed);
+        for from_tables in [false, true] {
+            let worst = excess(&field, rms_nm, from_tables);
+            println!("rms {rms_nm} nm, tables {from_tables}: {worst:.2} of what is allowed");
+            assert!(worst < 1.0, "rms {rms_nm} nm, tables {from_tables}: {worst}");
+            // A height scale wrong by 3 % shows.
+            let wrong = excess(&field, 1.03 * rms_nm, from_tables);
+            assert!(wrong > 1.5, "rms {rms_nm} nm is not told from {} nm: {wrong}", 1.03 * rms_nm);
+        }
+    }
+}
+
+/// Directions away from the mirror's, within the sampling's reach.
+fn away(count: usize, limit: f64) -> Vec<Pair> {
+    direction_pairs(Region::Hemisphere, 4 * count)
+        .into_iter()
+        .filter(|&(wi, wo)| {
+            let q = wave_vector_change(wi, wo);
+            q[0].abs() < limit && q[1].abs() < limit && q[0].hypot(q[1]) > 0.15
+        })
+        .take(count)
+        .collect()
+}
+
+fn worst(found: &[f64], expected: &[f64]) -> f64 {
+    assert!(expected.iter().all(|&e| e > 0.0));
+    found.iter().zip(expected).map(|(f, e)| (f / e - 1.0).abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn the_mean_over_a_tile_is_the_mean_of_every_shifted_window() {
+    let field = centred(random([14, 11], [180.0, 210.0], 420.0, 70.0, 3));
+    let centre = laser(&[WAVELENGTH_NM], 900.0, Edge::Tile, Windows::Centre);
+    let mean = OpticsConfig { windows: Windows::Grid, ..centre.clone() };
+    let pairs = away(30, 1.2);
+    let [columns, rows] = field.size();
+    let mut sum = vec![0.0; pairs.len()];
+    let mut few = sum.clone();
+    for shift in 0..columns * rows {
+        let moved = rolled(&field, (shift % columns) as isize, (shift / columns) as isize);
+        let f = reference(&moved, &centre, &pairs);
+        sum.iter_mut().zip(&f).for_each(|(s, f)| *s += f / (columns * rows) as f64);
+        if shift < 3 {
+            few.iter_mut().zip(&f).for_each(|(s, f)| *s += f / 3.0);
+        }
+    }
+    let expected = reference(&field, &mean, &pairs);
+    // Shifting by whole samples averages the product of two lines to zero unless they differ by the
+    // sampling's own frequency, 0.005/nm, where the window's spectrum is nothing. What remains is the power
+    // kernel's end at 5.5 deviations: 2.7e-7 of a line's power, of which neighbours may have a hundredfold.
+    let error = worst(&sum, &expected);
+    assert!(error < 1e-4, "{error:e}");
+    let error = worst(&few, &expected);
+    assert!(error > 0.1, "three shifts pass for all: {error:e}");
+    // The tables take the mean in their own way: basis, depth, grid.
+    let error = worst(&table(&field, &mean, &pairs), &sum);
+    assert!(error < 3e-3, "tables: {error:e}");
+}
+
+#[test]
+fn many_fading_windows_tend_to_the_mean_over_the_tile() {
+    let field = centred(random([220, 220], [150.0, 150.0], 500.0, 60.0, 5));
+    let fade = laser(&[WAVELENGTH_NM], 1_200.0, Edge::Fade, Windows::Grid);
+    let tile = OpticsConfig { edge: Edge::Tile, ..fade.clone() };
+    let pairs = away(60, 1.2);
+    let mean = reference(&field, &tile, &pairs);
+    let total = |field: &HeightField, optics: &OpticsConfig| -> f64 {
+        // Each direction counts by its ratio: all alike.
+        reference(field, optics, &pairs).iter().zip(&mean).map(|(f, m)| f / m).sum::<f64>() / pairs.len() as f64
+    };
+    // 33 µm hold 10 x 10 windows two σ apart. Speckle of one window in one direction scatters by its
+    // own mean; intensities of neighbouring windows are correlated by exp(-2) = 0.14, so 100 windows count
+    // for 100/(1 + 4·0.14) = 64, and 60 directions average that again: sqrt(1/(64·60)) = 1.6 %. The tile's
+    // mean sees the same surface, so three of these deviations allow for more than its own scatter.
+    let ratio = total(&field, &fade);
+    println!("fading windows over the tile's mean: {ratio}");
+    assert!((ratio - 1.0).abs() < 0.05, "{ratio}");
+    let mut rougher = field.clone();
+    rougher.heights_nm *= 1.1;
+    let ratio = total(&rougher, &fade);
+    assert!((ratio - 1.0).abs() > 0.1, "heights wrong by a tenth are not seen: {ratio}");
+    // One window alone has the speckle that the others average away.
+    let one = total(&field, &OpticsConfig { windows: Windows::Centre, ..fade });
+    assert!((one - 1.0).abs() > 0.1, "{one}");
+}
+
+/// A random surface with its settings, all drawn at random.
+#[derive(Debug, Clone)]
+struct Drawn {
+    field: HeightField,
+    optics: OpticsConfig,
+}
+
+fn drawn() -> impl Strategy<Value = Drawn> {
+    let shape = (90.0..180.0f64, 90.0..180.0f64, 1_200.0..2_000.0f64, 8.0..12.0f64, 8.0..12.0f64);
+    let surface = (300.0..900.0f64, 20.0..90.0f64, any::<u64>());
+    let placement = (prop::bool::ANY, prop::bool::ANY, prop::bool::ANY);
+    (shape, surface, placement).prop_map(|((px, py, sigma_nm, wide, high), (length, rms, seed), (fade, grid, day))| {
+        let size = [(wide * sigma_nm / px).ceil() as usize, (high * sigma_nm / py).ceil() as usize];
+        let edge = if fade { Edge::Fade } else { Edge::Tile };
+        let windows = if grid { Windows::Grid } else { Windows::Centre };
+        let illuminant = if day { Illuminant::D65 } else { Illuminant::A };
+        Drawn {
+            field: centred(random(size, [px, py], length, rms, seed)),
+            optics: OpticsConfig {
+                illuminant,
+                material: Material::Dielectric { n: 1.56 },
+                ..laser(&[WAVELENGTH_NM], sigma_nm, edge, windows)
+            },
+        }
+    })
+}
+
+/// The 95th percentile of the relative error of the tables' luminance in directions for which the scan's
+/// sampling can answer.
+fn table_error(case: &Drawn, told: &HeightField) -> f64 {
+    let limit = 0.5 * 380.0 / case.field.pitch_nm[0].max(case.field.pitch_nm[1]);
+    let pairs: Vec<Pair> = away(60, 0.95 * limit.min(2.0))
+        .into_iter()
+        .chain([0.0, 0.01, -0.02].map(|u| {
+            let wi = from_angles_deg(30.0, 77.0);
+            (wi, outgoing(wi, u, 0.3 * u).unwrap())
+        }))
+        .collect();
+    assert!(pairs.len() > 50);
+    let exact = reference(&case.field, &case.optics, &pairs);
+    let set = tables(told, &case.optics, 1e-3, None);
+    let brightest = exact.iter().copied().fold(0.0, f64::max);
+    let errors: Vec<f64> = pairs
+        .iter()
+        .zip(&exact)
+        .filter(|(_, exact)| **exact > 1e-6 * brightest)
+        .map(|(p, exact)| (brdf_xyz(&set, Interpolation::Cubic, p.0, p.1)[1] / exact - 1.0).abs())
+        .collect();
+    assert!(errors.len() > 20);
+    quantile(&errors, 0.95)
+}
+
+#[test]
+fn tables_meet_the_direct_sum_on_random_surfaces() {
+    const TOLERANCE: f64 = 1e-3;
+    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[42; 32]);
+    let config = Config { failure_persistence: None, max_shrink_iters: 20, ..Config::with_cases(6) };
+    let checked = TestRunner::new_with_rng(config, rng).run(&drawn(), |case| {
+        let error = table_error(&case, &case.field);
+        let (size, o) = (case.field.size(), &case.optics);
+        println!("{size:?}, {:?} {:?} {:?}, σ {:.0} nm: {error:.1e}", o.edge, o.windows, o.illuminant, o.sigma_nm);
+        // Basis, wavelengths and grid may take the tolerance each.
+        prop_assert!(error < 3.0 * TOLERANCE, "{:e}", error);
+        // The pitch is off by 1 %: the light moves in (u, v), not by much in smooth parts.
+        let wrong = table_error(&case, &stretched(&case.field, 1.01));
+        prop_assert!(wrong > 10.0 * TOLERANCE, "a pitch wrong by 1 % is not seen: {:e}", wrong);
+        Ok(())
+    });
+    if let Err(failure) = checked {
+        panic!("{failure}");
+    }
+}

@@ -1,0 +1,178 @@
+//! The study measures what is known: the order of the methods, and the limits of the published one.
+
+mod common;
+
+use std::path::Path;
+
+use diffraction_atlas::ground::spectrum::Illuminant;
+use diffraction_atlas::height::HeightField;
+use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_atlas::report::study_page::{study_files, write_study};
+use diffraction_atlas::stages::progress::Silent;
+use diffraction_atlas::stages::study::{MethodRow, SpecimenStudy, Study, StudyConfig, StudySpecimen, run_study};
+use ndarray::Array2;
+
+fn specimen(depth_nm: f64) -> StudySpecimen {
+    let heights_nm = Array2::from_shape_fn((128, 128), |(row, column)| {
+        let (x, y) = (column as f64 / 128.0, row as f64 / 128.0);
+        // Waves of many directions: dark gaps between orders would leave nothing to compare.
+        (0..24)
+            .map(|i| {
+                let (a, b) = (2.0 * f64::from(i % 7) + 1.0, 2.0 * f64::from(i % 11) - 10.0);
+                (std::f64::consts::TAU * (a * x + b * y) + f64::from(i * i)).sin()
+            })
+            .sum::<f64>()
+            * depth_nm
+            / 28.0
+    });
+    StudySpecimen {
+        name: format!("waves {depth_nm} nm"),
+        fields: vec![HeightField { heights_nm, pitch_nm: [90.0, 90.0] }],
+        optics: OpticsConfig {
+            illuminant: Illuminant::D65,
+            wavelength_nm: [380.0, 780.0],
+            sigma_nm: 900.0,
+            edge: Edge::Tile,
+            windows: Windows::Grid,
+            material: Material::Ideal,
+            shadowing: false,
+        },
+    }
+}
+
+fn config() -> StudyConfig {
+    StudyConfig {
+        directions: 40,
+        timed_directions: 2_000,
+        size: 141,
+        chebyshev: vec![2, 6],
+        taylor: vec![6, 24],
+        harmonics: vec![4],
+        wavelength_steps_nm: vec![40.0, 5.0],
+        sizes: vec![41, 141],
+        memory_mib: 512,
+    }
+}
+
+fn median(study: &SpecimenStudy, method: &str, setting: &str) -> f64 {
+    let row = |row: &&MethodRow| row.method == method && row.setting == setting;
+    study.methods.iter().find(row).unwrap().errors[0].quantiles.p50
+}
+
+#[test]
+fn methods_rank_as_theory_says() {
+    let study = run_study(&[specimen(200.0)], &config(), &Silent);
+    assert!(study.failures.is_empty(), "{:?}", study.failures);
+    let shallow = &study.specimens[0];
+    for row in &shallow.methods {
+        println!("{} {}: {:?} power {:?}", row.method, row.setting, row.errors[0].quantiles, row.power_sum);
+    }
+    for row in &shallow.knobs {
+        println!("{} {}: {:?}", row.knob, row.setting, row.quantiles);
+    }
+    // The transforms are good to 1e-7 of the whole amplitude; orders here carry 1e-3 of it and more.
+    assert!(median(shallow, "FFT", "no tables") < 1e-3);
+    // More tables help until the grid's own error, measured by its knob, is all that is left.
+    let knob = |name: &str, setting: &str| {
+        shallow.knobs.iter().find(|k| k.knob == name && k.setting == setting).unwrap().quantiles
+    };
+    let grid = knob("grid, cubic", "141 texels").p95;
+    let tail = |method: &str, setting: &str| {
+        shallow.methods.iter().find(|r| r.method == method && r.setting == setting).unwrap().errors[0].quantiles.p95
+    };
+    for (method, few, many) in [("chebyshev, float", 2, 6), ("taylor, float", 6, 24)] {
+        let [few, many] = [few, many].map(|n| tail(method, &format!("{n} tables")));
+        assert!(many < 0.2 * few && many < 5.0 * grid, "{method}: {few:e} {many:e}, grid {grid:e}");
+    }
+    assert!(knob("basis", "6 tables").p95 < 1e-3 * knob("basis", "2 tables").p95);
+    assert!(knob("wavelength step", "5 nm").p95 < 0.1 * knob("wavelength step", "40 nm").p95);
+    assert!(knob("grid, bilinear", "141 texels").p50 > knob("grid, cubic", "141 texels").p50);
+    // Closed forms know no scan: of the order of the value itself.
+    for (method, setting) in [("Stam, random", "rms, length"), ("Stam, regular", "2 waves")] {
+        assert!(median(shallow, method, setting) > 0.1, "{method}");
+    }
+    // Halves carry 11 bits: 5e-4 at worst per table, no knob hides a larger loss.
+    assert!(knob("storage", "half").p95 < 5e-3 && knob("storage", "half").p95 > 0.0);
+    assert_eq!(knob("storage", "float").worst, 0.0);
+}
+
+#[test]
+fn the_page_holds_every_row_and_needs_nothing_else() {
+    let config = StudyConfig {
+        chebyshev: vec![2, 3],
+        taylor: vec![6],
+        harmonics: vec![2],
+        wavelength_steps_nm: vec![],
+        sizes: vec![21, 41],
+        size: 41,
+        directions: 6,
+        ..config()
+    };
+    let mut named = specimen(100.0);
+    named.name = "<b>bold</b> & co".into();
+    let study = run_study(&[named], &config, &Silent);
+    let files = study_files(&study).unwrap();
+    let text = |name: &str| String::from_utf8(files.iter().find(|f| f.0 == name).unwrap().1.clone()).unwrap();
+    let html = text("study.html");
+    assert!(html.contains("&lt;b&gt;bold") && !html.contains("<b>bold"), "names are escaped");
+    assert!(!html.contains("http://") || html.matches("http://").count() == html.matches("http://www.w3.org/").count());
+    for row in &study.specimens[0].methods {
+        assert!(html.contains(&format!("<td>{}</td><td>{}</td>", row.method, row.setting)), "{}", row.method);
+    }
+    let again: Study = serde_json::from_str(&text("study.json")).unwrap();
+    assert_eq!(again.specimens[0].methods.len(), study.specimens[0].methods.len());
+    let svg: Vec<_> = files.iter().filter(|f| f.0.ends_with(".svg")).collect();
+    assert_eq!(svg.len(), 5, "three costs, the basis, and the grid");
+    for (name, bytes) in svg {
+        let svg = std::str::from_utf8(bytes).unwrap();
+        assert!(roxmltree::Document::parse(svg).is_ok() && svg.contains("<circle") && !svg.contains("NaN"), "{name}");
+    }
+}
+
+/// `cargo test --release --test study -- --ignored --nocapture`: the figures of docs/accuracy.md, written to
+/// `target/study`.
+#[test]
+#[ignore = "a minute of measuring"]
+fn real_scans() {
+    let Some(shared) = common::shared("real_scans") else { return };
+    let snake = [65_000.0 / 1332.0; 2];
+    let scans = [
+        ("elaphe_guttata", snake, 375.0 / 65535.0),
+        ("xenopeltis_unicolor", snake, 1.0),
+        ("blazed_2500nm", [50.0, 50.0], 1.0),
+    ];
+    let specimens: Vec<StudySpecimen> = scans
+        .iter()
+        .map(|&(name, pitch_nm, scale)| {
+            let mut field = common::load(&shared.join(format!("specimens/{name}.tif")), pitch_nm, scale);
+            let (low, high) = field.heights_nm.iter().fold((f64::MAX, f64::MIN), |(l, h), &x| (l.min(x), h.max(x)));
+            field.heights_nm -= 0.5 * (low + high);
+            let optics = common::reference_optics(16_250.0, Edge::Tile);
+            StudySpecimen { name: name.into(), fields: vec![field], optics }
+        })
+        .collect();
+    let started = std::time::Instant::now();
+    let config = if std::env::var("THOROUGH").is_ok() { StudyConfig::thorough() } else { StudyConfig::quick() };
+    let study = run_study(&specimens, &config, &Silent);
+    println!("{:?}", started.elapsed());
+    assert!(study.failures.is_empty(), "{:?}", study.failures);
+    write_study(&Path::new(env!("CARGO_MANIFEST_DIR")).join("target/study"), &study).unwrap();
+}
+
+#[test]
+fn a_deep_surface_lists_the_published_method_as_refused() {
+    let config = StudyConfig {
+        chebyshev: vec![],
+        taylor: vec![24],
+        harmonics: vec![],
+        wavelength_steps_nm: vec![],
+        sizes: vec![],
+        size: 41,
+        directions: 4,
+        ..config()
+    };
+    let study = run_study(&[specimen(1_500.0)], &config, &Silent);
+    let deep = &study.specimens[0];
+    assert!(deep.refusals.len() == 1 && deep.refusals[0].what.starts_with("taylor"), "{:?}", deep.refusals);
+    assert!(deep.taylor_digits_lost > 8.0);
+}
