@@ -96,12 +96,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
         let specimen_started = Instant::now();
         match run_specimen(config, specimen, &staging, helpers, gpu.as_ref(), &mut results.stages) {
             Ok(done) => {
-                helpers.progress.message(&format!(
-                    "{label}: {} tables of {}² in {:.1} s",
-                    done.result.build.as_ref().map_or(0, |build| build.tables),
-                    done.result.build.as_ref().map_or(0, |build| build.size),
-                    specimen_started.elapsed().as_secs_f64()
-                ));
+                helpers.progress.message(&done_line(&label, &done.result, specimen_started.elapsed().as_secs_f64()));
                 record_gpu(&mut results, &specimen.name, done.gpu);
                 index.inputs.extend(done.inputs);
                 index.specimens.push(entry(specimen));
@@ -126,6 +121,8 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
         return Ok(RunOutcome { results, published: None });
     };
     write_format(&staging.path().join(example), staging.path())?;
+    // Where nothing has changed the report goes with the staging folder.
+    results.version = Some(staging.next_version()?);
     (helpers.write_report)(&results, staging.path())?;
     let published = publish::publish(staging, index)?;
     results.version = Some(published.version().to_owned());
@@ -187,6 +184,12 @@ fn record_gpu(results: &mut RunResults, specimen: &str, rows: Vec<GpuRow>) {
     if let GpuResult::Checked { rows: all, .. } = &mut results.gpu {
         all.extend(rows);
     }
+}
+
+/// The line that a finished specimen leaves on the screen.
+fn done_line(label: &str, result: &SpecimenResult, seconds: f64) -> String {
+    let (tables, size) = result.build.as_ref().map_or((0, 0), |build| (build.tables, build.size));
+    format!("{label}: {tables} tables of {size}², {seconds:.1} s")
 }
 
 /// What a finished specimen leaves besides its files.

@@ -49,6 +49,12 @@ impl Staging {
     pub fn path(&self) -> &Path {
         &self.folder
     }
+
+    /// Name of the version that it becomes if it is published: the lock keeps others from taking it.
+    pub fn next_version(&self) -> Result<String> {
+        let newest = atlas::version_numbers(&self.root)?.last().copied().unwrap_or(0);
+        Ok(atlas::version_name(newest + 1))
+    }
 }
 
 impl Drop for Staging {
@@ -86,8 +92,7 @@ pub fn publish(staging: Staging, mut index: AtlasIndex) -> Result<Published> {
     }
     atlas::write_index(&staging.folder, &mut index)?;
     files::sync_tree(&staging.folder)?;
-    let next = atlas::version_numbers(&staging.root)?.last().map_or(1, |last| last + 1);
-    let name = atlas::version_name(next);
+    let name = staging.next_version()?;
     let target = staging.root.join(&name);
     fs::rename(&staging.folder, &target).map_err(|e| Error::disk(&target, "publish the version", e))?;
     files::sync_folder(&staging.root)?;
