@@ -258,9 +258,13 @@ fn most_above(count: usize, recorded: usize, q: f64) -> f64 {
 impl Report {
     fn failures(&self) -> Vec<String> {
         let files = self.files.failures.iter().map(|failure| format!("{}: {}", failure.file, failure.what));
-        let values = self.specimens.iter().filter(|check| !(check.check_worst <= CHECK_TOLERANCE)).map(|check| {
-            format!("{}: stored check values differ from the tables by {:.1e}", check.name, check.check_worst)
-        });
+        let values = self
+            .specimens
+            .iter()
+            .filter(|check| check.check_worst.is_nan() || check.check_worst > CHECK_TOLERANCE)
+            .map(|check| {
+                format!("{}: stored check values differ from the tables by {:.1e}", check.name, check.check_worst)
+            });
         let scans = self.specimens.iter().flat_map(|check| {
             let changed = |scan| format!("{}: {scan} is not the file that the tables were made from", check.name);
             check.other_scans.iter().map(changed)
