@@ -355,14 +355,17 @@ fn describe(
         height_map: None,
         spectrum: None,
         preview_png: None,
-        warnings: warnings(set, plan),
+        warnings: warnings(specimen, set, plan),
         failed: None,
     }
 }
 
 /// What a user must know about these tables.
-fn warnings(set: &TableSet, plan: &BuildPlan) -> Vec<String> {
+fn warnings(specimen: &SpecimenConfig, set: &TableSet, plan: &BuildPlan) -> Vec<String> {
     let mut warnings = Vec::new();
+    if specimen.measured.is_some() {
+        warnings.push("`measured` is named, but this version does not compare with measured reflectance yet".into());
+    }
     if set.usable_radius < 2.0 {
         warnings.push(format!(
             "the scan's sampling answers for |(u, v)| up to {:.2} only: beyond, some wavelengths are missing and values are too dark",

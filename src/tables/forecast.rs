@@ -38,6 +38,7 @@ pub struct Forecast {
 /// machine scales all predictions alike.
 const NS_PER_FFT_POINT: f64 = 12.0;
 const NS_PER_LANE_TAP: f64 = 0.9;
+const NS_PER_COMPLEX_PRODUCT: f64 = 2.0;
 
 /// Predicts a build.
 ///
@@ -73,6 +74,9 @@ pub fn forecast(
                         + complex * lines.taps * (rows * box_samples + texels * box_samples.powi(2)));
             }
         }
+        if config.count.is_none() && lines_most == 0.0 {
+            work_ns += pilot_ns(&plan, transforms, lines.taps, placement);
+        }
         lines_most = lines_most.max(lines.lines[0] * lines.lines[1]);
     }
     let texels = (plan.grid.size * plan.grid.size) as f64;
@@ -90,6 +94,15 @@ pub fn forecast(
         memory_bytes: memory as u64,
         stored_bytes: (texels * 3.0 * value_bytes * tables as f64) as u64,
     })
+}
+
+/// The pilot: every tested texel at all its wavelengths and fine nodes, once per tap where powers are summed.
+fn pilot_ns(plan: &BuildPlan, transforms: usize, taps: f64, placement: Placement) -> f64 {
+    let wavelengths: usize = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum();
+    let each = wavelengths as f64 / plan.rings.len() as f64;
+    let fine = plan.nodes_bound as f64;
+    let products = if placement == Placement::TileMean { taps * taps * fine } else { taps * taps + fine };
+    super::pilot::TEXELS as f64 * each * products * transforms as f64 * NS_PER_COMPLEX_PRODUCT
 }
 
 /// Tables that the pilot will likely choose: as for a surface of bandwidth 1.5 rms in each phasor.

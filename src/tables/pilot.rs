@@ -12,7 +12,7 @@ use crate::optics::spectra::Spectra;
 
 /// Texels spread over the disc, and half as many where there is light; the 95th percentiles then rest on
 /// the forty and the twenty largest errors.
-const TEXELS: usize = 160;
+pub const TEXELS: usize = 160;
 
 /// Values of `t` at which the interpolation in `w` is judged: between and beyond the nodes.
 const T_TESTED: [f64; 5] = [0.02, 0.21, 0.47, 0.76, 1.0];

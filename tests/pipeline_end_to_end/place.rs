@@ -35,7 +35,8 @@ impl Called {
 /// The program, in a folder.
 pub fn program(folder: &Path) -> Command {
     let mut command = Command::cargo_bin("diffraction-atlas").unwrap();
-    command.current_dir(folder);
+    // Mesa's loader complains on stderr where this is not set, whoever starts the program.
+    command.env("XDG_RUNTIME_DIR", folder).current_dir(folder);
     command
 }
 

@@ -94,6 +94,8 @@ fn a_flat_spectrum_from_a_file_is_equal_energy() {
     place.write("lamp.csv", "# a lamp that does not exist\nwavelength_nm,power\n300,7\n900,7\n");
     let with = |illuminant: &str| {
         let optics = FINE.replace("{ lines_nm = [633, 532, 450] }", &format!("{illuminant:?}"));
+        // Half tables would round some values up here and down there.
+        let optics = optics.replace("prefilter", "storage = \"float\"\nprefilter");
         place.publish(&[HEAD, &optics, ROUGH].concat());
         (tables(&place, "rough"), reference(&place, "rough"))
     };
