@@ -88,7 +88,7 @@ fn a_wrong_manifest_writes_nothing_and_says_where() {
     let wave = "name = \"wave\"\n";
     let faults = [
         // A typo in a key.
-        ("sigma_um", "sigma_mu", "sigma_mu", "did you mean `sigma_um`"),
+        ("sigma_um", "sigma_mu", "sigma_mu", "the nearest known key is `sigma_um`"),
         ("[[scene]]", "[[scenes]]", "scenes]]", "`scene`"),
         ("size = 65", "size = 64", "64", "`tables.size` must be odd"),
         // A missing file, and a pattern without any.
@@ -97,16 +97,16 @@ fn a_wrong_manifest_writes_nothing_and_says_where() {
         // A wrong unit: of the key, of the heights, and none at all.
         ("sigma_um = 2", "sigma_nm = 2000", "sigma_nm", "sigma_um = 2"),
         (wave, "name = \"wave\"\nheight = { unit = \"furlong\" }\n", "\"furlong\"", "\"nm\""),
-        (wave, "name = \"wave\"\nheight = { unit = 5 }\n", "5 }", "specimen[2].height.unit"),
+        (wave, "name = \"wave\"\nheight = { unit = 7 }\n", "7 }", "specimen[1].height.unit"),
         // A negative pitch, and other numbers out of range.
-        (wave, "name = \"wave\"\npitch_nm = -48.8\n", "-48.8", "specimen[2].pitch_nm"),
-        (wave, "name = \"wave\"\npitch_nm = [80, 0]\n", "0]\n", "specimen[2].pitch_nm"),
-        (wave, "name = \"wave\"\npitch_nm = nan\n", "nan", "specimen[2].pitch_nm"),
+        (wave, "name = \"wave\"\npitch_nm = -48.8\n", "-48.8", "specimen[1].pitch_nm"),
+        (wave, "name = \"wave\"\npitch_nm = [80, 0]\n", "0]\n", "specimen[1].pitch_nm"),
+        (wave, "name = \"wave\"\npitch_nm = nan\n", "nan\n", "specimen[1].pitch_nm"),
         // Two specimens of one name; a scene of a specimen that is not there.
-        (wave, "name = \"rough\"\n", "", "rough"),
-        ("shape = \"sphere\"", "shape = \"sphere\"\nspecimen = \"waves\"", "\"waves\"", "`wave`"),
+        (wave, "name = \"rough\"\n", "", "repeats the name \"rough\""),
+        ("shape = \"sphere\"", "shape = \"sphere\"\nspecimen = \"waves\"", "\"waves\"", "did you mean \"wave\"?"),
         // No TOML at all.
-        ("[tables]", "[tables", "", "m.toml"),
+        ("[tables]", "[tables", "", "unclosed table"),
     ];
     for (old, new, marker, fragment) in faults {
         let manifest = usual().replacen(old, new, 1);
