@@ -100,9 +100,11 @@ fn a_flat_spectrum_from_a_file_is_equal_energy() {
         (tables(&place, "rough"), reference(&place, "rough"))
     };
     let ((lamp, lamp_reference), (equal, equal_reference), (day, _)) = (with("lamp.csv"), with("E"), with("D65"));
-    assert!(worst(&lamp, &equal) < 1e-6, "{:e}", worst(&lamp, &equal));
+    // Tables are summed in single precision: 1e-7 of the brightest order, seen from directions where the orders
+    // come to less than a thousandth of it.
+    assert!(worst(&lamp, &equal) < 2e-4, "{:e}", worst(&lamp, &equal));
     assert!(worst(&lamp_reference, &equal_reference) < 1e-9);
-    assert!(worst(&lamp, &day) > 1e-3, "daylight is another light");
+    assert!(worst(&lamp, &day) > 5e-3, "daylight is another light");
     assert!(worst(&lamp, &lamp_reference) < 0.05);
 }
 
