@@ -4,8 +4,8 @@ mod scan_support;
 
 use std::path::Path;
 
-use diffraction_atlas::ground::digest::sha256_hex;
 use diffraction_atlas::ground::error::Error;
+use diffraction_atlas::ground::files::sha256_hex;
 use diffraction_atlas::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, read_scan};
 use scan_support::samples;
 

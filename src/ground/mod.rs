@@ -3,7 +3,6 @@
 pub mod chebyshev;
 pub mod cie_data;
 pub mod colour;
-pub mod digest;
 pub mod direction;
 pub mod error;
 pub mod exr_header;

@@ -25,8 +25,8 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::ground::digest::sha256_hex;
 use crate::ground::error::{Error, Result};
+use crate::ground::files::sha256_hex;
 use crate::height::HeightField;
 
 pub use unit::LengthUnit;

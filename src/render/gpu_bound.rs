@@ -20,7 +20,7 @@ use ndarray::{Array3, Axis};
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
-use super::gpu_layout::{RUN_SAMPLES_MAX, half_scale, peak};
+use super::gpu_layout::{RUN_SAMPLES_MAX, peak};
 use crate::ground::chebyshev;
 use crate::ground::direction::{Vec3, Xyz, dot, wave_vector_change};
 use crate::optics::config::{Material, OpticsConfig};
@@ -30,6 +30,7 @@ use crate::scene::samples::{ShadingSamples, pixel_range};
 use crate::tables::evaluate::{Interpolation, window_power};
 use crate::tables::model::{Basis, Lobe, TableSet};
 use crate::tables::plan::w_reach;
+use crate::tables::storage::half_scale;
 
 /// Rounding to nearest in 32 bits.
 const U: f64 = 1.0 / (1 << 24) as f64;

@@ -8,6 +8,7 @@ use crate::ground::error::{Error, Result};
 use crate::optics::config::Material;
 use crate::scene::samples::ShadingSamples;
 use crate::tables::model::{Basis, TableSet};
+use crate::tables::storage::half_scale;
 
 /// Most layers of a texture: WebGPU's default limit, and the length of the shader's list of scales.
 pub const LAYERS_MAX: usize = 256;
@@ -120,16 +121,6 @@ pub struct TableImage {
     pub coherent_size: [usize; 2],
     /// The coherent lobe, row by row; one black texel where there is none.
     pub coherent: Vec<[f32; 4]>,
-}
-
-/// The power of two that brings a peak into (2^11, 2^12]: the one that stored half tables use, so that
-/// their numbers pass unchanged. At least the smallest normal float; 1 where everything is zero.
-pub fn half_scale(peak: f32) -> f32 {
-    if peak == 0.0 {
-        return 1.0;
-    }
-    let exponent = f64::from(peak).log2().ceil() as i32 - 12;
-    2f32.powi(exponent.clamp(-126, 127))
 }
 
 /// Largest magnitude of a table.

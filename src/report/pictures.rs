@@ -47,31 +47,6 @@ pub fn height_map(field: &HeightField) -> Result<HeightPicture> {
     Ok(HeightPicture { rgb, scale_bar_um, low_nm, high_nm })
 }
 
-/// The PNG file of an sRGB picture of shape `[rows, columns, 3]`. The same picture gives the same bytes.
-pub fn encode_png(rgb: &Array3<u8>) -> Result<Vec<u8>> {
-    let (rows, columns, channels) = rgb.dim();
-    let refuse = |why: String| {
-        Error::limit(
-            format!("a picture of {columns} x {rows} pixels cannot be stored as PNG: {why}"),
-            "ask for a picture of at least 1 x 1 and at most 2^31 - 1 pixels a side",
-        )
-    };
-    let (Ok(width), Ok(height), 3) = (u32::try_from(columns), u32::try_from(rows), channels) else {
-        return Err(refuse(format!("{channels} channels")));
-    };
-    let pixels: Vec<u8> = rgb.iter().copied().collect();
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Balanced);
-    encoder
-        .write_header()
-        .and_then(|mut writer| writer.write_image_data(&pixels))
-        .map_err(|error| refuse(error.to_string()))?;
-    Ok(bytes)
-}
-
 /// Refuses fields that have no picture.
 pub(super) fn require_area(field: &HeightField) -> Result<()> {
     let [x_nm, y_nm] = field.extent_nm();
@@ -236,18 +211,5 @@ mod tests {
         assert_eq!((thin.rgb.dim(), thin.scale_bar_um), ((1, 600, 3), 0.0));
         assert!(height_map(&field(0, 8, [50.0, 50.0], |_, _| 0.0)).is_err());
         assert!(height_map(&field(8, 8, [f64::NAN, 50.0], |_, _| 0.0)).is_err());
-    }
-
-    #[test]
-    fn png_comes_back_as_it_was() {
-        let rgb = Array3::from_shape_fn((5, 9, 3), |(row, column, channel)| (row * 50 + column * 7 + channel) as u8);
-        let bytes = encode_png(&rgb).unwrap();
-        let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();
-        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-        let info = reader.next_frame(&mut pixels).unwrap();
-        assert_eq!((info.width, info.height), (9, 5));
-        assert_eq!(pixels, rgb.iter().copied().collect::<Vec<u8>>());
-        assert!(encode_png(&Array3::zeros((0, 4, 3))).is_err());
-        assert!(encode_png(&Array3::zeros((4, 4, 1))).is_err());
     }
 }

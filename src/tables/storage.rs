@@ -295,7 +295,7 @@ fn scale_array(values: &Array3<f32>, file: &str, storage: Storage) -> (Option<Ar
 
 /// The power of two that brings `peak` into (2^11, 2^12]; 1 where everything is zero. Kept to normal 32-bit floats,
 /// so that every reader can multiply by it.
-fn half_scale(peak: f32) -> f32 {
+pub fn half_scale(peak: f32) -> f32 {
     if peak == 0.0 || !peak.is_finite() {
         return 1.0;
     }

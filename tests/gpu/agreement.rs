@@ -56,8 +56,7 @@ fn stored_halves_tighten_the_tolerance() {
     let check = |set: &TableSet| check_specimen(gpu, set, &[sphere(32)]).unwrap().remove(0);
     let float = check(&set);
     for table in &mut set.tables {
-        let scale =
-            diffraction_atlas::render::gpu_layout::half_scale(diffraction_atlas::render::gpu_layout::peak(table));
+        let scale = diffraction_atlas::tables::storage::half_scale(diffraction_atlas::render::gpu_layout::peak(table));
         table.mapv_inplace(|value| f16::from_f32(value / scale).to_f32() * scale);
     }
     let half = check(&set);

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
+use diffraction_atlas::ground::png_image::encode_png;
 use diffraction_atlas::ground::spectrum::Illuminant;
 use diffraction_atlas::height::HeightField;
 use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
-use diffraction_atlas::report::pictures::{encode_png, height_map, spectrum_half_range_per_um, spectrum_picture};
+use diffraction_atlas::report::pictures::{height_map, spectrum_half_range_per_um, spectrum_picture};
 use diffraction_atlas::stages::results::*;
 use diffraction_atlas::tables::model::{Basis, BuildRecord, Storage};
 use ndarray::{Array2, Array3};
