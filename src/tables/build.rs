@@ -131,7 +131,7 @@ fn check_heights(fields: &[HeightField]) -> Result<()> {
 /// Builds the tables of one specimen from its prepared scans.
 ///
 /// # Errors
-/// Those of [`plan`], transforms beyond the allowed memory, and for `Basis::Taylor` those of
+/// Those of [`plan()`], transforms beyond the allowed memory, and for `Basis::Taylor` those of
 /// [`super::taylor::build_taylor`].
 pub fn build(
     fields: &[HeightField],
