@@ -45,6 +45,12 @@ pub fn prefactor(optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> f64 {
 /// # Errors
 /// `Error::Call` if the light is invisible.
 pub fn resolving_wavelengths(optics: &OpticsConfig, q: Vec3, step: f64) -> Result<SpectralQuadrature> {
+    uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, resolving_count(optics, q, step))
+}
+
+/// How many wavelengths [`resolving_wavelengths`] gives. Rounded up to five binary digits: directions share
+/// few numbers then, and with them the quadratures, whose weights cost more than the sums they weigh.
+pub fn resolving_count(optics: &OpticsConfig, q: Vec3, step: f64) -> usize {
     let [low_nm, high_nm] = optics.wavelength_nm;
     let span = 1.0 / low_nm - 1.0 / high_nm;
     let rho = q[0].hypot(q[1]);
@@ -55,7 +61,7 @@ pub fn resolving_wavelengths(optics: &OpticsConfig, q: Vec3, step: f64) -> Resul
         _ => WAVELENGTHS_MIN,
     };
     let count = needed.max(fewest / step).ceil() as usize;
-    uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)
+    count.next_multiple_of(1 << count.max(1).ilog2().saturating_sub(4))
 }
 
 /// XYZ of the BRDF in 1/sr, averaged over a specimen's prepared scans and their windows.

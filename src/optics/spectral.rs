@@ -4,17 +4,18 @@
 //! expansion in `w`, no coarse wavelengths; only the interpolation in depth and frequency is shared with
 //! the tables. It is itself held against the direct sum.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 
 use super::config::OpticsConfig;
-use super::reference::{FULL_STEP, prefactor, resolving_wavelengths};
+use super::reference::{FULL_STEP, prefactor, resolving_count};
 use super::spectra::{self, Spectra, SpectraConfig};
 use super::window::placements;
 use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
 use crate::ground::error::Result;
-use crate::ground::spectrum::SpectralQuadrature;
+use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
 use crate::height::HeightField;
 
 /// XYZ of the BRDF in 1/sr for many pairs of directions, averaged over scans and windows.
@@ -40,7 +41,7 @@ pub fn brdf_xyz_batch(
     Ok(sums.into_iter().map(|sum| sum.map(|s| s * share)).collect())
 }
 
-/// Adds one window's BRDF to each pair's sum; `step` as in [`resolving_wavelengths`].
+/// Adds one window's BRDF to each pair's sum; `step` as in [`resolving_count`].
 ///
 /// # Errors
 /// An invisible light.
@@ -51,17 +52,22 @@ pub fn add_window(
     step: f64,
     sums: &mut [Xyz],
 ) -> Result<()> {
-    sums.par_iter_mut().zip(pairs).try_for_each(|(sum, &(wi, wo))| {
-        let front = prefactor(optics, wi, wo);
-        if front == 0.0 {
-            return Ok(());
+    // Directions with equally many wavelengths share them; one set is held at a time.
+    let mut by_count: BTreeMap<usize, Vec<(&mut Xyz, f64, Vec3)>> = BTreeMap::new();
+    for (sum, &(wi, wo)) in sums.iter_mut().zip(pairs) {
+        let (front, q) = (prefactor(optics, wi, wo), wave_vector_change(wi, wo));
+        if front != 0.0 {
+            by_count.entry(resolving_count(optics, q, step)).or_default().push((sum, front, q));
         }
-        let q = wave_vector_change(wi, wo);
-        let quadrature = resolving_wavelengths(optics, q, step)?;
-        let power = window_power(spectra, &quadrature, q);
-        sum.iter_mut().zip(power).for_each(|(sum, power)| *sum += front * power);
-        Ok(())
-    })
+    }
+    for (count, group) in by_count {
+        let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
+        group.into_par_iter().for_each(|(sum, front, q)| {
+            let power = window_power(spectra, &quadrature, q);
+            sum.iter_mut().zip(power).for_each(|(sum, power)| *sum += front * power);
+        });
+    }
+    Ok(())
 }
 
 /// `∫ S x̄ |P|² / (λ² A w²) dλ` of one window at `q`, the coherent part included.
