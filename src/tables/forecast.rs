@@ -39,6 +39,11 @@ pub struct Forecast {
 const NS_PER_FFT_POINT: f64 = 12.0;
 const NS_PER_LANE_TAP: f64 = 0.9;
 const NS_PER_COMPLEX_PRODUCT: f64 = 2.0;
+const NS_PER_TEXEL_AND_TABLE: f64 = 100.0;
+
+/// Texels times wavelengths of a typical coherent table, and nanoseconds for each depth node of one.
+const LOBE_SAMPLES: f64 = 1.1e6;
+const NS_PER_LOBE_NODE: f64 = 10.0;
 
 /// Predicts a build.
 ///
@@ -80,6 +85,9 @@ pub fn forecast(
         lines_most = lines_most.max(lines.lines[0] * lines.lines[1]);
     }
     let texels = (plan.grid.size * plan.grid.size) as f64;
+    // Values at the nodes become coefficients; the lobe is a table of its own.
+    work_ns += std::f64::consts::FRAC_PI_4 * texels * tables as f64 * NS_PER_TEXEL_AND_TABLE;
+    work_ns += LOBE_SAMPLES * (transforms * plan.windows.len()) as f64 * NS_PER_LOBE_NODE;
     let memory = lines_most * transforms as f64 * 8.0 + texels * 3.0 * 4.0 * (lanes * 4.0 + 2.0 * tables as f64);
     let value_bytes = if config.storage == Storage::Half { 2.0 } else { 4.0 };
     let steps = plan.rings.iter().flat_map(|r| r.quadrature.wavelengths_nm.windows(2).map(|p| (p[0] - p[1]).abs()));

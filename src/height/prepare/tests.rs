@@ -1,3 +1,5 @@
+//! Tests of preparing: closed forms, invariants, degenerate fields.
+
 use std::f64::consts::TAU;
 
 use ndarray::Array2;

@@ -1,3 +1,5 @@
+//! Tests of the statistics: closed forms, directions, degenerate fields.
+
 use std::f64::consts::{SQRT_2, TAU};
 
 use ndarray::Array2;
