@@ -20,7 +20,7 @@ use crate::tables::evaluate::{Interpolation, brdf_xyz};
 use crate::tables::model::TableSet;
 
 /// Most pairs of directions that one scene may ask of the yardstick: sets the lattice of its picture.
-const REFERENCE_SAMPLES_MAX: usize = 16_000;
+const REFERENCE_SAMPLES_MAX: usize = 40_000;
 
 /// Share of white at which the difference map reaches its brightest colour.
 const DIFFERENCE_FULL_SCALE: f32 = 0.1;
