@@ -39,7 +39,7 @@ fn files_and_axes(tables: &StoredTables) -> String {
 
 - `table.NNN.exr`, {count} files of {size} x {size} texels: one per basis function n, channels R, G, B holding X, Y, Z.
   Column `c` (from 0) lies at `u = -2 + 4 c / {last}`, row `r` (from 0, the top scan line) at `v = 2 - 4 r / {last}`.
-  Texels outside the disc of radius 2 are 0.
+  Texels beyond the disc of radius 2 are 0, but for a rim of three that interpolation at its edge reads.
 {lobe}- Value = stored number x `scale`; every file has its own `scale`, a power of two. Treat the images as data: no colour
   management, no gamma.
 - First and last texel *centres* lie on the ends of the axis. Between centres interpolate linearly in both axes. A sampler

@@ -85,7 +85,8 @@ pub struct Lobe {
 pub struct TableSet {
     /// Which expansion the tables hold.
     pub basis: Basis,
-    /// One array per basis function, shape `[size, size, 3]`, 0 outside the disc of radius 2.
+    /// One array per basis function, shape `[size, size, 3]`, 0 beyond the disc of radius 2 but for a rim of
+    /// three texels, which keeps interpolation at the rim free of zeros.
     pub tables: Vec<Array3<f32>>,
     /// The coherent lobe; `None` for `Basis::Taylor`, whose tables contain it.
     pub lobe: Option<Lobe>,
