@@ -28,7 +28,6 @@ use crate::ground::error::{Error, Result};
 use crate::ground::png_image::write_png;
 use crate::ground::{files, sampling};
 use crate::height::HeightField;
-use crate::optics::config::OpticsConfig;
 use crate::render::cpu;
 use crate::render::gpu::Gpu;
 use crate::scene::model::{Exposure, Light, Scene, Shape};
@@ -418,13 +417,13 @@ fn specimen_file(
         build: result.build.as_ref().map(|build| build.record.clone()).unwrap_or_default(),
         tables,
         errors: to_value(&result.errors),
-        check_values: check_values(set, &specimen.optics),
+        check_values: check_values(set),
         warnings: result.warnings.clone(),
     }
 }
 
 /// Values for testing other programs: half over the whole hemisphere, half around the mirror direction.
-fn check_values(set: &TableSet, _optics: &OpticsConfig) -> Vec<CheckValue> {
+fn check_values(set: &TableSet) -> Vec<CheckValue> {
     let angle = |share: f64, range: f64| (share * range * 10.0).round() / 10.0;
     (0..CHECK_VALUES)
         .map(|index| {

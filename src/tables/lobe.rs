@@ -1,6 +1,6 @@
 //! The coherent lobe: what the mean phasor reflects around the mirror direction, and its cross term.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use ndarray::Array3;
 use rayon::prelude::*;
@@ -92,10 +92,4 @@ pub fn patch_grid(optics: &OpticsConfig, radius_max: f64) -> Grid {
     let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
     let half = (radius_max / lobe_width(optics.sigma_nm, low_nm) * TEXELS_PER_WIDTH[1]).ceil() as usize;
     Grid { size: 2 * half + 1, half_width: radius_max }
-}
-
-/// Peak of a mirror's lobe in 1/sr at normal incidence for one wavelength: `4πσ²/λ²`, for orientation in
-/// reports.
-pub fn mirror_peak(sigma_nm: f64, wavelength_nm: f64) -> f64 {
-    4.0 * PI * (sigma_nm / wavelength_nm).powi(2)
 }
