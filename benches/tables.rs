@@ -72,9 +72,9 @@ fn one_ring(criterion: &mut Criterion) {
         let (_, placement) = plan.windows[0];
         let spectra = spectra::transform(&field, placement, &optics, &plan.spectra).expect("the transforms fit");
         let ring = &plan.rings[0];
-        let nodes = diffraction_atlas::ground::chebyshev::gauss_nodes(NODES, 0.0, ring.w_max());
-        let mut sums = PowerSums::new(&plan.grid, NODES);
-        let what = RingSum { grid: &plan.grid, ring, filter: plan.filter, quantity: Quantity::Power, share: 1.0 };
+        let nodes = diffraction_atlas::ground::chebyshev::gauss_nodes(NODES, ring.w[0], ring.w[1]);
+        let mut sums = PowerSums::new(&plan.texels, NODES);
+        let what = RingSum { texels: &plan.texels, ring, filter: plan.filter, quantity: Quantity::Power, share: 1.0 };
         group.bench_function(name, |bencher| {
             bencher.iter(|| add_ring(black_box(&spectra), what, &nodes, &mut sums));
         });

@@ -42,6 +42,7 @@ fn set(basis: Basis, count: usize) -> TableSet {
             material: Material::Dielectric { n: 1.56 },
             shadowing: true,
         },
+        served: None,
         usable_radius: 2.0,
     }
 }

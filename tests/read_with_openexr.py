@@ -43,6 +43,13 @@ def bilinear(image, column, row):
     return (1 - y) * top + y * bottom
 
 
+def chebyshev(t, count):
+    values = [1.0, 2 * t - 1]
+    while len(values) < count:
+        values.append(2 * (2 * t - 1) * values[-1] - values[-2])
+    return values[:count]
+
+
 def fresnel(material, c):
     if material == "ideal":
         return 1.0
@@ -66,6 +73,10 @@ class Specimen:
 
         self.basis = stored["basis"]
         self.tables = [image(array) for array in stored["tables"]]
+        self.served = stored.get("served")
+        self.axes = [stored["u"], stored["v"]]
+        if self.served:
+            self.range = image(self.served["range"], np.float16)
         self.lobe = stored["lobe"]
         if self.lobe:
             self.coherent = image(self.lobe["coherent"], np.float32)
@@ -74,8 +85,11 @@ class Specimen:
 
     def evaluate(self, wi, wo):
         u, v, w = -(np.array(wi) + np.array(wo))
-        size = self.tables[0].shape[0]
-        column, row = (size - 1) * (u + 2) / 4, (size - 1) * (2 - v) / 4
+        # Axes are given by the centres of their first and last texels.
+        column, row = (
+            (axis["samples"] - 1) * (x - axis["first"]) / (axis["last"] - axis["first"])
+            for axis, x in zip(self.axes, (u, v))
+        )
         geometry = (1 + np.dot(wi, wo)) ** 2 / (wi[2] * wo[2])
         c = np.linalg.norm(np.array(wi) + np.array(wo)) / 2
         factor = fresnel(self.about["optics"]["material"], c) * geometry
@@ -86,16 +100,18 @@ class Specimen:
         if self.basis == "taylor":
             return factor * sum(abs(w) ** n * value for n, value in enumerate(values)) / w**2
         t = min(1.0, abs(w) / np.sqrt(4 - u * u - v * v))
-        chebyshev = [1.0, 2 * t - 1]
-        while len(chebyshev) < max(len(values), len(self.cross) if self.lobe else 0):
-            chebyshev.append(2 * (2 * t - 1) * chebyshev[-1] - chebyshev[-2])
-        total = sum(basis * value for basis, value in zip(chebyshev, values))
+        s = t
+        if self.served:
+            low, high, there = bilinear(self.range, column, row)
+            assert there > 1 - 1e-9 and low <= t <= high, "a check value lies outside of what is served"
+            s = (t - low) / (high - low)
+        total = sum(basis * value for basis, value in zip(chebyshev(s, len(values)), values))
         if self.lobe:
             r = self.lobe["radius_max"]
             rows, columns, _ = self.coherent.shape
             if np.hypot(u, v) < r:
                 total = total + bilinear(self.coherent, (columns - 1) * np.hypot(u, v) / r, (rows - 1) * t) / w**2
-            for basis, patch in zip(chebyshev, self.cross if max(abs(u), abs(v)) < r else []):
+            for basis, patch in zip(chebyshev(t, len(self.cross)), self.cross if max(abs(u), abs(v)) < r else []):
                 side = patch.shape[0] - 1
                 total = total + basis * bilinear(patch, side * (u + r) / (2 * r), side * (r - v) / (2 * r)) / abs(w)
         return factor * total

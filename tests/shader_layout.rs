@@ -44,6 +44,10 @@ fn structs_have_the_same_bytes() {
         radius_max,
         index_n,
         index_k,
+        served,
+        grid_last,
+        first_column,
+        first_row,
         table_scales,
         cross_scales
     });

@@ -13,6 +13,12 @@ pub fn from_angles_deg(theta_deg: f64, phi_deg: f64) -> Vec3 {
     [sin_t * cos_p, sin_t * sin_p, cos_t]
 }
 
+/// Polar angles of a unit vector in degrees: theta from the normal, phi in [0, 360). The inverse of [`from_angles_deg`].
+pub fn angles_deg([x, y, z]: Vec3) -> [f64; 2] {
+    let phi_deg = y.atan2(x).to_degrees();
+    [x.hypot(y).atan2(z).to_degrees(), if phi_deg < 0.0 { phi_deg + 360.0 } else { phi_deg }]
+}
+
 /// Scalar product.
 pub fn dot(a: Vec3, b: Vec3) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -61,6 +67,14 @@ mod tests {
         let q = wave_vector_change(wi, wo);
         let expected = dot(q, q).powi(2) / (4.0 * wi[2] * wo[2]);
         assert!((geometry_factor(wi, wo) / expected - 1.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn angles_and_vectors_are_inverse() {
+        for (theta, phi) in [(0.0, 0.0), (35.0, 20.0), (89.9, 359.0), (61.0, 250.0), (90.0, 180.0)] {
+            let [theta_deg, phi_deg] = angles_deg(from_angles_deg(theta, phi));
+            assert!((theta_deg - theta).abs() < 1e-12 && (phi_deg - phi).abs() < 1e-9, "{theta_deg} {phi_deg}");
+        }
     }
 
     #[test]

@@ -15,9 +15,11 @@ pub fn run_config(manifest: &Manifest, text: &str) -> RunConfig {
         atlas_name: manifest.atlas.name.clone(),
         atlas_root: manifest.atlas.out.join(&manifest.atlas.name),
         tables: manifest.tables.clone(),
+        serve: manifest.serve.clone(),
         specimens: manifest.specimens.iter().map(specimen_config).collect(),
         scenes: manifest.scenes.iter().map(scene).collect(),
         gpu: manifest.gpu,
+        report: manifest.report,
         manifest_text: text.to_owned(),
         base: manifest.base.clone(),
     }

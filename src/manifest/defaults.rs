@@ -3,12 +3,15 @@
 use super::model::{GpuCheck, LevelSection, LightSection, ShapeSection};
 use crate::ground::spectrum::Illuminant;
 use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
+use crate::stages::config::ReportConfig;
 use crate::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
 /// `[atlas] out`.
 pub const OUT: &str = "out/atlas";
 /// `[gpu] check`.
 pub const GPU: GpuCheck = GpuCheck::Auto;
+/// `[report]`.
+pub const REPORT: ReportConfig = ReportConfig { write: true, reference: true, savings: false };
 /// `[[specimen]] level`.
 pub const LEVEL: LevelSection = LevelSection::Plane;
 /// `[[specimen]] max_missing_share`.

@@ -10,8 +10,10 @@ pub struct Keys {
 }
 
 /// The top level.
-pub const TOP: Keys =
-    Keys { table: "the top level", names: &["schema", "atlas", "optics", "tables", "specimen", "scene", "gpu"] };
+pub const TOP: Keys = Keys {
+    table: "the top level",
+    names: &["schema", "atlas", "optics", "tables", "specimen", "scene", "gpu", "report"],
+};
 
 /// What the atlas is called and where it goes.
 pub const ATLAS: Keys = Keys { table: "[atlas]", names: &["name", "out"] };
@@ -34,7 +36,17 @@ pub const MATERIAL: Keys = Keys { table: "material", names: &["n", "k"] };
 /// What is asked of the tables.
 pub const TABLES: Keys = Keys {
     table: "[tables]",
-    names: &["basis", "tolerance", "size", "count", "wavelength_step_nm", "storage", "prefilter", "memory_mib"],
+    names: &[
+        "basis",
+        "tolerance",
+        "size",
+        "count",
+        "wavelength_step_nm",
+        "storage",
+        "prefilter",
+        "serve",
+        "memory_mib",
+    ],
 };
 
 /// A prefilter of fixed width.
@@ -99,10 +111,13 @@ pub const EXPOSURE: Keys = Keys { table: "exposure", names: &["ev"] };
 /// Whether tables are checked on a GPU.
 pub const GPU: Keys = Keys { table: "[gpu]", names: &["check"] };
 
+/// What is found out besides the tables.
+pub const REPORT: Keys = Keys { table: "[report]", names: &["write", "reference", "savings"] };
+
 /// Every table.
 pub const ALL: &[&Keys] = &[
     &TOP, &ATLAS, &OPTICS, &LINES, &COHERENCE, &MATERIAL, &TABLES, &PREFILTER, &SPECIMEN, &HEIGHT, &DESPIKE, &SCENE,
-    &LIGHT, &EXPOSURE, &GPU,
+    &LIGHT, &EXPOSURE, &GPU, &REPORT,
 ];
 
 /// Units that key names end in.

@@ -25,7 +25,7 @@ use toml::de::DeTable;
 
 pub use model::{
     AtlasSection, DespikeSection, ExposureSection, GpuCheck, HeightSection, HeightUnit, LevelSection, LightSection,
-    Manifest, SceneSection, ShapeSection, SpecimenSection,
+    Manifest, ReportConfig, SceneSection, Serve, ShapeSection, SpecimenSection,
 };
 
 use crate::ground::error::{Error, Result};
@@ -106,7 +106,17 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
         Some(item) => gpu(&item.section(&keys::GPU, "[gpu]")?)?,
         None => defaults::GPU,
     };
-    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, specimens, scenes, gpu, base: base.to_owned() })
+    let report = match top.get("report") {
+        Some(item) => report(&item.section(&keys::REPORT, "[report]")?)?,
+        None => defaults::REPORT,
+    };
+    let names: Vec<&str> = scenes.iter().map(|scene| scene.name.as_str()).collect();
+    let serve = match top.get("tables") {
+        Some(item) => tables::read_serve(&item, &names)?,
+        None => Serve::All,
+    };
+    let base = base.to_owned();
+    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, serve, specimens, scenes, gpu, report, base })
 }
 
 fn syntax_error(source: &Source, error: &toml::de::Error) -> Error {
@@ -128,6 +138,15 @@ fn check_schema(source: &Source, document: &DeTable) -> Result<()> {
     }
     let message = format!("`schema` must be {SCHEMA}, the manifest format that this program reads");
     Err(source.error(version.span(), message))
+}
+
+fn report(section: &Section) -> Result<ReportConfig> {
+    let switch = |key: &str, default: bool| section.get(key).map_or(Ok(default), |item| item.boolean());
+    Ok(ReportConfig {
+        write: switch("write", defaults::REPORT.write)?,
+        reference: switch("reference", defaults::REPORT.reference)?,
+        savings: switch("savings", defaults::REPORT.savings)?,
+    })
 }
 
 fn gpu(section: &Section) -> Result<GpuCheck> {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use crate::optics::config::OpticsConfig;
-pub use crate::stages::config::GpuCheck;
+pub use crate::stages::config::{GpuCheck, ReportConfig, Serve};
 use crate::tables::model::TablesConfig;
 
 /// A whole manifest.
@@ -19,12 +19,16 @@ pub struct Manifest {
     pub optics: OpticsConfig,
     /// What is asked of the tables.
     pub tables: TablesConfig,
+    /// Which directions the tables answer for.
+    pub serve: Serve,
     /// The specimens, at least one, in the manifest's order; names are unique.
     pub specimens: Vec<SpecimenSection>,
     /// The pictures, in the manifest's order; names are unique.
     pub scenes: Vec<SceneSection>,
     /// Whether tables are checked on a GPU.
     pub gpu: GpuCheck,
+    /// What is found out besides the tables.
+    pub report: ReportConfig,
     /// The folder that relative paths start at.
     pub base: PathBuf,
 }

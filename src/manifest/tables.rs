@@ -4,6 +4,7 @@ use super::defaults;
 use super::keys;
 use super::reader::Item;
 use crate::ground::error::Result;
+use crate::stages::config::Serve;
 use crate::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
 /// Tolerances lie above the first, at which double precision is spent, and up to the second.
@@ -50,6 +51,34 @@ pub fn read(item: &Item) -> Result<TablesConfig> {
         tables.memory_mib = item.integer_within(MEMORY_MIB[0], MEMORY_MIB[1], "MiB")?;
     }
     Ok(tables)
+}
+
+/// Reads `serve`: which directions the tables answer for; `scenes` are the names of the manifest's scenes.
+pub fn read_serve(item: &Item, scenes: &[&str]) -> Result<Serve> {
+    let section = item.section(&keys::TABLES, "[tables]")?;
+    let Some(item) = section.get("serve") else {
+        return Ok(Serve::All);
+    };
+    let serve = if item.is_list() {
+        let options: Vec<(&str, &str)> = scenes.iter().map(|name| (*name, *name)).collect();
+        let named = item.list()?.iter().map(|item| item.choice(&options).map(str::to_owned)).collect::<Result<_>>()?;
+        Serve::Named(named)
+    } else if item.as_text().is_some() {
+        if item.choice(&[("all", true), ("scenes", false)])? { Serve::All } else { Serve::Scenes }
+    } else {
+        return Err(item.error("must be \"all\", \"scenes\", or a list of scenes as [\"sphere\"]"));
+    };
+    if serve == Serve::All {
+        return Ok(serve);
+    }
+    if scenes.is_empty() || serve == Serve::Named(Vec::new()) {
+        return Err(item.error("serves no direction at all: there must be a [[scene]] to serve"));
+    }
+    let taylor = section.get("basis").is_some_and(|basis| basis.as_text() == Some("taylor"));
+    if taylor {
+        return Err(item.error("goes with basis = \"chebyshev\": powers of w cannot be cut to the depths of a scene"));
+    }
+    Ok(serve)
 }
 
 fn size(item: &Item) -> Result<usize> {

@@ -18,8 +18,8 @@ pub struct PowersConfig {
     pub orders: usize,
     /// Unit of height `b` in nm, at least half the peak-to-valley range.
     pub scale_nm: f64,
-    /// Largest frequency wanted in 1/nm.
-    pub frequency_max: f64,
+    /// Smallest and largest frequency wanted in 1/nm, along x and y.
+    pub frequency: [[f64; 2]; 2],
     /// Bytes that the result may take.
     pub memory_bytes: u64,
 }
@@ -52,7 +52,7 @@ pub fn transform_powers(
     sigma_nm: f64,
     config: &PowersConfig,
 ) -> Result<HeightPowers> {
-    let (kernel, plans) = window_plan(field, placement, sigma_nm, config.frequency_max);
+    let (kernel, plans) = window_plan(field, placement, sigma_nm, config.frequency);
     let [x, y] = [plans[0].lines, plans[1].lines];
     let bytes = (x * y) as u64 * (2 * config.orders * size_of::<f64>()) as u64;
     if bytes > config.memory_bytes {

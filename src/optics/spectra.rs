@@ -2,7 +2,7 @@
 //! `w` follow.
 //!
 //! For a fixed frequency `(ξ, η)` the transform `P` is an entire function of `s` of bandwidth
-//! `max |h|`, so a Chebyshev interpolant over `[0, s_max]` replaces all transforms over wavelength and
+//! `max |h|`, so a Chebyshev interpolant over all `s` replaces all transforms over wavelength and
 //! `w`. Stored is `E = (P - c G̃) / s`, with `c(s)` the window's mean phasor and `G̃` its transform:
 //! `P - c G̃` vanishes with `s`, hence `|P - c G̃|² / w² = k² |E|²` without cancellation at any `w`.
 
@@ -23,10 +23,10 @@ use crate::height::HeightField;
 /// What decides size and accuracy of the transforms.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpectraConfig {
-    /// Largest `s` in 1/nm: `2 · 2π / λ_min` for the whole hemisphere.
-    pub s_max: f64,
-    /// Largest frequency wanted in 1/nm.
-    pub frequency_max: f64,
+    /// Smallest and largest `s` in 1/nm: 0 and `2 · 2π / λ_min` for the whole hemisphere.
+    pub s: [f64; 2],
+    /// Smallest and largest frequency wanted in 1/nm, along x and y.
+    pub frequency: [[f64; 2]; 2],
     /// Amplitude error of the interpolation in `s`, relative to the window's whole amplitude.
     pub tolerance: f64,
     /// Bytes that the transforms may take.
@@ -38,6 +38,8 @@ pub struct SpectraConfig {
 pub struct Spectra {
     /// Number of nodes in `s`.
     pub nodes: usize,
+    /// Smallest and largest `s` in 1/nm.
+    pub s: [f64; 2],
     /// The nodes in 1/nm, and how values between them follow.
     pub depth: Interpolant,
     /// `E / sqrt(A)` in nm² (nm for the tile's lines) at each node; layout `[η line][ξ line][node]`.
@@ -81,7 +83,14 @@ pub(super) struct AxisPlan {
     pub(super) lines: usize,
 }
 
-fn axis_plan(placement: Placement, axis: usize, count: usize, pitch_nm: f64, sigma_nm: f64, reach: f64) -> AxisPlan {
+fn axis_plan(
+    placement: Placement,
+    axis: usize,
+    count: usize,
+    pitch_nm: f64,
+    sigma_nm: f64,
+    [low, high]: [f64; 2],
+) -> AxisPlan {
     let window = window_axis(placement, axis, count, pitch_nm, sigma_nm);
     let samples = window.position_nm.len();
     let inside = matches!(placement, Placement::Inside { .. });
@@ -95,16 +104,18 @@ fn axis_plan(placement: Placement, axis: usize, count: usize, pitch_nm: f64, sig
         vec![1.0 / samples as f64; samples]
     };
     // Lines past the sampling's own limit would be aliases: the surface has no information there.
-    let last = ((reach / step).ceil() as i32).min((padded as i32 - 1) / 2);
-    AxisPlan { window, factor, padded, step, first: -last, lines: 2 * last as usize + 1 }
+    let limit = (padded as i32 - 1) / 2;
+    let first = ((low / step).floor() as i32).clamp(-limit, limit);
+    let last = ((high / step).ceil() as i32).clamp(first, limit);
+    AxisPlan { window, factor, padded, step, first, lines: (last - first) as usize + 1 }
 }
 
-/// Kernel and axes of one window's transforms up to a frequency (1/nm).
+/// Kernel and axes of one window's transforms for frequencies (1/nm) along x and y.
 pub(super) fn window_plan(
     field: &HeightField,
     placement: Placement,
     sigma_nm: f64,
-    frequency_max: f64,
+    frequency: [[f64; 2]; 2],
 ) -> (Kernel, [AxisPlan; 2]) {
     let size = field.size();
     let kernel = match placement {
@@ -114,8 +125,9 @@ pub(super) fn window_plan(
     };
     let plans = std::array::from_fn(|axis| {
         let step = 1.0 / (size[axis] as f64 * field.pitch_nm[axis]);
-        let reach = frequency_max + kernel.half_width(step, 0.0);
-        axis_plan(placement, axis, size[axis], field.pitch_nm[axis], sigma_nm, reach)
+        let reach = kernel.half_width(step, 0.0);
+        let wanted = [frequency[axis][0] - reach, frequency[axis][1] + reach];
+        axis_plan(placement, axis, size[axis], field.pitch_nm[axis], sigma_nm, wanted)
     });
     (kernel, plans)
 }
@@ -145,8 +157,9 @@ pub fn transform(
     optics: &OpticsConfig,
     config: &SpectraConfig,
 ) -> Result<Spectra> {
-    let (kernel, plans) = window_plan(field, placement, optics.sigma_nm, config.frequency_max);
-    let nodes = chebyshev::nodes_for_exponential(bandwidth_nm(field), config.s_max, config.tolerance);
+    let (kernel, plans) = window_plan(field, placement, optics.sigma_nm, config.frequency);
+    let [s_min, s_max] = config.s;
+    let nodes = chebyshev::nodes_for_exponential(bandwidth_nm(field), s_max - s_min, config.tolerance);
     let values = plans[0].lines as u64 * plans[1].lines as u64 * nodes as u64;
     let bytes = values * size_of::<Complex<f32>>() as u64;
     if bytes > config.memory_bytes {
@@ -163,7 +176,8 @@ pub fn transform(
     }
     let mut spectra = Spectra {
         nodes,
-        depth: Interpolant::new(nodes, 0.0, config.s_max),
+        s: config.s,
+        depth: Interpolant::new(nodes, s_min, s_max),
         data: vec![Complex::default(); values as usize],
         first: [plans[0].first, plans[1].first],
         lines: [plans[0].lines, plans[1].lines],

@@ -27,8 +27,8 @@ use crate::optics::config::{Material, OpticsConfig};
 use crate::optics::fresnel::{cos_half_angle, reflectance};
 use crate::optics::reference::prefactor;
 use crate::scene::samples::{ShadingSamples, pixel_range};
-use crate::tables::evaluate::{Interpolation, window_power};
-use crate::tables::model::{Basis, Lobe, TableSet};
+use crate::tables::evaluate::{Interpolation, sample, window_power};
+use crate::tables::model::{Basis, Lobe, Served, TableSet};
 use crate::tables::plan::w_reach;
 use crate::tables::storage::half_scale;
 
@@ -92,11 +92,21 @@ fn sample_bound(set: &TableSet, tables: &Layers, cross: &Layers, wi: Vec3, wo: V
     let reach = w_reach(rho);
     let t = if reach == 0.0 { 0.0 } else { (w / reach).min(1.0) };
     let t_error = (t * (10.0 * U / (reach * reach) + 8.0 * ULP)).min(1.0);
+    let (mut s, mut s_error, mut first) = (t, t_error, [0; 2]);
+    let last = (set.size() - 1) as f64;
+    let grid_place = [0.5 - 0.25 * q[1], 0.5 + 0.25 * q[0]].map(|x| x.clamp(0.0, 1.0) * last);
+    let place_error = set.size() as f64 / (1 << 22) as f64;
+    if let Some(served) = &set.served {
+        first = served.first;
+        let at = std::array::from_fn(|axis| grid_place[axis] - first[axis] as f64);
+        (s, s_error) = range_error(served, at, place_error, t, t_error);
+    }
     let basis = match set.basis {
-        Basis::Chebyshev => chebyshev_values(tables.tables.len(), t, t_error),
+        Basis::Chebyshev => chebyshev_values(tables.tables.len(), s, s_error),
         Basis::Taylor => power_values(tables.tables.len(), w),
     };
-    let mut error = filtered_error(tables, &basis, [-0.5 * q[1], 0.5 * q[0]]);
+    let place = std::array::from_fn(|axis| grid_place[axis] - first[axis] as f64);
+    let mut error = filtered_error(tables, &basis, place, place_error);
     if let Some(lobe) = &set.lobe {
         add(&mut error, lobe_error(lobe, cross, q, t, t_error));
     }
@@ -150,17 +160,36 @@ pub fn front_error(optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> f64 {
     relative + error.min(1.0) / value.max(f64::MIN_POSITIVE)
 }
 
-/// Bound for a sum of layers at a position (row, column) in [-1, 1]².
-fn filtered_error(layers: &Layers, basis: &BasisValues, at: [f64; 2]) -> Xyz {
-    let Some(side) = layers.tables.first().map(|table| table.dim().0) else {
+/// Where `t` lies in the range of what is served at a position in texels, and how far that may be off: by the error of
+/// `t`, and by those of the two filtered ends.
+fn range_error(served: &Served, at: [f64; 2], place_error: f64, t: f64, t_error: f64) -> (f64, f64) {
+    let (rows, columns, _) = served.range.dim();
+    let mut ends_error = 0.0f64;
+    for row in cells(at[0], place_error, rows) {
+        for column in cells(at[1], place_error, columns) {
+            let second = [(row + 1).min(rows - 1), (column + 1).min(columns - 1)];
+            let share = [(at[0] - row as f64).clamp(0.0, 1.0), (at[1] - column as f64).clamp(0.0, 1.0)];
+            for end in 0..2 {
+                let texel = |r: usize, c: usize| f64::from(served.range[[r, c, end]]);
+                let corners =
+                    [texel(row, column), texel(row, second[1]), texel(second[0], column), texel(second[0], second[1])];
+                ends_error = ends_error.max(slope_error(corners, share, [SHARE_ERROR + place_error; 2]) + 4.0 * ULP);
+            }
+        }
+    }
+    let range = sample(served.range.view(), Interpolation::Bilinear, at);
+    let length = (range[1] - range[0]).max(f64::MIN_POSITIVE);
+    (((t - range[0]) / length).clamp(0.0, 1.0), ((t_error + ends_error + 4.0 * ULP) / length).min(1.0))
+}
+
+/// Bound for a sum of layers at a position (row, column) in texels.
+fn filtered_error(layers: &Layers, basis: &BasisValues, at: [f64; 2], place_error: f64) -> Xyz {
+    let Some((rows, columns, _)) = layers.tables.first().map(Array3::dim) else {
         return [0.0; 3];
     };
-    let last = (side - 1) as f64;
-    let at = at.map(|x| (0.5 + 0.5 * x).clamp(0.0, 1.0) * last);
-    let place_error = side as f64 / (1 << 22) as f64;
     let mut error: Xyz = [0.0; 3];
-    for row in cells(at[0], place_error, side) {
-        for column in cells(at[1], place_error, side) {
+    for row in cells(at[0], place_error, rows) {
+        for column in cells(at[1], place_error, columns) {
             let here = cell_error(layers, basis, [row, column], at, SHARE_ERROR + place_error);
             error.iter_mut().zip(here).for_each(|(error, here)| *error = error.max(here));
         }
@@ -175,8 +204,8 @@ fn cells(at: f64, error: f64, count: usize) -> std::ops::RangeInclusive<usize> {
 }
 
 fn cell_error(layers: &Layers, basis: &BasisValues, first: [usize; 2], at: [f64; 2], share_error: f64) -> Xyz {
-    let last = layers.tables[0].dim().0 - 1;
-    let second = first.map(|x| (x + 1).min(last));
+    let (rows, columns, _) = layers.tables[0].dim();
+    let second = [(first[0] + 1).min(rows - 1), (first[1] + 1).min(columns - 1)];
     let corners = [[first[0], first[1]], [first[0], second[1]], [second[0], first[1]], [second[0], second[1]]];
     let share: [f64; 2] = std::array::from_fn(|axis| (at[axis] - first[axis] as f64).clamp(0.0, 1.0));
     let shares = corner_shares(share);
@@ -238,7 +267,9 @@ fn lobe_error(lobe: &Lobe, cross: &Layers, q: Vec3, t: f64, t_error: f64) -> Xyz
     let reach = q[0].abs().max(q[1].abs());
     if !cross.tables.is_empty() && reach < lobe.radius_max + rim {
         let basis = chebyshev_values(cross.tables.len(), t, t_error);
-        let here = filtered_error(cross, &basis, [-q[1] / lobe.radius_max, q[0] / lobe.radius_max]);
+        let side = cross.tables[0].dim().0;
+        let at = [-q[1], q[0]].map(|x| (0.5 + 0.5 * x / lobe.radius_max).clamp(0.0, 1.0) * (side - 1) as f64);
+        let here = filtered_error(cross, &basis, at, side as f64 / (1 << 22) as f64);
         add(&mut error, here.map(|e| e / w));
         if reach > lobe.radius_max - rim {
             // Both answers are right: all of it may be there or not.

@@ -2,12 +2,12 @@
 
 use bytemuck::{Pod, Zeroable};
 use half::f16;
-use ndarray::Array3;
+use ndarray::{Array3, ArrayView1};
 
 use crate::ground::error::{Error, Result};
 use crate::optics::config::Material;
 use crate::scene::samples::ShadingSamples;
-use crate::tables::model::{Basis, TableSet};
+use crate::tables::model::{Basis, Served, TableSet};
 use crate::tables::storage::half_scale;
 
 /// Most layers of a texture: WebGPU's default limit, and the length of the shader's list of scales.
@@ -39,6 +39,14 @@ pub struct TableParams {
     pub index_n: f32,
     /// Imaginary part.
     pub index_k: f32,
+    /// 1 where the tables serve certain scenes alone.
+    pub served: u32,
+    /// Texels along u and v of the whole grid, less one.
+    pub grid_last: f32,
+    /// Where in the whole grid the tables' window begins.
+    pub first_column: f32,
+    /// Likewise.
+    pub first_row: f32,
     /// Scale of each table, four to a vector.
     pub table_scales: [[f32; 4]; LAYERS_MAX / 4],
     /// Scale of each patch.
@@ -100,9 +108,9 @@ pub struct FrameLight {
 /// Layers of half floats, `[layer][row][column]`, the fourth channel unused.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HalfLayers {
-    /// Texels along rows and columns.
-    pub side: usize,
-    /// All layers' texels.
+    /// Number of rows and columns.
+    pub size: [usize; 2],
+    /// All layers' texels; the range of what is served, where there is one, comes behind the tables.
     pub texels: Vec<[f16; 4]>,
     /// Value = texel times scale; one per layer.
     pub scales: Vec<f32>,
@@ -138,11 +146,18 @@ pub fn table_image(set: &TableSet) -> Result<TableImage> {
         Material::Dielectric { n } => (1, [n, 0.0]),
         Material::Conductor { n, k } => (2, [n, k]),
     };
-    let tables = half_layers(&set.tables, "tables")?;
+    let mut tables = half_layers(&set.tables, "tables", usize::from(set.served.is_some()))?;
+    let first = set.served.as_ref().map_or([0; 2], |served| served.first);
+    if let Some(Served { range, .. }) = &set.served {
+        check_finite(range, "ranges")?;
+        // Half floats already, read as they are.
+        let texel = |range: ArrayView1<f32>| [range[0], range[1], range[2], 0.0].map(f16::from_f32);
+        tables.texels.extend(range.rows().into_iter().map(texel));
+    }
     let (cross, coherent_size, coherent, radius_max, cross_count) = match &set.lobe {
         None => (black_layer(), [1, 1], vec![[0.0; 4]], 0.0, 0),
         Some(lobe) => {
-            let cross = if lobe.cross.is_empty() { black_layer() } else { half_layers(&lobe.cross, "cross terms")? };
+            let cross = if lobe.cross.is_empty() { black_layer() } else { half_layers(&lobe.cross, "cross terms", 0)? };
             let (rows, columns, _) = lobe.coherent.dim();
             check_side(rows.max(columns), "the coherent lobe")?;
             check_finite(&lobe.coherent, "the coherent lobe")?;
@@ -162,6 +177,10 @@ pub fn table_image(set: &TableSet) -> Result<TableImage> {
         radius_max,
         index_n: index[0] as f32,
         index_k: index[1] as f32,
+        served: u32::from(set.served.is_some()),
+        grid_last: (set.size() - 1) as f32,
+        first_column: first[1] as f32,
+        first_row: first[0] as f32,
         table_scales: packed(&tables.scales),
         cross_scales: packed(&cross.scales),
     };
@@ -177,24 +196,26 @@ fn packed(scales: &[f32]) -> [[f32; 4]; LAYERS_MAX / 4] {
 }
 
 fn black_layer() -> HalfLayers {
-    HalfLayers { side: 1, texels: vec![[f16::ZERO; 4]], scales: vec![1.0] }
+    HalfLayers { size: [1, 1], texels: vec![[f16::ZERO; 4]], scales: vec![1.0] }
 }
 
-fn half_layers(layers: &[Array3<f32>], what: &str) -> Result<HalfLayers> {
-    let side = layers.first().map_or(0, |layer| layer.dim().0);
-    check_side(side, what)?;
-    if layers.is_empty() || layers.len() > LAYERS_MAX {
+/// `spare` layers more will follow.
+fn half_layers(layers: &[Array3<f32>], what: &str, spare: usize) -> Result<HalfLayers> {
+    let (rows, columns, _) = layers.first().map_or((0, 0, 3), Array3::dim);
+    check_side(rows.max(columns), what)?;
+    if layers.is_empty() || layers.len() + spare > LAYERS_MAX {
         return Err(Error::limit(
-            format!("{} {what} for a texture of 1 to {LAYERS_MAX} layers", layers.len()),
+            format!("{} {what} for a texture of 1 to {} layers", layers.len(), LAYERS_MAX - spare),
             "Raise tables.tolerance, fix tables.count, or set gpu.check = \"off\".",
         ));
     }
-    let mut out = HalfLayers { side, texels: Vec::with_capacity(layers.len() * side * side), scales: Vec::new() };
+    let texels = Vec::with_capacity((layers.len() + spare) * rows * columns);
+    let mut out = HalfLayers { size: [rows, columns], texels, scales: Vec::new() };
     for layer in layers {
-        if layer.dim() != (side, side, 3) {
+        if layer.dim() != (rows, columns, 3) {
             return Err(Error::limit(
-                format!("{what} of the shapes {:?} and {:?} in one set", (side, side, 3), layer.dim()),
-                "All must be squares of one size with three channels: build the specimen again.",
+                format!("{what} of the shapes {:?} and {:?} in one set", (rows, columns, 3), layer.dim()),
+                "All must have one size and three channels: build the specimen again.",
             ));
         }
         check_finite(layer, what)?;
@@ -318,7 +339,7 @@ mod tests {
             f16::from_f32(4001.0 / (1.0 + (r * 9 + c * 3 + k) as f32)).to_f32() * scale
         });
         assert_eq!(half_scale(peak(&table)), scale);
-        let layers = half_layers(std::slice::from_ref(&table), "tables").unwrap();
+        let layers = half_layers(std::slice::from_ref(&table), "tables", 0).unwrap();
         for (texel, value) in layers.texels.iter().zip(table.rows()) {
             for c in 0..3 {
                 assert_eq!(texel[c].to_f32() * scale, value[c]);
@@ -332,10 +353,11 @@ mod tests {
     #[test]
     fn what_no_gpu_takes_is_refused() {
         let layer = Array3::<f32>::zeros((1, 1, 3));
-        assert!(half_layers(&vec![layer.clone(); 256], "tables").is_ok());
-        assert!(half_layers(&vec![layer.clone(); 257], "tables").is_err());
-        assert!(half_layers(&[], "tables").is_err());
-        assert!(half_layers(&[layer.clone(), Array3::zeros((2, 2, 3))], "tables").is_err());
-        assert!(half_layers(&[layer + f32::NAN], "tables").is_err());
+        assert!(half_layers(&vec![layer.clone(); 256], "tables", 0).is_ok());
+        assert!(half_layers(&vec![layer.clone(); 257], "tables", 0).is_err());
+        assert!(half_layers(&vec![layer.clone(); 256], "tables", 1).is_err());
+        assert!(half_layers(&[], "tables", 0).is_err());
+        assert!(half_layers(&[layer.clone(), Array3::zeros((2, 2, 3))], "tables", 0).is_err());
+        assert!(half_layers(&[layer + f32::NAN], "tables", 0).is_err());
     }
 }

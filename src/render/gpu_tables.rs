@@ -105,10 +105,11 @@ fn texture(gpu: &Gpu, format: wgpu::TextureFormat, [width, height, layers]: [usi
 }
 
 fn half_texture(gpu: &Gpu, layers: &HalfLayers) -> wgpu::Texture {
-    let side = layers.side;
-    let texture = texture(gpu, wgpu::TextureFormat::Rgba16Float, [side, side, layers.scales.len()]);
-    for (layer, texels) in layers.texels.chunks_exact(side * side).enumerate() {
-        write_layer(gpu, &texture, [side, side], layer, bytemuck::cast_slice(texels));
+    let [rows, columns] = layers.size;
+    let count = layers.texels.len() / (rows * columns);
+    let texture = texture(gpu, wgpu::TextureFormat::Rgba16Float, [columns, rows, count]);
+    for (layer, texels) in layers.texels.chunks_exact(rows * columns).enumerate() {
+        write_layer(gpu, &texture, [columns, rows], layer, bytemuck::cast_slice(texels));
     }
     texture
 }
@@ -236,7 +237,9 @@ impl RunPass {
         let bytes = gpu.read(&self.readback, sums_bytes, "read shaded samples")?;
         let floats = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
         let floats: Vec<f32> = floats.collect();
-        Ok(floats.chunks_exact(4).map(|sum| [sum[0], sum[1], sum[2]]).collect())
+        // The fourth number counts samples that the tables do not serve: their sum is no answer, as on the CPU.
+        let total = |sum: &[f32]| if sum[3] == 0.0 { [sum[0], sum[1], sum[2]] } else { [f32::NAN; 3] };
+        Ok(floats.chunks_exact(4).map(total).collect())
     }
 }
 

@@ -6,7 +6,7 @@ use crate::ground::error::{Error, Result};
 use crate::report::embed::{Album, EMBEDDED_MAX_BYTES, Picture, missing};
 use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
-use crate::report::{frames, numbers, plots};
+use crate::report::{budget_facts, frames, numbers, plots};
 use crate::stages::results::{ErrorRow, GpuResult, RunResults, SceneResult, SpecimenResult, StageTime};
 
 const TEMPLATE: &str = include_str!("templates/report.html");
@@ -54,6 +54,7 @@ fn render_within(
         gpu => gpu(&results.gpu),
         failures_title => format!("{} on the way to this atlas", plural(results.failures.len(), "failure")),
         failures => failures(results),
+        left_out => &results.left_out,
         unembedded => unembedded(album.linked),
         stills => safe(stills.definitions()),
         summary => summary,
@@ -220,6 +221,11 @@ fn specimen_section(
         spectrum => spectrum,
         marks => facts::period_marks(periods),
         scenes => scenes,
+        budget => specimen.budget.as_ref().map(budget_facts::budget),
+        reached => match &specimen.reached_png {
+            Some(path) => Some(safe(album.img(path, "The part of the disc that is served")?)),
+            None => None,
+        },
         errors => errors
             .iter()
             .enumerate()

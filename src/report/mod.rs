@@ -1,6 +1,7 @@
 //! The report: a self-contained page about a run, its plots, and pictures of the data.
 
-pub mod colour_maps;
+mod budget_facts;
+mod colour_maps;
 pub mod html;
 pub mod pictures;
 pub mod study_page;

@@ -7,6 +7,7 @@ pub mod hemisphere;
 pub mod light;
 pub mod model;
 pub mod patch;
+pub mod reach;
 pub mod samples;
 pub mod screen;
 pub mod snake;

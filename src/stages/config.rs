@@ -17,12 +17,16 @@ pub struct RunConfig {
     pub atlas_root: PathBuf,
     /// What is asked of the tables.
     pub tables: TablesConfig,
+    /// Which directions the tables answer for.
+    pub serve: Serve,
     /// The specimens, in order.
     pub specimens: Vec<SpecimenConfig>,
     /// The pictures, in order.
     pub scenes: Vec<Scene>,
     /// Whether tables are checked on a GPU.
     pub gpu: GpuCheck,
+    /// What is found out besides.
+    pub report: ReportConfig,
     /// The manifest, word for word.
     pub manifest_text: String,
     /// Folder that input paths are recorded relative to.
@@ -46,6 +50,30 @@ pub struct SpecimenConfig {
     pub optics: OpticsConfig,
     /// Measured reflectance to compare with.
     pub measured: Option<PathBuf>,
+}
+
+/// Which directions the tables answer for.
+#[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Serve {
+    /// Every pair above the surface: any scene, any renderer.
+    #[default]
+    All,
+    /// Those of the manifest's scenes.
+    Scenes,
+    /// Those of the scenes with these names.
+    Named(Vec<String>),
+}
+
+/// What a run finds out besides the tables; what nobody asks for is not computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct ReportConfig {
+    /// Whether `report.html` and `report.json` are written.
+    pub write: bool,
+    /// Whether errors are measured and pictures compared against the reference.
+    pub reference: bool,
+    /// Whether what the scenes do not need is built too, step by step, to measure what leaving it out saves.
+    pub savings: bool,
 }
 
 /// Whether tables are checked on a GPU.

@@ -5,7 +5,7 @@ use crate::optics::config::Material;
 use crate::stages::specimen::SpecimenFile;
 use crate::stages::worked::{Lookup, WorkedNumber};
 use crate::tables::model::Basis;
-use crate::tables::storage::{StoredLobe, StoredTables};
+use crate::tables::storage::{StoredLobe, StoredServed, StoredTables};
 
 /// The page, with `example`'s own sizes and `worked` as its number.
 pub fn format_md(example: &SpecimenFile, worked: &WorkedNumber) -> String {
@@ -32,6 +32,9 @@ normal. Everything needed stands in `specimen.json`; each EXR header repeats wha
 }
 
 fn files_and_axes(tables: &StoredTables) -> String {
+    if let Some(served) = &tables.served {
+        return served_files(tables, served);
+    }
     let size = tables.u.samples;
     let lobe = tables.lobe.as_ref().map_or(String::new(), lobe_files);
     format!(
@@ -48,6 +51,36 @@ fn files_and_axes(tables: &StoredTables) -> String {
 ",
         count = tables.tables.len(),
         last = size.saturating_sub(1),
+    )
+}
+
+/// The same for tables that serve certain scenes.
+fn served_files(tables: &StoredTables, served: &StoredServed) -> String {
+    let (columns, rows, [first_row, first_column]) = (tables.u.samples, tables.v.samples, served.first);
+    format!(
+        "## Files
+
+These tables serve the scenes of their manifest and no other direction. They are a window of a grid of {size} x {size} texels
+over [-2, 2] in u and v, from column {first_column} and row {first_row} on; every specimen has a window of its own, and
+`specimen.json` tells it under `tables.u`, `tables.v` and `tables.served`.
+
+- `table.NNN.exr`, {count} files of {columns} x {rows} texels: one per basis function n, channels R, G, B holding X, Y, Z.
+  Column `c` (from 0) of a window lies at `u = {u_first} + c {step}`, row `r` (from 0, the top scan line) at
+  `v = {v_first} - r {step}`, with `{step}` = 4 / {last}.
+- `range.exr`, as large: R and G hold `low` and `high`, the least and the greatest `t` a texel is made for, B is 1 where a texel
+  is served and 0 where not. A look-up that reads a texel with B = 0, or whose `t` does not lie between the
+  interpolated `low` and `high`, has **no answer**: report it, do not use what the tables hold there.
+{lobe}- Value = stored number x `scale`; every file has its own `scale`, a power of two. Treat the images as data: no colour
+  management, no gamma.
+- Between texel centres interpolate linearly in both axes, tables and range alike.
+",
+        size = served.size,
+        count = tables.tables.len(),
+        u_first = tables.u.first,
+        v_first = tables.v.first,
+        step = 4.0 / (served.size - 1) as f64,
+        last = served.size - 1,
+        lobe = tables.lobe.as_ref().map_or(String::new(), lobe_files),
     )
 }
 
@@ -71,6 +104,16 @@ fn lobe_files(lobe: &StoredLobe) -> String {
 
 fn evaluation(tables: &StoredTables) -> String {
     let steps = match tables.basis {
+        Basis::Chebyshev if tables.served.is_some() => {
+            "2. `t = |w| / sqrt(4 - u^2 - v^2)`, at most 1 (0 where the root is 0).
+3. `low` and `high` from `range.exr` at (u, v); `s = (t - low) / (high - low)`.
+4. `T_0 = 1`, `T_1 = x`, `T_n = 2 x T_(n-1) - T_(n-2)`; `body` = sum over n of `T_n`, for `x = 2 s - 1`, times table n at
+   (u, v).
+5. Where there is a lobe: `glint = coherent(radius, t) / w^2 + (sum over n of T_n, for x = 2 t - 1, times cross patch n at
+   (u, v)) / |w|`; the first where `radius = sqrt(u^2 + v^2) < radius_max`, the second where `|u|` and `|v|` both are,
+   otherwise 0.
+6. `f = R G (glint + body)`, times the shadowing factor where it is switched on."
+        }
         Basis::Chebyshev => {
             "2. `t = |w| / sqrt(4 - u^2 - v^2)`, at most 1 (0 where the root is 0); `x = 2 t - 1`.
 3. `T_0 = 1`, `T_1 = x`, `T_n = 2 x T_(n-1) - T_(n-2)`.
@@ -149,7 +192,7 @@ Specimen `{name}`, light at theta {theta_i}, phi {phi_i}, viewer at theta {theta
 
 - `wi` = {wi}, `wo` = {wo}
 - `u` = {u}, `v` = {v}, `|w|` = {w}, `t` = {t}, `x` = {x}
-- In the tables: {place}
+- In the tables: {place}{range}
 
 | n | {basis} | Y at the four texels (scale applied) | X, Y, Z interpolated |
 |---|---|---|---|
@@ -161,8 +204,15 @@ Specimen `{name}`, light at theta {theta_i}, phi {phi_i}, viewer at theta {theta
         v = digits(v),
         w = digits(w.abs()),
         t = digits(worked.t),
-        x = digits(2.0 * worked.t - 1.0),
+        x = digits(2.0 * worked.s - 1.0),
         place = place(&worked.lookup),
+        range = match example.tables.served {
+            None => String::new(),
+            Some(_) => {
+                let [low, high] = worked.range.map(digits);
+                format!("; `low` = {low}, `high` = {high}, `s` = {}", digits(worked.s))
+            }
+        },
         basis = match example.tables.basis {
             Basis::Chebyshev => "`T_n`",
             Basis::Taylor => "`\\|w\\|^n`",

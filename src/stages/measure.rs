@@ -4,6 +4,7 @@
 //! pass over the windows serves the error rows and the scenes' reference pictures.
 
 use super::results::{ErrorRow, PowerSum};
+use super::scenes::SceneWork;
 use crate::ground::chebyshev;
 use crate::ground::direction::{Vec3, Xyz, from_angles_deg, wave_vector_change};
 use crate::ground::error::Result;
@@ -29,10 +30,44 @@ const DIRECT_PAIRS: usize = 2;
 /// Luminance below which an error is taken relative to this instead, in 1/sr: a millionth of white.
 const FLOOR_PER_SR: f64 = 1e-6;
 
+/// Directions on which errors are counted, group after group.
+#[derive(Debug, Clone, Default)]
+pub struct ErrorDirections {
+    /// Name and size of each group.
+    pub groups: Vec<(String, usize)>,
+    /// The pairs of all groups in order.
+    pub pairs: Vec<(Vec3, Vec3)>,
+}
+
+impl ErrorDirections {
+    /// The same for every specimen: stratified over the hemisphere, near the mirror direction, and grazing.
+    pub fn fixed() -> Self {
+        Self {
+            groups: Region::ALL.into_iter().map(|region| (region.name().to_owned(), DIRECTIONS)).collect(),
+            pairs: Region::ALL.into_iter().flat_map(|region| direction_pairs(region, DIRECTIONS)).collect(),
+        }
+    }
+
+    /// Drawn evenly from those of scenes: for tables that serve no others.
+    pub fn of_scenes(scenes: &[SceneWork]) -> Self {
+        let mut directions = Self::default();
+        for scene in scenes {
+            let all: Vec<(Vec3, Vec3)> = scene.pairs().collect();
+            let step = all.len().div_ceil(DIRECTIONS).max(1);
+            let drawn: Vec<(Vec3, Vec3)> = all.into_iter().step_by(step).collect();
+            directions.groups.push((format!("scene {}", scene.name()), drawn.len()));
+            directions.pairs.extend(drawn);
+        }
+        directions
+    }
+}
+
 /// Everything the yardstick is asked for, in one list.
 #[derive(Debug, Clone, Default)]
 pub struct Yardstick {
-    /// Pairs of directions: the regions' first, then whatever scenes added.
+    /// Name and size of each group of directions on which errors are counted.
+    groups: Vec<(String, usize)>,
+    /// Pairs of directions: those of the groups first, then whatever scenes added.
     pub pairs: Vec<(Vec3, Vec3)>,
     /// XYZ of the BRDF at each, in 1/sr.
     pub xyz: Vec<Xyz>,
@@ -41,12 +76,7 @@ pub struct Yardstick {
     diffuse: [Vec<f64>; 3],
 }
 
-/// The fixed directions of all regions.
-pub fn fixed_pairs() -> Vec<(Vec3, Vec3)> {
-    Region::ALL.into_iter().flat_map(|region| direction_pairs(region, DIRECTIONS)).collect()
-}
-
-/// Evaluates the yardstick: `pairs` start with [`fixed_pairs`], further ones are the scenes'.
+/// Evaluates the yardstick on the directions of errors, then on those of pictures.
 ///
 /// # Errors
 /// Those of the transforms.
@@ -55,11 +85,14 @@ pub fn yardstick(
     optics: &OpticsConfig,
     plan: &BuildPlan,
     nodes: usize,
-    pairs: Vec<(Vec3, Vec3)>,
+    errors: ErrorDirections,
+    pictures: impl IntoIterator<Item = (Vec3, Vec3)>,
 ) -> Result<Yardstick> {
-    let fixed = fixed_pairs().len();
+    let fixed = errors.pairs.len();
+    let ErrorDirections { groups, mut pairs } = errors;
+    pairs.extend(pictures);
     let mut yardstick =
-        Yardstick { xyz: vec![[0.0; 3]; pairs.len()], pairs, diffuse: [(); 3].map(|()| vec![0.0; fixed]) };
+        Yardstick { groups, xyz: vec![[0.0; 3]; pairs.len()], pairs, diffuse: [(); 3].map(|()| vec![0.0; fixed]) };
     let share = 1.0 / plan.windows.len().max(1) as f64;
     for &(scan, placement) in &plan.windows {
         let spectra = spectra::transform(&fields[scan], placement, optics, &plan.spectra)?;
@@ -95,8 +128,12 @@ fn diffuse_shares(
     let Some(ring) = plan.rings.iter().find(|r| rho >= r.rho[0] && rho < r.rho[1]) else {
         return Ok([exact; 3]);
     };
-    let mut points = chebyshev::gauss_nodes(nodes, 0.0, ring.w_max());
-    let weights = chebyshev::interpolation_weights(nodes, 0.0, ring.w_max(), w.min(w_reach(rho)));
+    let [low, high] = match &plan.domain {
+        None => ring.w,
+        Some(domain) => domain.w_near(uv).unwrap_or(ring.w),
+    };
+    let mut points = chebyshev::gauss_nodes(nodes, low, high);
+    let weights = chebyshev::interpolation_weights(nodes, low, high, w.min(w_reach(rho)));
     points.push(w);
     let values = spectral::diffuse_power(spectra, &ring.quadrature, uv, &points);
     let interpolated = values.iter().zip(&weights).map(|(value, weight)| value[1] * weight).sum();
@@ -106,8 +143,10 @@ fn diffuse_shares(
 /// Error rows of the stored tables (as read back) and of the tables before rounding.
 pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) -> Vec<ErrorRow> {
     let mut rows = Vec::new();
-    for (index, region) in Region::ALL.into_iter().enumerate() {
-        let range = index * DIRECTIONS..(index + 1) * DIRECTIONS;
+    let mut start = 0;
+    for (region, count) in &yardstick.groups {
+        let range = start..start + count;
+        start = range.end;
         let pairs = &yardstick.pairs[range.clone()];
         let luminance = |values: &[Xyz]| values.iter().map(|xyz| xyz[1]).collect::<Vec<_>>();
         let exact = luminance(&yardstick.xyz[range.clone()]);
@@ -138,11 +177,11 @@ pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) ->
     rows
 }
 
-fn row(what: &str, region: Region, reference: &[f64], test: &[f64]) -> ErrorRow {
+fn row(what: &str, region: &str, reference: &[f64], test: &[f64]) -> ErrorRow {
     let quantiles = metrics::relative_error_quantiles(reference, test, FLOOR_PER_SR);
     ErrorRow {
         what: what.into(),
-        region: region.name().into(),
+        region: region.into(),
         directions: quantiles.count,
         relative_l2: metrics::relative_l2(reference, test),
         p50: quantiles.p50,
@@ -152,25 +191,31 @@ fn row(what: &str, region: Region, reference: &[f64], test: &[f64]) -> ErrorRow 
     }
 }
 
-/// The yardstick against the direct sum at the brightest of the fixed directions over the hemisphere: a
-/// grating is dark in most of them, and nothing can be compared there.
+/// The yardstick against the direct sum at the brightest directions of the first group: a grating is dark in most of
+/// them, and nothing can be compared there.
 ///
 /// # Errors
 /// Those of the reference.
 pub fn direct_row(fields: &[HeightField], optics: &OpticsConfig, yardstick: &Yardstick) -> Result<ErrorRow> {
-    let mut brightest: Vec<usize> = (0..DIRECTIONS).collect();
+    let Some((region, count)) = yardstick.groups.first() else {
+        return Err(crate::ground::error::Error::Call("errors are counted on no directions".into()));
+    };
+    let mut brightest: Vec<usize> = (0..*count).collect();
     brightest.sort_by(|&a, &b| yardstick.xyz[b][1].total_cmp(&yardstick.xyz[a][1]));
     brightest.truncate(DIRECT_PAIRS);
     let pairs: Vec<(Vec3, Vec3)> = brightest.iter().map(|&index| yardstick.pairs[index]).collect();
     let direct: Vec<f64> = reference::brdf_xyz_batch(fields, optics, &pairs)?.iter().map(|xyz| xyz[1]).collect();
     let fast: Vec<f64> = brightest.iter().map(|&index| yardstick.xyz[index][1]).collect();
-    Ok(row("yardstick against direct sum", Region::Hemisphere, &direct, &fast))
+    Ok(row("yardstick against direct sum", region, &direct, &fast))
 }
 
 /// Luminous sums `∫ f cos_theta_o dω_o` for unit reflectance, from the tables: the diffuse part on a grid
 /// over the viewer's disc, the lobe on a fine patch around the mirror direction. Also the lobe's share at
-/// normal incidence.
+/// normal incidence. Nothing where the tables do not serve the whole hemisphere.
 pub fn power_sums(set: &TableSet) -> (Vec<PowerSum>, Option<f64>) {
+    if set.served.is_some() {
+        return (Vec::new(), None);
+    }
     let unit = TableSet {
         optics: OpticsConfig { material: crate::optics::config::Material::Ideal, ..set.optics.clone() },
         ..set.clone()

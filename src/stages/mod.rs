@@ -2,6 +2,7 @@
 
 pub mod atlas;
 pub mod config;
+pub(crate) mod describe;
 pub mod diff;
 pub mod format_md;
 pub mod gpu_check;
@@ -10,8 +11,10 @@ pub mod measure;
 pub mod pipeline;
 pub mod progress;
 pub mod publish;
+pub mod reached;
 pub mod results;
 pub mod scenes;
+pub mod serve;
 pub mod shader_export;
 pub mod specimen;
 pub mod stability;

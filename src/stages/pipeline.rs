@@ -6,38 +6,35 @@
 use std::path::Path;
 use std::time::Instant;
 
-use serde_json::{Value, json};
-
-use super::atlas::{AtlasIndex, InputRecord, SpecimenEntry};
-use super::config::{GpuCheck, RunConfig, SpecimenConfig};
+use super::atlas::{AtlasIndex, InputRecord};
+use super::config::{GpuCheck, RunConfig, Serve, SpecimenConfig};
+use super::describe::{describe, entry, failed_result, inputs, specimen_file};
 use super::format_md::format_md;
 use super::gpu_check::check_specimen;
-use super::ingest::{Ingested, ingest};
-use super::measure;
+use super::ingest::ingest;
+use super::measure::{self, ErrorDirections};
 use super::progress::Progress;
 use super::publish::{self, Published, Staging};
+use super::reached::reached_picture;
 use super::results::{
-    BuildResult, Failure, GpuResult, GpuRow, HeightMapFile, LobeResult, RESULTS_SCHEMA, RunResults, SpecimenResult,
-    SpectrumFile, StageTime, Statistics,
+    Failure, GpuResult, GpuRow, HeightMapFile, RESULTS_SCHEMA, RunResults, SpecimenResult, SpectrumFile, StageTime,
+    Statistics,
 };
 use super::scenes::{SceneWork, render_tables};
-use super::specimen::{self, CheckValue, SpecimenFile};
+use super::serve::{self, Cost, Source};
+use super::specimen;
 use super::worked::work_number;
-use crate::ground::direction::{Vec3, from_angles_deg};
 use crate::ground::error::{Error, Result};
+use crate::ground::files;
 use crate::ground::png_image::write_png;
-use crate::ground::{files, sampling};
 use crate::height::HeightField;
 use crate::render::cpu;
 use crate::render::gpu::Gpu;
 use crate::scene::model::{Exposure, Light, Scene, Shape};
-use crate::tables::build::{self, BuildPlan};
+use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::{Basis, BuildRecord, TableSet};
+use crate::tables::model::TableSet;
 use crate::tables::storage::{read_tables, write_tables};
-
-/// Directions whose values are stored for testing other programs.
-const CHECK_VALUES: usize = 20;
 
 /// Directions of the worked number in `FORMAT.md`, in degrees.
 const WORKED_DEG: [f64; 4] = [35.0, 20.0, 61.0, 250.0];
@@ -90,12 +87,15 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
         Vec::new(),
     );
     let mut example = None;
-    for (number, specimen) in config.specimens.iter().enumerate() {
-        let label = format!("[{}/{}] {}", number + 1, config.specimens.len(), specimen.name);
+    let asked_for: Vec<&SpecimenConfig> =
+        config.specimens.iter().filter(|specimen| serve::is_asked_for(config, &specimen.name)).collect();
+    for (number, specimen) in asked_for.iter().enumerate() {
+        let label = format!("[{}/{}] {}", number + 1, asked_for.len(), specimen.name);
         let specimen_started = Instant::now();
         match run_specimen(config, specimen, &staging, helpers, gpu.as_ref(), &mut results.stages) {
             Ok(done) => {
                 helpers.progress.message(&done_line(&label, &done.result, specimen_started.elapsed().as_secs_f64()));
+                record_unserved(&mut results, &done.result);
                 record_gpu(&mut results, &specimen.name, done.gpu);
                 index.inputs.extend(done.inputs);
                 index.specimens.push(entry(specimen));
@@ -122,7 +122,9 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     write_format(&staging.path().join(example), staging.path())?;
     // Where nothing has changed the report goes with the staging folder.
     results.version = Some(staging.next_version()?);
-    (helpers.write_report)(&results, staging.path())?;
+    if config.report.write {
+        (helpers.write_report)(&results, staging.path())?;
+    }
     let published = publish::publish(staging, index)?;
     results.version = Some(published.version().to_owned());
     Ok(RunOutcome { results, published: Some(published) })
@@ -169,6 +171,20 @@ fn gpu_rows(gpu: &Gpu, name: &str, set: &TableSet, scenes: &[&Scene]) -> Result<
             limit: 1.0,
         })
         .collect())
+}
+
+/// Lists pictures that ask for more than the tables serve.
+fn record_unserved(results: &mut RunResults, specimen: &SpecimenResult) {
+    for scene in specimen.scenes.iter().filter(|scene| scene.unserved_pixels > 0) {
+        results.failures.push(Failure {
+            specimen: Some(specimen.name.clone()),
+            stage: "render scenes".into(),
+            message: format!(
+                "{}: {} pixels ask for directions that the tables do not serve",
+                scene.name, scene.unserved_pixels
+            ),
+        });
+    }
 }
 
 /// Adds a specimen's comparisons; those that miss their limit are failures of the run.
@@ -251,35 +267,47 @@ fn run_specimen(
         files::create_folder(&folder.join("scenes"))?;
         ingest(specimen)
     })?;
-    let plan = clock.stage("plan", 0, || build::plan(&ingested.fields, optics, &config.tables))?;
+    let source = Source { fields: &ingested.fields, optics, tables: &config.tables };
+    let wanted =
+        serve::served_scenes(config, &specimen.name).unwrap_or_else(|| serve::scenes_of(config, &specimen.name));
+    let serving = config.serve != Serve::All;
+    let domain = match serving {
+        false => None,
+        true => Some(clock.stage("find what the scenes reach", 0, || serve::domain_of(&source, &wanted))?),
+    };
+    let plan = clock.stage("plan", 0, || build::plan_for(&ingested.fields, optics, &config.tables, domain.clone()))?;
     let steps = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum::<usize>() * plan.windows.len();
     let (built, record) = clock.stage("build tables", steps as u64, || {
-        build::build(&ingested.fields, optics, &config.tables, &|n| helpers.progress.advance(n))
+        build::build_planned(&ingested.fields, optics, &config.tables, &plan, &|n| helpers.progress.advance(n))
     })?;
     let build_s = clock.last_s();
     let stored = clock.stage("store tables", 0, || write_tables(&folder, &built, config.tables.storage))?;
     let set = clock.stage("read back", 0, || read_tables(&folder, &stored, optics))?;
-    let wanted: Vec<&Scene> = config
-        .scenes
-        .iter()
-        .filter(|scene| scene.specimen.as_ref().is_none_or(|name| *name == specimen.name))
-        .collect();
     let works = clock.stage("render scenes", 0, || {
         wanted.iter().map(|scene| render_tables(scene, &set)).collect::<Result<Vec<SceneWork>>>()
     })?;
-    let pairs: Vec<(Vec3, Vec3)> =
-        measure::fixed_pairs().into_iter().chain(works.iter().flat_map(SceneWork::pairs)).collect();
     let gpu = match gpu {
         Some(gpu) => clock.stage("check on the GPU", 0, || gpu_rows(gpu, &specimen.name, &set, &wanted))?,
         None => Vec::new(),
     };
-    let yardstick = clock.stage("evaluate the reference", 0, || {
-        measure::yardstick(&ingested.fields, optics, &plan, built.tables.len(), pairs)
-    })?;
+    let directions = match serving {
+        false => ErrorDirections::fixed(),
+        true => ErrorDirections::of_scenes(&works),
+    };
+    let served = directions.pairs.clone();
     let mut result = describe(specimen, &ingested, config, &set, &record, &plan);
+    let yardstick = match config.report.reference {
+        false => None,
+        true => Some(clock.stage("evaluate the reference", 0, || {
+            let pictures = works.iter().flat_map(SceneWork::pairs);
+            measure::yardstick(&ingested.fields, optics, &plan, built.tables.len(), directions, pictures)
+        })?),
+    };
     clock.stage("measure errors", 0, || {
-        result.errors = measure::error_rows(&yardstick, &set, &built);
-        result.errors.push(measure::direct_row(&ingested.fields, optics, &yardstick)?);
+        if let Some(yardstick) = &yardstick {
+            result.errors = measure::error_rows(yardstick, &set, &built);
+            result.errors.push(measure::direct_row(&ingested.fields, optics, yardstick)?);
+        }
         let (sums, lobe_share) = measure::power_sums(&set);
         result.power_sums = sums;
         if let Some(lobe) = &mut result.lobe {
@@ -288,160 +316,55 @@ fn run_specimen(
         Ok(())
     })?;
     clock.stage("write pictures", 0, || {
-        let mut next = measure::fixed_pairs().len();
+        let mut next = served.len();
         for work in &works {
-            let reference = &yardstick.xyz[next..next + work.pair_count()];
-            next += work.pair_count();
+            let own = next..next + work.pair_count();
+            next = own.end;
+            let reference = yardstick.as_ref().map(|yardstick| &yardstick.xyz[own]);
             result.scenes.push(work.finish(reference, &folder, &specimen.name)?);
         }
-        write_preview(&set, &folder)?;
-        result.preview_png = Some(format!("{}/preview.png", specimen.name));
+        result.preview_png = preview(&set, &result, &folder)?;
+        if let Some(picture) = reached_picture(&set) {
+            write_png(&folder.join("served.png"), &picture)?;
+            result.reached_png = Some(format!("{}/served.png", specimen.name));
+        }
         if let Some(statistics) = &result.statistics {
             let (map, spectrum) = (helpers.illustrate)(&ingested.fields[0], statistics, &folder, &specimen.name)?;
             result.height_map = Some(map);
             result.spectrum = Some(spectrum);
         }
-        let file = specimen_file(specimen, &ingested, stored, &result, &set);
+        let file = specimen_file(specimen, &ingested, stored, &result, &set, &served);
         specimen::write(&folder, &file)
     })?;
+    let stored_bytes = clock.stage("count bytes", 0, || files::bytes_of(&folder, "exr"))?;
     if let Some(build) = &mut result.build {
-        build.build_s = build_s;
-        build.stored_bytes = clock.stage("count bytes", 0, || exr_bytes(&folder))?;
+        (build.build_s, build.stored_bytes) = (build_s, stored_bytes);
+    }
+    if let Some(domain) = &domain {
+        let measured = Cost {
+            node_samples: record.node_samples as f64,
+            seconds: build_s,
+            // Of one stage among many: not known.
+            memory_bytes: f64::NAN,
+            stored_bytes: stored_bytes as f64,
+        };
+        result.budget = Some(clock.stage("account for what is left out", 0, || {
+            serve::account(&source, &wanted, domain, measured, config.report.savings)
+        })?);
     }
     Ok(Done { result, gpu, inputs: inputs(config, specimen, &ingested) })
 }
 
-/// Everything about a specimen that is known before its errors are measured.
-fn describe(
-    specimen: &SpecimenConfig,
-    ingested: &Ingested,
-    config: &RunConfig,
-    set: &TableSet,
-    record: &BuildRecord,
-    plan: &BuildPlan,
-) -> SpecimenResult {
-    let field = &ingested.fields[0];
-    let [nx, ny] = field.extent_nm();
-    SpecimenResult {
-        name: specimen.name.clone(),
-        species: specimen.species.clone(),
-        generated: specimen.species.as_deref().is_some_and(|species| species.starts_with("generated")),
-        scans: ingested.provenance.iter().map(to_value).collect(),
-        size: field.size(),
-        pitch_nm: field.pitch_nm,
-        extent_um: [nx * 1e-3, ny * 1e-3],
-        statistics: ingested.statistics.first().cloned(),
-        optics: Some(specimen.optics.clone()),
-        build: Some(BuildResult {
-            basis: set.basis,
-            tables: set.tables.len(),
-            size: set.size(),
-            storage: config.tables.storage,
-            stored_bytes: 0,
-            prefilter_width: set.prefilter_width,
-            tolerance: config.tables.tolerance,
-            record: record.clone(),
-            build_s: 0.0,
-        }),
-        lobe: set.lobe.as_ref().map(|lobe| LobeResult {
-            radius_max: lobe.radius_max,
-            cross_tables: lobe.cross.len(),
-            power_share: None,
-        }),
-        errors: Vec::new(),
-        power_sums: Vec::new(),
-        scenes: Vec::new(),
-        height_map: None,
-        spectrum: None,
-        preview_png: None,
-        warnings: warnings(specimen, set, plan),
-        failed: None,
+/// Path of the picture of a specimen in lists: the first of its scenes where tables serve nothing else.
+fn preview(set: &TableSet, result: &SpecimenResult, folder: &Path) -> Result<Option<String>> {
+    if set.served.is_some() {
+        return Ok(result.scenes.first().map(|scene| scene.table_png.clone()));
     }
+    write_preview(set, folder)?;
+    Ok(Some(format!("{}/preview.png", result.name)))
 }
 
-/// What a user must know about these tables.
-fn warnings(specimen: &SpecimenConfig, set: &TableSet, plan: &BuildPlan) -> Vec<String> {
-    let mut warnings = Vec::new();
-    if specimen.measured.is_some() {
-        warnings.push("`measured` is named, but this version does not compare with measured reflectance yet".into());
-    }
-    if set.usable_radius < 2.0 {
-        warnings.push(format!(
-            "the scan's sampling answers for |(u, v)| up to {:.2} only: beyond, some wavelengths are missing and values are too dark",
-            set.usable_radius
-        ));
-    }
-    if set.prefilter_width > 0.0 {
-        warnings.push(format!(
-            "a texel ({:.4}) is wider than the coherence lobe: each holds the mean over a square of {:.4} in u and v, \
-             so single directions differ from the point values while pictures of extended lights and pixels do not",
-            plan.grid.texel(),
-            set.prefilter_width
-        ));
-    }
-    if set.basis == Basis::Taylor {
-        warnings.push("tables of the published Taylor series, kept for comparison".into());
-    }
-    warnings
-}
-
-fn entry(specimen: &SpecimenConfig) -> SpecimenEntry {
-    SpecimenEntry { name: specimen.name.clone(), species: specimen.species.clone().unwrap_or_default() }
-}
-
-fn inputs(config: &RunConfig, specimen: &SpecimenConfig, ingested: &Ingested) -> Vec<InputRecord> {
-    let name = |path: &Path| path.strip_prefix(&config.base).unwrap_or(path).display().to_string();
-    let scans = specimen.scans.iter().zip(&ingested.provenance);
-    scans.map(|(path, provenance)| InputRecord { path: name(path), sha256: provenance.sha256.clone() }).collect()
-}
-
-fn to_value(value: &impl serde::Serialize) -> Value {
-    serde_json::to_value(value).unwrap_or(Value::Null)
-}
-
-fn specimen_file(
-    specimen: &SpecimenConfig,
-    ingested: &Ingested,
-    tables: crate::tables::storage::StoredTables,
-    result: &SpecimenResult,
-    set: &TableSet,
-) -> SpecimenFile {
-    SpecimenFile {
-        schema: specimen::SCHEMA,
-        name: specimen.name.clone(),
-        species: specimen.species.clone().unwrap_or_default(),
-        provenance: to_value(&ingested.provenance),
-        preparation: json!({ "settings": specimen.prepare, "done": ingested.preparation }),
-        statistics: to_value(&ingested.statistics),
-        optics: specimen.optics.clone(),
-        build: result.build.as_ref().map(|build| build.record.clone()).unwrap_or_default(),
-        tables,
-        errors: to_value(&result.errors),
-        check_values: check_values(set),
-        warnings: result.warnings.clone(),
-    }
-}
-
-/// Values for testing other programs: half over the whole hemisphere, half around the mirror direction.
-fn check_values(set: &TableSet) -> Vec<CheckValue> {
-    let angle = |share: f64, range: f64| (share * range * 10.0).round() / 10.0;
-    (0..CHECK_VALUES)
-        .map(|index| {
-            let [a, b, c, d] = sampling::four(index);
-            let (theta_i_deg, phi_i_deg) = (angle(a, 80.0), angle(b, 360.0));
-            let (theta_r_deg, phi_r_deg) = if index % 2 == 0 {
-                (angle(c, 80.0), angle(d, 360.0))
-            } else {
-                ((theta_i_deg + angle(c, 2.0) - 1.0).abs(), (phi_i_deg + 179.0 + angle(d, 2.0)) % 360.0)
-            };
-            let (wi, wo) = (from_angles_deg(theta_i_deg, phi_i_deg), from_angles_deg(theta_r_deg, phi_r_deg));
-            let xyz = brdf_xyz(set, Interpolation::Bilinear, wi, wo);
-            CheckValue { theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, wi, wo, xyz }
-        })
-        .collect()
-}
-
-/// A ball under a sun high to the right: the picture of a specimen in lists.
+/// A ball under a sun high to the right.
 fn write_preview(set: &TableSet, folder: &Path) -> Result<()> {
     let scene = Scene {
         name: "preview".into(),
@@ -460,43 +383,12 @@ fn write_preview(set: &TableSet, folder: &Path) -> Result<()> {
 
 fn write_format(specimen_folder: &Path, version_folder: &Path) -> Result<()> {
     let (file, set) = specimen::load(specimen_folder)?;
-    let text = format_md(&file, &work_number(&set, WORKED_DEG));
+    let angles = match (&set.served, file.check_values.first()) {
+        (Some(_), Some(c)) => [c.theta_i_deg, c.phi_i_deg, c.theta_r_deg, c.phi_r_deg],
+        _ => WORKED_DEG,
+    };
+    let text = format_md(&file, &work_number(&set, angles));
     files::replace(&version_folder.join("FORMAT.md"), text.as_bytes())
-}
-
-/// Bytes of the table files: what a renderer loads.
-fn exr_bytes(folder: &Path) -> Result<u64> {
-    let mut bytes = 0;
-    for (path, kind) in files::entries(folder)? {
-        if kind.is_file() && path.extension().is_some_and(|extension| extension == "exr") {
-            bytes += path.metadata().map_err(|e| Error::disk(&path, "read the size of", e))?.len();
-        }
-    }
-    Ok(bytes)
-}
-
-fn failed_result(specimen: &SpecimenConfig, error: &Error) -> SpecimenResult {
-    SpecimenResult {
-        name: specimen.name.clone(),
-        species: specimen.species.clone(),
-        generated: false,
-        scans: Vec::new(),
-        size: [0, 0],
-        pitch_nm: [0.0, 0.0],
-        extent_um: [0.0, 0.0],
-        statistics: None,
-        optics: None,
-        build: None,
-        lobe: None,
-        errors: Vec::new(),
-        power_sums: Vec::new(),
-        scenes: Vec::new(),
-        height_map: None,
-        spectrum: None,
-        preview_png: None,
-        warnings: Vec::new(),
-        failed: Some(error.to_string()),
-    }
 }
 
 fn empty_results(config: &RunConfig, helpers: &Helpers) -> RunResults {
@@ -513,6 +405,7 @@ fn empty_results(config: &RunConfig, helpers: &Helpers) -> RunResults {
         stages: Vec::new(),
         gpu: GpuResult::Off,
         failures: Vec::new(),
+        left_out: serve::left_out(config),
         peak_memory_mib: None,
         total_wall_s: 0.0,
     }

@@ -5,6 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::serve::Budget;
 use crate::ground::error::{Error, Result};
 pub use crate::height::statistics::{Period, Statistics};
 use crate::optics::config::OpticsConfig;
@@ -40,6 +41,9 @@ pub struct RunResults {
     pub gpu: GpuResult,
     /// What went wrong, in the order it happened.
     pub failures: Vec<Failure>,
+    /// What nobody asked for and was not done: specimens, pictures, stages.
+    #[serde(default)]
+    pub left_out: Vec<String>,
     /// Most memory the process held, in MiB, where the system tells.
     pub peak_memory_mib: Option<f64>,
     /// Duration of the run in seconds.
@@ -153,6 +157,12 @@ pub struct SpecimenResult {
     pub spectrum: Option<SpectrumFile>,
     /// Path of a small picture of the material.
     pub preview_png: Option<String>,
+    /// Path of the picture of what its tables serve, where that is not every direction.
+    #[serde(default)]
+    pub reached_png: Option<String>,
+    /// What its tables leave out and what that saves; `None` where they serve every direction.
+    #[serde(default)]
+    pub budget: Option<Budget>,
     /// What the reader must know before using the tables.
     pub warnings: Vec<String>,
     /// Why there are no tables.
@@ -246,6 +256,9 @@ pub struct SceneResult {
     pub seconds: f64,
     /// Measured difference from the reference, where one was rendered.
     pub error: Option<SceneError>,
+    /// Pixels that ask for directions which the tables do not serve: painted in a marker's colour, and a failure.
+    #[serde(default)]
+    pub unserved_pixels: usize,
     /// The picture made with the tables.
     pub table_png: String,
     /// Tables left, reference right, on the pixels that were compared.
@@ -327,7 +340,7 @@ pub fn from_json(text: &str, name: &str) -> Result<RunResults> {
 }
 
 /// JSON has no NaN: it is written as `null` and read back as NaN, and infinities likewise.
-mod null_for_nan {
+pub(super) mod null_for_nan {
     use serde::{Deserialize, Deserializer, Serializer};
 
     pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {

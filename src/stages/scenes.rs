@@ -35,6 +35,8 @@ pub struct SceneWork {
     image: Array3<f32>,
     exposure: f32,
     seconds: f64,
+    /// Pixels that look up what the tables do not serve.
+    unserved: usize,
     /// Every `stride`-th pixel is compared.
     stride: usize,
     subset: ShadingSamples,
@@ -48,12 +50,13 @@ pub fn render_tables(scene: &Scene, set: &TableSet) -> Result<SceneWork> {
     let started = Instant::now();
     let image = cpu::render(scene, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo))?;
     let seconds = started.elapsed().as_secs_f64();
+    let unserved = image.rows().into_iter().filter(|xyz| xyz.iter().any(|value| value.is_nan())).count();
     let per_pixel = samples_per_pixel(scene).max(1);
     let side = ((REFERENCE_SAMPLES_MAX / per_pixel) as f64).sqrt().max(1.0);
     let stride = (scene.size_px as f64 / side).ceil().max(1.0) as usize;
     let subset = samples_of(scene, 0..scene.size_px, stride)?;
     let exposure = exposure_factor(scene.exposure, &image);
-    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, stride, subset })
+    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, unserved, stride, subset })
 }
 
 impl SceneWork {
@@ -62,32 +65,61 @@ impl SceneWork {
         self.subset.wi.iter().zip(&self.subset.wo).map(|(wi, wo)| (wi.map(f64::from), wo.map(f64::from)))
     }
 
+    /// The scene's name.
+    pub fn name(&self) -> &str {
+        &self.scene.name
+    }
+
     /// Number of pairs.
     pub fn pair_count(&self) -> usize {
         self.subset.wi.len()
     }
 
-    /// Writes the pictures into the specimen's folder and compares them. `reference` holds the BRDF at
-    /// [`Self::pairs`]; `prefix` is the specimen's folder relative to the report.
+    /// Writes the pictures into the specimen's folder and, where there is a reference, compares them. `reference` holds
+    /// the BRDF at [`Self::pairs`]; `prefix` is the specimen's folder relative to the report.
     ///
     /// # Errors
     /// The disk's.
-    pub fn finish(&self, reference: &[Xyz], folder: &Path, prefix: &str) -> Result<SceneResult> {
+    pub fn finish(&self, reference: Option<&[Xyz]>, folder: &Path, prefix: &str) -> Result<SceneResult> {
+        let name = &self.scene.name;
+        let path = |ending: &str| folder.join(format!("scenes/{name}{ending}"));
+        let attributes = json!({ "kind": "tables", "scene": name, "exposure": f64::from(self.exposure) });
+        // Pixels without an answer are black in numbers, and carry the marker's colour where people look.
+        let numbers = self.image.mapv(|value| if value.is_nan() { 0.0 } else { value });
+        write_rgb(&path(".exr"), &numbers, Precision::Float, &attributes)?;
+        write_png(&path(".png"), &to_srgb8(&self.image, self.exposure))?;
+        let result = SceneResult {
+            name: name.clone(),
+            shape: shape_name(&self.scene.shape).into(),
+            size_px: [self.scene.size_px; 2],
+            exposure: f64::from(self.exposure),
+            seconds: self.seconds,
+            error: None,
+            unserved_pixels: self.unserved,
+            table_png: format!("{prefix}/scenes/{name}.png"),
+            side_by_side_png: None,
+            difference_png: None,
+            difference_scale: None,
+        };
+        match reference {
+            Some(reference) => self.compare(reference, folder, prefix, result),
+            None => Ok(result),
+        }
+    }
+
+    fn compare(&self, reference: &[Xyz], folder: &Path, prefix: &str, result: SceneResult) -> Result<SceneResult> {
         let name = &self.scene.name;
         let expected = gather(&self.subset, reference);
         let ours = every(&self.image, self.stride);
         let white = 1.0 / f64::from(self.exposure);
         let path = |ending: &str| folder.join(format!("scenes/{name}{ending}"));
         let difference = &ours - &expected;
-        for (image, ending, kind) in [
-            (&self.image, "", "tables"),
-            (&expected, ".reference", "reference"),
-            (&difference, ".difference", "difference"),
-        ] {
+        for (image, ending, kind) in
+            [(&expected, ".reference", "reference"), (&difference, ".difference", "difference")]
+        {
             let attributes = json!({ "kind": kind, "scene": name, "exposure": f64::from(self.exposure) });
             write_rgb(&path(&format!("{ending}.exr")), image, Precision::Float, &attributes)?;
         }
-        write_png(&path(".png"), &to_srgb8(&self.image, self.exposure))?;
         let enlarge = |image: &Array3<u8>| enlarged(image, self.stride);
         let pair = [&ours, &expected].map(|image| enlarge(&to_srgb8(image, self.exposure)));
         write_png(&path(".compare.png"), &side_by_side(&[&pair[0], &pair[1]], GAP_PX, GAP_RGB))?;
@@ -97,11 +129,6 @@ impl SceneWork {
         let flat = |image: &Array3<f32>| image.iter().map(|&v| f64::from(v)).collect::<Vec<_>>();
         let file = |ending: &str| format!("{prefix}/scenes/{name}{ending}");
         Ok(SceneResult {
-            name: name.clone(),
-            shape: shape_name(&self.scene.shape).into(),
-            size_px: [self.scene.size_px; 2],
-            exposure: f64::from(self.exposure),
-            seconds: self.seconds,
             error: Some(SceneError {
                 pixels: ours.len() / 3,
                 relative_l2: metrics::relative_l2(&flat(&expected), &flat(&ours)),
@@ -109,10 +136,10 @@ impl SceneWork {
                 ciede2000_p95: colour.p95,
                 ciede2000_max: colour.max,
             }),
-            table_png: file(".png"),
             side_by_side_png: Some(file(".compare.png")),
             difference_png: Some(file(".difference.png")),
             difference_scale: Some(format!("{} % of white", DIFFERENCE_FULL_SCALE * 100.0)),
+            ..result
         })
     }
 }

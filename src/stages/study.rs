@@ -4,7 +4,7 @@
 //! window no wider than the tables' grid resolves, so that methods are compared and not their filters.
 
 mod knobs;
-mod memory;
+pub(super) mod memory;
 mod methods;
 mod sample;
 

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::ground::direction::{self, Vec3, Xyz};
 use crate::optics::fresnel;
-use crate::tables::model::{Basis, Lobe, TableSet};
+use crate::tables::model::{Basis, Lobe, Served, TableSet};
 
 /// A look-up between four texels.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -60,6 +60,10 @@ pub struct WorkedNumber {
     pub t: f64,
     /// Where in the tables.
     pub lookup: Lookup,
+    /// Lowest and highest `t` between the texels there, where tables do not serve every direction; [0, 1] elsewhere.
+    pub range: [f64; 2],
+    /// Where `t` lies in that range: what the tables' polynomials are evaluated at.
+    pub s: f64,
     /// One per table.
     pub terms: Vec<Term>,
     /// Sum of the tables' terms, before any division.
@@ -88,9 +92,13 @@ pub fn work_number(tables: &TableSet, angles_deg: [f64; 4]) -> WorkedNumber {
     let [u, v, w] = q;
     let t = relative_w(q);
 
-    let lookup = look_up([(u + 2.0) / 4.0, (2.0 - v) / 4.0], [tables.size(), tables.size()]);
+    let (lookup, range) = match &tables.served {
+        None => (look_up([(u + 2.0) / 4.0, (2.0 - v) / 4.0], [tables.size(), tables.size()]), [0.0, 1.0]),
+        Some(served) => served_place(served, u, v),
+    };
+    let s = (t - range[0]) / (range[1] - range[0]);
     let terms: Vec<Term> =
-        tables.tables.iter().enumerate().map(|(n, table)| term(tables.basis, n, w, t, table, &lookup)).collect();
+        tables.tables.iter().enumerate().map(|(n, table)| term(tables.basis, n, w, s, table, &lookup)).collect();
     let sum = weighted_sum(&terms);
     let lobe = tables.lobe.as_ref().map(|lobe| lobe_share(lobe, q, t));
 
@@ -113,6 +121,8 @@ pub fn work_number(tables: &TableSet, angles_deg: [f64; 4]) -> WorkedNumber {
         q,
         t,
         lookup,
+        range,
+        s,
         terms,
         sum,
         lobe,
@@ -122,6 +132,17 @@ pub fn work_number(tables: &TableSet, angles_deg: [f64; 4]) -> WorkedNumber {
         shadowing,
         xyz,
     }
+}
+
+/// Where in a served window, and the range of `t` there.
+fn served_place(served: &Served, u: f64, v: f64) -> (Lookup, [f64; 2]) {
+    let (rows, columns, _) = served.range.dim();
+    let texel = 4.0 / (served.size - 1) as f64;
+    let at = [(u + 2.0) / texel - served.first[1] as f64, (2.0 - v) / texel - served.first[0] as f64];
+    let last = [(columns - 1) as f64, (rows - 1) as f64];
+    let lookup = look_up([at[0] / last[0], at[1] / last[1]], [columns, rows]);
+    let range = term(Basis::Chebyshev, 0, 0.0, 0.0, &served.range, &lookup).value;
+    (lookup, [range[0], range[1]])
 }
 
 /// `t` in [0, 1]; 0 at the rim of the disc, where `|w|` can only be 0.
@@ -222,7 +243,7 @@ mod tests {
             })
         };
         let tables = vec![table(4.0, 0.5, -0.25), table(1.0, -0.125, 2.0), table(-0.5, 0.75, 0.0)];
-        TableSet { basis, tables, lobe, prefilter_width: 0.0, optics: optics(), usable_radius: 2.0 }
+        TableSet { basis, tables, lobe, prefilter_width: 0.0, optics: optics(), served: None, usable_radius: 2.0 }
     }
 
     const ANGLES: [f64; 4] = [35.0, 20.0, 61.0, 250.0];

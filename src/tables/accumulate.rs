@@ -6,10 +6,12 @@
 //! that nobody else writes, wavelengths follow one another: the sums never depend on the threads.
 
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
+use super::domain::{Texels, inner_columns};
 use super::plan::{Grid, Ring};
 use crate::optics::kernel::{Kernel, Taps};
 use crate::optics::spectra::Spectra;
@@ -20,7 +22,7 @@ type Lane = [f32; 4];
 /// Most lanes handled in one sweep; more nodes take further sweeps.
 const LANES_MAX: usize = 4;
 
-/// Sums of XYZ at the nodes of `w`: layout `[row][column][channel][node]`.
+/// Sums of XYZ at the nodes of `w`: layout `[row][column][channel][node]` over the texels' window.
 #[derive(Debug, Clone)]
 pub struct PowerSums {
     /// Nodes of `w` per texel, a multiple of four.
@@ -31,9 +33,9 @@ pub struct PowerSums {
 
 impl PowerSums {
     /// Zero everywhere.
-    pub fn new(grid: &Grid, nodes: usize) -> Self {
+    pub fn new(texels: &Texels, nodes: usize) -> Self {
         let nodes = nodes.next_multiple_of(4);
-        Self { nodes, data: vec![0.0; grid.size * grid.size * 3 * nodes] }
+        Self { nodes, data: vec![0.0; texels.window_texels() * 3 * nodes] }
     }
 }
 
@@ -58,9 +60,9 @@ pub enum Quantity {
 /// What is summed, and over which texels.
 #[derive(Debug, Clone, Copy)]
 pub struct RingSum<'a> {
-    /// The texels of the table or patch.
-    pub grid: &'a Grid,
-    /// Those of them that are summed, and their wavelengths.
+    /// The texels of the table or patch that count.
+    pub texels: &'a Texels,
+    /// Those of them that are summed now, and their wavelengths.
     pub ring: &'a Ring,
     /// Average over (u, v) of a texel.
     pub filter: BoxFilter,
@@ -73,21 +75,23 @@ pub struct RingSum<'a> {
 /// Adds one window's contribution over a ring, for the values of `w` in `w_nodes`.
 pub fn add_ring(spectra: &Spectra, what: RingSum, w_nodes: &[f64], sums: &mut PowerSums) {
     let quadrature = &what.ring.quadrature;
+    let Some(part) = RingTexels::new(what.texels, what.ring.rho) else { return };
+    let mut scratch = Vec::new();
     for (&wavelength_nm, weights) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
         let scale = what.share / (wavelength_nm * wavelength_nm);
         let colour = weights.map(|weight| (weight * scale) as f32);
-        let wave = Wave::new(spectra, what, wavelength_nm, colour);
+        let wave = Wave::new(spectra, what, &part, wavelength_nm, colour);
         for group in (0..w_nodes.len()).step_by(4 * LANES_MAX) {
             let nodes = &w_nodes[group..w_nodes.len().min(group + 4 * LANES_MAX)];
             match (nodes.len().div_ceil(4), spectra.mean_power) {
-                (1, true) => wave.sweep::<1, 1>(nodes, group, sums),
-                (2, true) => wave.sweep::<2, 2>(nodes, group, sums),
-                (3, true) => wave.sweep::<3, 3>(nodes, group, sums),
-                (_, true) => wave.sweep::<4, 4>(nodes, group, sums),
-                (1, false) => wave.sweep::<1, 2>(nodes, group, sums),
-                (2, false) => wave.sweep::<2, 4>(nodes, group, sums),
-                (3, false) => wave.sweep::<3, 6>(nodes, group, sums),
-                (_, false) => wave.sweep::<4, 8>(nodes, group, sums),
+                (1, true) => wave.sweep::<1, 1>(nodes, group, &mut scratch, sums),
+                (2, true) => wave.sweep::<2, 2>(nodes, group, &mut scratch, sums),
+                (3, true) => wave.sweep::<3, 3>(nodes, group, &mut scratch, sums),
+                (_, true) => wave.sweep::<4, 4>(nodes, group, &mut scratch, sums),
+                (1, false) => wave.sweep::<1, 2>(nodes, group, &mut scratch, sums),
+                (2, false) => wave.sweep::<2, 4>(nodes, group, &mut scratch, sums),
+                (3, false) => wave.sweep::<3, 6>(nodes, group, &mut scratch, sums),
+                (_, false) => wave.sweep::<4, 8>(nodes, group, &mut scratch, sums),
             }
         }
     }
@@ -97,8 +101,6 @@ pub fn add_ring(spectra: &Spectra, what: RingSum, w_nodes: &[f64], sums: &mut Po
 pub(super) struct Targets {
     /// Box samples per texel and axis.
     pub samples: usize,
-    /// First to last column (and row) of the ring.
-    pub columns: std::ops::Range<usize>,
     /// Frequencies in 1/nm along x and y, box samples of a texel side by side.
     pub frequency: [Vec<f64>; 2],
     /// Their taps.
@@ -106,78 +108,94 @@ pub(super) struct Targets {
 }
 
 impl Targets {
+    /// For the texels of some rows and columns of a grid.
     pub(super) fn new(
         grid: &Grid,
-        ring: &Ring,
+        [rows, columns]: [Range<usize>; 2],
         filter: BoxFilter,
         kernel: Kernel,
         step: [f64; 2],
         wavelength_nm: f64,
     ) -> Self {
-        let columns = grid.columns_within(ring.rho[1]);
         // A mean over window positions is a sum of powers: its kernel averages the box exactly.
         let mean_power = matches!(kernel, Kernel::GaussianPower { .. });
         let (samples, box_width) = if mean_power { (1, filter.width) } else { (filter.samples, 0.0) };
         let offsets: Vec<f64> =
             (0..samples).map(|i| ((i as f64 + 0.5) / samples as f64 - 0.5) * filter.width).collect();
-        let frequencies = |at: &dyn Fn(usize) -> f64| -> Vec<f64> {
-            columns
-                .clone()
-                .flat_map(|i| offsets.iter().map(move |o| (i, o)))
-                .map(|(i, o)| (at(i) + o) / wavelength_nm)
-                .collect()
+        let frequencies = |texels: Range<usize>, at: &dyn Fn(usize) -> f64| -> Vec<f64> {
+            let samples = texels.flat_map(|i| offsets.iter().map(move |o| (i, o)));
+            samples.map(|(i, o)| (at(i) + o) / wavelength_nm).collect()
         };
-        let frequency = [frequencies(&|i| grid.u(i)), frequencies(&|i| grid.v(i))];
+        let frequency = [frequencies(columns, &|i| grid.u(i)), frequencies(rows, &|i| grid.v(i))];
         let taps = [0, 1].map(|axis| kernel.taps(&frequency[axis], step[axis], box_width / wavelength_nm));
-        Self { samples, columns, frequency, taps }
+        Self { samples, frequency, taps }
     }
 }
 
 /// Everything one wavelength needs on one ring.
 struct Wave<'a> {
     spectra: &'a Spectra,
-    grid: &'a Grid,
+    texels: &'a Texels,
     ring: &'a Ring,
+    part: &'a RingTexels,
     quantity: Quantity,
     wavelength_nm: f64,
     colour: [f32; 3],
-    /// Box samples per axis, and the first column of the ring.
+    /// Box samples per axis.
     samples: usize,
-    columns: std::ops::Range<usize>,
     taps_x: Taps,
     /// Taps of every texel row (and box sample) from the ring's first row on.
     taps_y: Taps,
+    /// Lines of η that each texel row reads.
+    lines_of_rows: Vec<Range<i32>>,
     /// Window transforms at the taps' targets, for the cross term.
     window: [Vec<f32>; 2],
 }
 
 impl<'a> Wave<'a> {
-    fn new(spectra: &'a Spectra, what: RingSum<'a>, wavelength_nm: f64, colour: [f32; 3]) -> Self {
-        let RingSum { grid, ring, filter, quantity, .. } = what;
-        let targets = Targets::new(grid, ring, filter, spectra.kernel, spectra.step, wavelength_nm);
+    fn new(
+        spectra: &'a Spectra,
+        what: RingSum<'a>,
+        part: &'a RingTexels,
+        wavelength_nm: f64,
+        colour: [f32; 3],
+    ) -> Self {
+        let RingSum { texels, ring, filter, quantity, .. } = what;
+        let box_of = [part.rows.clone(), part.columns.clone()];
+        let targets = Targets::new(&texels.grid, box_of, filter, spectra.kernel, spectra.step, wavelength_nm);
         let [taps_x, taps_y] = targets.taps;
         let [xi, eta] = targets.frequency;
         let transforms = |axis: usize, f: &[f64]| match quantity {
             Quantity::Power => Vec::new(),
             Quantity::Cross => f.iter().map(|&f| spectra.window_transform(axis, f) as f32).collect(),
         };
+        // Box samples go up within a row.
+        let lines = |firsts: &[i32]| firsts[0]..firsts[firsts.len() - 1] + taps_y.count as i32;
         Self {
+            lines_of_rows: taps_y.first.chunks_exact(targets.samples).map(lines).collect(),
             taps_x,
             taps_y,
             window: [transforms(0, &xi), transforms(1, &eta)],
             spectra,
-            grid,
+            texels,
             ring,
+            part,
             quantity,
             wavelength_nm,
             colour,
             samples: targets.samples,
-            columns: targets.columns,
         }
     }
 
     /// `B` lanes of `w`; `N` lanes in flight: twice as many for amplitudes (real, then imaginary).
-    fn sweep<const B: usize, const N: usize>(&self, nodes: &[f64], group: usize, sums: &mut PowerSums) {
+    /// `scratch` is kept from wavelength to wavelength.
+    fn sweep<const B: usize, const N: usize>(
+        &self,
+        nodes: &[f64],
+        group: usize,
+        scratch: &mut Vec<f32>,
+        sums: &mut PowerSums,
+    ) {
         let k = TAU / self.wavelength_nm;
         let mut weights = vec![[[0.0f32; 4]; B]; self.spectra.nodes];
         let mut phasor = [[Complex::<f32>::default(); 4]; B];
@@ -188,66 +206,84 @@ impl<'a> Wave<'a> {
             let mean = self.spectra.mean_phasor_at(k * w);
             phasor[j / 4][j % 4] = Complex::new(mean.re as f32, mean.im as f32);
         }
-        let (first_row, rows) = self.interpolated_rows::<B, N>(&weights);
+        let (first_row, rows) = self.interpolated_rows::<B, N>(&weights, scratch);
         let targets = self.taps_x.first.len();
-        let row_length = self.grid.size * 3 * sums.nodes;
+        let row_length = self.texels.columns.len() * 3 * sums.nodes;
         let per_texel = sums.nodes;
-        let ring_rows = self.columns.clone();
-        sums.data.par_chunks_mut(row_length).enumerate().filter(|(row, _)| ring_rows.contains(row)).for_each(
-            |(row, out)| {
-                let v = self.grid.v(row);
-                let outer = self.grid.columns_within((self.ring.rho[1].powi(2) - v * v).max(0.0).sqrt());
-                let inner = inner_columns(self.grid, self.ring.rho[0], v);
-                for column in outer.filter(|c| !inner.contains(c)) {
-                    let power = self.texel::<B, N>(row, column, &rows, first_row, targets, &phasor);
-                    let texel = &mut out[column * 3 * per_texel..(column + 1) * 3 * per_texel];
-                    for (channel, colour) in texel.chunks_exact_mut(per_texel).zip(self.colour) {
-                        for (slot, value) in channel[group..].iter_mut().zip(power.as_flattened()) {
-                            *slot += colour * value;
-                        }
+        let skipped = self.part.rows.start - self.texels.rows.start;
+        let lines = sums.data[skipped * row_length..].par_chunks_mut(row_length);
+        lines.zip(&self.part.runs).enumerate().for_each(|(index, (out, runs))| {
+            let row = self.part.rows.start + index;
+            for column in runs.iter().cloned().flatten() {
+                let power = self.texel::<B, N>(row, column, rows, first_row, targets, &phasor);
+                let local = column - self.texels.columns.start;
+                let texel = &mut out[local * 3 * per_texel..(local + 1) * 3 * per_texel];
+                for (channel, colour) in texel.chunks_exact_mut(per_texel).zip(self.colour) {
+                    for (slot, value) in channel[group..].iter_mut().zip(power.as_flattened()) {
+                        *slot += colour * value;
                     }
                 }
-            },
-        );
+            }
+        });
     }
 
     /// Pass A: rows of η lines, interpolated along ξ to the targets; also the first line's index.
     ///
     /// Only what pass B will read is filled: for each line, the columns of the ring's texels whose
-    /// kernel reaches it.
-    fn interpolated_rows<const B: usize, const N: usize>(&self, weights: &[[Lane; B]]) -> (i32, Vec<[Lane; N]>) {
+    /// kernel reaches it. The rest of the scratch holds what it held.
+    fn interpolated_rows<'s, const B: usize, const N: usize>(
+        &self,
+        weights: &[[Lane; B]],
+        scratch: &'s mut Vec<f32>,
+    ) -> (i32, &'s [[Lane; N]]) {
         let (first_x, last_x) = span(&self.taps_x);
         let (first_y, last_y) = span(&self.taps_y);
         let targets = self.taps_x.first.len();
-        let mut rows = vec![[[0.0f32; 4]; N]; (last_y - first_y) as usize * targets];
+        let cells = (last_y - first_y) as usize * targets;
+        if scratch.len() < cells * N * 4 {
+            scratch.resize(cells * N * 4, 0.0);
+        }
+        let rows = &mut scratch.as_chunks_mut::<4>().0.as_chunks_mut::<N>().0[..cells];
         rows.par_chunks_mut(targets).enumerate().for_each_init(
             || vec![[[0.0f32; 4]; N]; (last_x - first_x) as usize],
             |line, (index, out)| {
                 let row = first_y + index as i32;
-                for segment in self.targets_of_line(row) {
-                    self.fill_segment::<B, N>(row, segment, weights, line, out);
+                for run in self.columns_of_line(row) {
+                    let target = |column: usize| (column - self.part.columns.start) * self.samples;
+                    self.fill_segment::<B, N>(row, target(run.start)..target(run.end), weights, line, out);
                 }
             },
         );
         (first_y, rows)
     }
 
-    /// Targets along x that some texel of the ring reads from a line of η: left and right of the hole.
-    fn targets_of_line(&self, row: i32) -> [std::ops::Range<usize>; 2] {
+    /// Columns whose texels read a line of η.
+    fn columns_of_line(&self, line: i32) -> Vec<Range<usize>> {
+        if self.texels.is_whole() {
+            return self.annulus_of_line(line);
+        }
+        // Rows go down, and so do the lines they read: the rows that read this line follow one another.
+        let start = self.lines_of_rows.partition_point(|lines| lines.start > line);
+        let end = self.lines_of_rows.partition_point(|lines| lines.end > line);
+        union(self.part.runs[start.min(end)..end].iter().flatten().cloned().collect())
+    }
+
+    /// The same where all texels of the ring count: left and right of its hole.
+    fn annulus_of_line(&self, line: i32) -> Vec<Range<usize>> {
+        let grid = &self.texels.grid;
         let step = self.spectra.step[1];
         let reach = self.taps_y.count as f64 * 0.5 * step;
-        let v = f64::from(row).abs() * step * self.wavelength_nm;
+        let v = f64::from(line).abs() * step * self.wavelength_nm;
         // Half a texel more for the box samples around a texel's centre.
-        let slack = reach * self.wavelength_nm + self.grid.texel();
+        let slack = reach * self.wavelength_nm + grid.texel();
         let (nearest, farthest) = ((v - slack).max(0.0), v + slack);
         let [inner, outer] = self.ring.rho;
-        let outer = self.grid.columns_within((outer * outer - nearest * nearest).max(0.0).sqrt());
-        let hole = inner_columns(self.grid, inner, farthest);
-        let local = |column: usize| (column.max(self.columns.start) - self.columns.start) * self.samples;
-        if hole.is_empty() {
-            return [local(outer.start)..local(outer.end), 0..0];
-        }
-        [local(outer.start)..local(hole.start), local(hole.end)..local(outer.end)]
+        let outer = grid.columns_within((outer * outer - nearest * nearest).max(0.0).sqrt());
+        let hole = inner_columns(grid, inner, farthest);
+        let own = &self.part.columns;
+        let clipped = |run: Range<usize>| run.start.max(own.start)..run.end.min(own.end);
+        let runs = if hole.is_empty() { vec![outer] } else { vec![outer.start..hole.start, hole.end..outer.end] };
+        runs.into_iter().map(clipped).filter(|run| !run.is_empty()).collect()
     }
 
     /// One run of targets on one line: combines the depth nodes, then interpolates along ξ.
@@ -255,14 +291,19 @@ impl<'a> Wave<'a> {
     fn fill_segment<const B: usize, const N: usize>(
         &self,
         row: i32,
-        segment: std::ops::Range<usize>,
+        segment: Range<usize>,
         weights: &[[Lane; B]],
         line: &mut [[Lane; N]],
         out: &mut [[Lane; N]],
     ) {
         let spectra = self.spectra;
         let row = row - spectra.first[1];
-        if segment.is_empty() || !(0..spectra.lines[1] as i32).contains(&row) {
+        if segment.is_empty() {
+            return;
+        }
+        if !(0..spectra.lines[1] as i32).contains(&row) {
+            // Past the sampling's limit: nothing is known, nothing is added.
+            out[segment].fill([[0.0; 4]; N]);
             return;
         }
         let firsts = &self.taps_x.first[segment.clone()];
@@ -275,7 +316,6 @@ impl<'a> Wave<'a> {
                 Ok(column) if column < spectra.lines[0] => {
                     combine::<B, N>(&data[column * spectra.nodes..(column + 1) * spectra.nodes], weights)
                 }
-                // Past the sampling's limit: nothing is known, nothing is added.
                 _ => [[0.0; 4]; N],
             };
         }
@@ -298,7 +338,7 @@ impl<'a> Wave<'a> {
         phasor: &[[Complex<f32>; 4]; B],
     ) -> [Lane; B] {
         let mut power = [[0.0f32; 4]; B];
-        let (local_row, local_column) = (row - self.columns.start, column - self.columns.start);
+        let (local_row, local_column) = (row - self.part.rows.start, column - self.part.columns.start);
         for sy in 0..self.samples {
             let ty = local_row * self.samples + sy;
             let start = (self.taps_y.first[ty] - first_row) as usize;
@@ -335,18 +375,41 @@ pub(super) fn span(taps: &Taps) -> (i32, i32) {
     (first, last + taps.count as i32)
 }
 
-/// Columns of a row that lie inside a ring's hole.
-pub(super) fn inner_columns(grid: &Grid, rho: f64, v: f64) -> std::ops::Range<usize> {
-    let reach = rho * rho - v * v;
-    if reach <= 0.0 {
-        return 0..0;
+/// The texels of one ring: the box around them, and the runs of columns of each row of the box.
+pub(super) struct RingTexels {
+    pub rows: Range<usize>,
+    pub columns: Range<usize>,
+    pub runs: Vec<Vec<Range<usize>>>,
+}
+
+impl RingTexels {
+    /// `None` where the ring has no texel that counts.
+    pub(super) fn new(texels: &Texels, rho: [f64; 2]) -> Option<Self> {
+        let reached = texels.grid.columns_within(rho[1]);
+        let rows = reached.start.max(texels.rows.start)..reached.end.min(texels.rows.end);
+        let mut runs: Vec<Vec<Range<usize>>> = rows.clone().map(|row| texels.runs_in(row, rho)).collect();
+        let first = runs.iter().position(|runs| !runs.is_empty())?;
+        let last = runs.iter().rposition(|runs| !runs.is_empty())?;
+        runs.truncate(last + 1);
+        runs.drain(..first);
+        let columns = runs.iter().flatten();
+        let start = columns.clone().map(|run| run.start).min()?;
+        let end = columns.map(|run| run.end).max()?;
+        Some(Self { rows: rows.start + first..rows.start + last + 1, columns: start..end, runs })
     }
-    let columns = grid.columns_within(reach.sqrt());
-    // The ring includes its inner radius.
-    let on_rim = |column: usize| grid.u(column).hypot(v) >= rho;
-    let start = columns.start + usize::from(on_rim(columns.start));
-    let end = columns.end - usize::from(columns.end > start && on_rim(columns.end - 1));
-    start..end.max(start)
+}
+
+/// Runs joined where they touch or overlap, ascending.
+fn union(mut runs: Vec<Range<usize>>) -> Vec<Range<usize>> {
+    runs.sort_unstable_by_key(|run| run.start);
+    let mut joined: Vec<Range<usize>> = Vec::new();
+    for run in runs {
+        match joined.last_mut() {
+            Some(last) if run.start <= last.end => last.end = last.end.max(run.end),
+            _ => joined.push(run),
+        }
+    }
+    joined
 }
 
 /// Depth nodes to values of `w`: amplitudes (real lanes, then imaginary), or their powers if `N == B`.

@@ -4,12 +4,14 @@ use ndarray::Array3;
 use rayon::prelude::*;
 
 use super::accumulate::{BoxFilter, PowerSums, Quantity, RingSum, add_ring};
+use super::domain::{Domain, Hull, Texels};
 use super::lobe::{PhasorPower, coherent, patch_grid};
 use super::model::{Basis, BuildRecord, Lobe, Prefilter, TableSet, TablesConfig};
-use super::pilot;
-use super::plan::{self, Grid, Ring, lobe_radius, lobe_width, w_reach};
+use super::pilot::Pilot;
+use super::plan::{self, Grid, Ring, lobe_radius, lobe_width, nodes_bound_over, w_reach};
 use crate::ground::chebyshev::{self, Interpolant};
 use crate::ground::error::{Error, Result};
+use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
 use crate::optics::spectra::{self, Spectra, SpectraConfig, bandwidth_nm};
@@ -25,6 +27,12 @@ const RIM_TEXELS: f64 = 3.0;
 /// whole: weak orders must keep their digits too.
 const DEPTH_SHARE: f64 = 1e-3;
 
+/// Share of the tolerance that interpolating between texels with ranges of their own may take.
+pub const RANGE_SHARE: f64 = 0.01;
+
+/// What ranges of `t` are widened by at both ends: a look-up never lies at an end, nor is a range a point.
+const RANGE_PAD: f64 = 2e-3;
+
 /// Receives progress: wavelengths times windows done.
 pub type Advance<'a> = &'a (dyn Fn(u64) + Sync);
 
@@ -32,11 +40,15 @@ pub type Advance<'a> = &'a (dyn Fn(u64) + Sync);
 #[derive(Debug, Clone)]
 pub struct BuildPlan {
     /// Texels of the tables.
-    pub grid: Grid,
+    pub texels: Texels,
+    /// The texels that are asked for, with their ranges of `t`; `None` for all of them over their whole reach.
+    pub domain: Option<Domain>,
     /// Average over (u, v) of a texel.
     pub filter: BoxFilter,
     /// Rings with their wavelengths, from the outside in.
     pub rings: Vec<Ring>,
+    /// Wavelengths that the rim of the disc needs.
+    pub rim: SpectralQuadrature,
     /// Windows to average, by scan.
     pub windows: Vec<(usize, Placement)>,
     /// How to transform.
@@ -45,18 +57,64 @@ pub struct BuildPlan {
     pub nodes_bound: usize,
     /// Largest half range of the heights in nm.
     pub bandwidth_nm: f64,
+    /// Shortest wavelength in nm.
+    pub wavelength_min_nm: f64,
+    /// Error left to nodes that others are judged by.
+    pub fine_tolerance: f64,
+    /// Radius of the coherent lobe in (u, v).
+    pub lobe_radius: f64,
+    /// Whether some direction asked for lies within it.
+    pub lobe_seen: bool,
+    /// Whether it has a cross term, which vanishes in the mean over all positions of a window.
+    pub crosses: bool,
 }
 
-/// Plans a build.
+impl BuildPlan {
+    /// Gives every ring the wavelengths of the rim: what they would be if no radius needed fewer.
+    pub fn use_rim_wavelengths(&mut self) {
+        self.rings.iter_mut().for_each(|ring| ring.quadrature = self.rim.clone());
+    }
+}
+
+/// The grid that a configuration asks for.
+pub fn grid(optics: &OpticsConfig, config: &TablesConfig) -> Grid {
+    let resolving = plan::resolving_size(optics, config.tolerance);
+    Grid { size: config.size.unwrap_or(resolving.min(AUTOMATIC_SIZE_MAX)), half_width: 2.0 }
+}
+
+/// Lets the ranges of a domain's texels differ so little from one to the next that interpolating between them costs a
+/// hundredth of the tolerance: see [`Domain::with_smooth_ranges`]. Twice differentiated in `t`, the power of heights with
+/// this rms changes by at most about `(2 k rms · 2)²` times itself.
+pub fn smooth(domain: Domain, fields: &[HeightField], optics: &OpticsConfig, tolerance: f64) -> Domain {
+    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    let rms = fields.iter().map(rms_nm).fold(0.0, f64::max).max(1.0);
+    let curvature = (4.0 * std::f64::consts::TAU / low_nm * rms).powi(2);
+    let slope = (8.0 * RANGE_SHARE * tolerance / curvature).sqrt();
+    domain.with_smooth_ranges(RANGE_PAD, slope)
+}
+
+/// Plans tables for every direction.
 ///
 /// # Errors
 /// A scan too small for the window, an invisible light, or sums beyond the allowed memory.
 pub fn plan(fields: &[HeightField], optics: &OpticsConfig, config: &TablesConfig) -> Result<BuildPlan> {
+    plan_for(fields, optics, config, None)
+}
+
+/// Plans tables for the directions of a domain over [`grid`], with ranges made smooth by [`smooth`]; for all where
+/// there is none.
+///
+/// # Errors
+/// As [`plan()`]; a domain that reaches nothing.
+pub fn plan_for(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    config: &TablesConfig,
+    domain: Option<Domain>,
+) -> Result<BuildPlan> {
     check_heights(fields)?;
     let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
-    let resolving = plan::resolving_size(optics, config.tolerance);
-    let size = config.size.unwrap_or(resolving.min(AUTOMATIC_SIZE_MAX));
-    let grid = Grid { size, half_width: 2.0 };
+    let grid = grid(optics, config);
     let width = match config.prefilter {
         Prefilter::None => 0.0,
         Prefilter::Width(width) => width,
@@ -65,38 +123,80 @@ pub fn plan(fields: &[HeightField], optics: &OpticsConfig, config: &TablesConfig
     };
     let bandwidth = fields.iter().map(bandwidth_nm).fold(0.0, f64::max);
     let rho_max = 2.0 + RIM_TEXELS * grid.texel();
-    let rings = plan::rings(optics, bandwidth, rho_max, config.tolerance, config.wavelength_step_nm)?;
+    let (texels, rings, hull) = match &domain {
+        None => {
+            let rings = plan::rings(optics, bandwidth, rho_max, config.tolerance, config.wavelength_step_nm)?;
+            (Texels::whole(grid), rings, Hull::whole(rho_max))
+        }
+        Some(domain) => {
+            let hull = domain.hull().ok_or_else(|| {
+                Error::limit(
+                    "no scene sees and lights any of this surface",
+                    "change the scene, or set tables.serve = \"all\"",
+                )
+            })?;
+            let step = config.wavelength_step_nm;
+            let rings = plan::rings_of(domain, optics, bandwidth, rho_max, config.tolerance, step)?;
+            (Texels::reached(domain), rings, hull)
+        }
+    };
     let mut windows = Vec::new();
     for (scan, field) in fields.iter().enumerate() {
         windows.extend(placements(field, optics)?.into_iter().map(|placement| (scan, placement)));
     }
+    let lobe_seen = hull.rho[0] < lobe_radius(optics);
+    let crosses = lobe_seen && windows.iter().any(|(_, placement)| *placement != Placement::TileMean);
+    // The cross term keeps its whole reach in depth.
+    let depths = if crosses { [0.0, w_reach(0.0)] } else { hull.w };
     let memory_bytes = (config.memory_mib as u64) << 20;
-    let nodes_bound = plan::nodes_bound(bandwidth, low_nm, 0.1 * config.tolerance);
-    let sums_bytes = (size * size * 3 * 4) as u64 * config.count.unwrap_or(4).next_multiple_of(4) as u64;
+    let fine_tolerance = 0.1 * config.tolerance;
+    let sums_bytes = (texels.window_texels() * 3 * 4) as u64 * config.count.unwrap_or(4).next_multiple_of(4) as u64;
     if sums_bytes > memory_bytes {
         return Err(Error::limit(
             format!(
-                "sums over {size} x {size} texels need {} MiB, {} MiB are allowed",
+                "sums over {} x {} texels need {} MiB, {} MiB are allowed",
+                texels.columns.len(),
+                texels.rows.len(),
                 sums_bytes >> 20,
                 config.memory_mib
             ),
             "lower tables.size or raise tables.memory_mib",
         ));
     }
+    let at_rim = plan::wavelengths_of(optics, bandwidth, rho_max, config.tolerance, config.wavelength_step_nm);
     Ok(BuildPlan {
-        grid,
+        rim: uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, at_rim)?,
         filter: BoxFilter { width, samples: plan::box_samples(optics, width) },
         rings,
         windows,
-        spectra: SpectraConfig {
-            s_max: 2.0 * std::f64::consts::TAU / low_nm,
-            frequency_max: (rho_max + 0.5 * width) / low_nm,
-            tolerance: DEPTH_SHARE * config.tolerance,
-            memory_bytes,
-        },
-        nodes_bound,
+        spectra: spectra_config(&Hull { w: depths, ..hull }, optics, width, config),
+        nodes_bound: nodes_bound_over(bandwidth, low_nm, fine_tolerance, hull.w[1] - hull.w[0]),
         bandwidth_nm: bandwidth,
+        wavelength_min_nm: low_nm,
+        fine_tolerance,
+        lobe_radius: lobe_radius(optics),
+        lobe_seen,
+        crosses,
+        texels,
+        domain,
     })
+}
+
+/// Depths and frequencies that a hull of directions asks for at the light's wavelengths.
+fn spectra_config(hull: &Hull, optics: &OpticsConfig, width: f64, config: &TablesConfig) -> SpectraConfig {
+    let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
+    let tau = std::f64::consts::TAU;
+    // The farther end of an interval is reached by the shortest wavelength.
+    let frequencies = |[low, high]: [f64; 2]| {
+        let (low, high) = (low - 0.5 * width, high + 0.5 * width);
+        [low / if low < 0.0 { low_nm } else { high_nm }, high / if high > 0.0 { low_nm } else { high_nm }]
+    };
+    SpectraConfig {
+        s: [tau / high_nm * hull.w[0], tau / low_nm * hull.w[1]],
+        frequency: [frequencies(hull.u), frequencies(hull.v)],
+        tolerance: DEPTH_SHARE * config.tolerance,
+        memory_bytes: (config.memory_mib as u64) << 20,
+    }
 }
 
 /// Half range of the heights beyond which no surface is meant: phases of 3000 rad at the shortest visible
@@ -128,7 +228,7 @@ fn check_heights(fields: &[HeightField]) -> Result<()> {
     Ok(())
 }
 
-/// Builds the tables of one specimen from its prepared scans.
+/// Builds the tables of one specimen from its prepared scans, for every direction.
 ///
 /// # Errors
 /// Those of [`plan()`], transforms beyond the allowed memory, and for `Basis::Taylor` those of
@@ -139,8 +239,22 @@ pub fn build(
     config: &TablesConfig,
     advance: Advance,
 ) -> Result<(TableSet, BuildRecord)> {
+    build_planned(fields, optics, config, &plan(fields, optics, config)?, advance)
+}
+
+/// Builds what [`plan_for`] planned for the same scans and settings.
+///
+/// # Errors
+/// As [`build`].
+pub fn build_planned(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    config: &TablesConfig,
+    plan: &BuildPlan,
+    advance: Advance,
+) -> Result<(TableSet, BuildRecord)> {
     match config.basis {
-        Basis::Chebyshev => build_chebyshev(fields, optics, config, advance),
+        Basis::Chebyshev => build_chebyshev(fields, optics, config, plan, advance),
         Basis::Taylor => super::taylor::build_taylor(fields, optics, config, advance),
     }
 }
@@ -149,26 +263,23 @@ fn build_chebyshev(
     fields: &[HeightField],
     optics: &OpticsConfig,
     config: &TablesConfig,
+    plan: &BuildPlan,
     advance: Advance,
 ) -> Result<(TableSet, BuildRecord)> {
-    let plan = plan(fields, optics, config)?;
     let mut state: Option<Sums> = None;
     let mut phasors = Vec::with_capacity(plan.windows.len());
     let mut transforms = 0;
-    let radius_max = lobe_radius(optics);
+    let radius_max = plan.lobe_radius;
     let share = 1.0 / plan.windows.len() as f64;
     for &(scan, placement) in &plan.windows {
         let spectra = spectra::transform(&fields[scan], placement, optics, &plan.spectra)?;
         transforms = transforms.max(spectra.nodes);
         if state.is_none() {
-            let nodes = match config.count {
-                Some(count) => count,
-                None => pilot::nodes_for_tolerance(&spectra, &plan, config.tolerance),
-            };
-            state = Some(Sums::new(&plan, optics, nodes, radius_max, spectra.mean_power)?);
+            let nodes = choose_nodes(&spectra, plan, config);
+            state = Some(Sums::new(plan, optics, nodes)?);
         }
         if let Some(sums) = &mut state {
-            sums.add(&spectra, &plan, share, advance);
+            sums.add(&spectra, plan, share, advance);
         }
         phasors.push(PhasorPower::of(&spectra));
     }
@@ -176,98 +287,172 @@ fn build_chebyshev(
         return Err(Error::Call("a specimen needs at least one scan".into()));
     };
     let rms_nm = fields.iter().map(rms_nm).fold(0.0, f64::max);
-    let record = BuildRecord { transforms, windows: plan.windows.len(), ..record(&plan) };
-    let lobe = Lobe {
-        coherent: coherent(&phasors, optics, radius_max, rms_nm, config.tolerance)?,
-        radius_max,
-        cross: sums.cross_tables(),
+    let record = BuildRecord {
+        transforms,
+        windows: plan.windows.len(),
+        node_samples: node_samples(plan, &sums.nodes.rings),
+        ..record(plan)
+    };
+    let lobe = match plan.lobe_seen {
+        false => None,
+        true => Some(Lobe {
+            coherent: coherent(&phasors, optics, radius_max, rms_nm, config.tolerance)?,
+            radius_max,
+            cross: sums.cross_tables(),
+        }),
     };
     let usable = fields.iter().map(|f| plan::usable_radius(optics, f.pitch_nm)).fold(2.0, f64::min);
     let set = TableSet {
         basis: Basis::Chebyshev,
-        tables: to_tables(&sums.main, &plan.grid, &plan.rings, sums.nodes),
-        lobe: Some(lobe),
+        tables: to_tables(&sums.main, &plan.texels, plan.domain.as_ref(), &plan.rings, &sums.nodes),
+        lobe,
         prefilter_width: plan.filter.width,
         optics: optics.clone(),
+        served: plan.domain.as_ref().and_then(Domain::served),
         usable_radius: usable,
     };
     Ok((set, record))
 }
 
+/// How finely `w` is resolved.
+#[derive(Debug, Clone, PartialEq)]
+struct Nodes {
+    /// Number of tables.
+    tables: usize,
+    /// Number of patches of the cross term, where there is one.
+    cross: usize,
+    /// Nodes of each ring.
+    rings: Vec<usize>,
+}
+
+fn choose_nodes(spectra: &Spectra, plan: &BuildPlan, config: &TablesConfig) -> Nodes {
+    let own_ranges = plan.domain.is_some();
+    if let (Some(tables), false) = (config.count, own_ranges) {
+        return Nodes { tables, cross: tables, rings: vec![tables; plan.rings.len()] };
+    }
+    let pilot = Pilot::new(spectra, plan, config.tolerance);
+    let tables = config.count.unwrap_or_else(|| pilot.tables(plan.nodes_bound, own_ranges));
+    let of_ring = |ring: &Ring| {
+        let length = ring.w[1] - ring.w[0];
+        let most = nodes_bound_over(plan.bandwidth_nm, plan.wavelength_min_nm, plan.fine_tolerance, length);
+        // Fewer would leave the tables' highest polynomials without information.
+        pilot.ring_nodes(ring.w, most).max(tables)
+    };
+    let rings = if own_ranges { plan.rings.iter().map(of_ring).collect() } else { vec![tables; plan.rings.len()] };
+    let cross = match plan.crosses && own_ranges {
+        true => {
+            let most = nodes_bound_over(plan.bandwidth_nm, plan.wavelength_min_nm, plan.fine_tolerance, w_reach(0.0));
+            Pilot::cross_patches(spectra, plan, config.tolerance, most)
+        }
+        false => tables,
+    };
+    Nodes { tables, cross, rings }
+}
+
 /// The sums under way: the tables and, where windows are not averaged away, the cross term.
 struct Sums {
-    nodes: usize,
+    nodes: Nodes,
     main: PowerSums,
-    cross: Option<(PowerSums, Grid, [Ring; 1])>,
+    cross: Option<Cross>,
+}
+
+/// The cross term's sums: a square patch, and the ring without a hole that reaches past its corners.
+struct Cross {
+    sums: PowerSums,
+    texels: Texels,
+    ring: [Ring; 1],
 }
 
 impl Sums {
-    fn new(plan: &BuildPlan, optics: &OpticsConfig, nodes: usize, radius_max: f64, mean_power: bool) -> Result<Self> {
-        let cross = if mean_power {
+    fn new(plan: &BuildPlan, optics: &OpticsConfig, nodes: Nodes) -> Result<Self> {
+        let radius_max = plan.lobe_radius;
+        let cross = if !plan.crosses {
             None
         } else {
-            let grid = patch_grid(optics, radius_max);
+            let texels = Texels::whole(patch_grid(optics, radius_max));
             let corner = radius_max * std::f64::consts::SQRT_2;
             let count = plan::wavelengths_needed(optics, plan.bandwidth_nm, corner, 1e-6);
-            let quadrature =
-                crate::ground::spectrum::uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
-            // The square patch is one ring without a hole that reaches past its corners.
-            Some((PowerSums::new(&grid, nodes), grid, [Ring { rho: [0.0, corner * 1.01], quadrature }]))
+            let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
+            let ring = [Ring { rho: [0.0, corner * 1.01], w: [0.0, w_reach(0.0)], quadrature }];
+            Some(Cross { sums: PowerSums::new(&texels, nodes.cross), texels, ring })
         };
-        Ok(Self { nodes, main: PowerSums::new(&plan.grid, nodes), cross })
+        let most = nodes.rings.iter().copied().max().unwrap_or(1);
+        Ok(Self { main: PowerSums::new(&plan.texels, most), nodes, cross })
     }
 
     fn add(&mut self, spectra: &Spectra, plan: &BuildPlan, share: f64, advance: Advance) {
-        for ring in &plan.rings {
-            let nodes = chebyshev::gauss_nodes(self.nodes, 0.0, ring.w_max());
-            let what = RingSum { grid: &plan.grid, ring, filter: plan.filter, quantity: Quantity::Power, share };
-            add_ring(spectra, what, &nodes, &mut self.main);
+        for (ring, &count) in plan.rings.iter().zip(&self.nodes.rings) {
+            let nodes = chebyshev::gauss_nodes(count, ring.w[0], ring.w[1]);
+            let (texels, filter) = (&plan.texels, plan.filter);
+            add_ring(
+                spectra,
+                RingSum { texels, ring, filter, quantity: Quantity::Power, share },
+                &nodes,
+                &mut self.main,
+            );
             advance(ring.quadrature.wavelengths_nm.len() as u64);
         }
-        if let Some((sums, grid, [ring])) = &mut self.cross {
-            let nodes = chebyshev::gauss_nodes(self.nodes, 0.0, ring.w_max());
+        if let Some(Cross { sums, texels, ring: [ring] }) = &mut self.cross {
+            let nodes = chebyshev::gauss_nodes(self.nodes.cross, ring.w[0], ring.w[1]);
             let filter = BoxFilter { width: 0.0, samples: 1 };
-            add_ring(spectra, RingSum { grid, ring, filter, quantity: Quantity::Cross, share }, &nodes, sums);
+            add_ring(spectra, RingSum { texels, ring, filter, quantity: Quantity::Cross, share }, &nodes, sums);
         }
     }
 
     fn cross_tables(&self) -> Vec<Array3<f32>> {
         match &self.cross {
-            Some((sums, grid, rings)) => to_tables(sums, grid, rings, self.nodes),
+            Some(Cross { sums, texels, ring }) => {
+                let cross = self.nodes.cross;
+                let nodes = Nodes { tables: cross, cross, rings: vec![cross] };
+                to_tables(sums, texels, None, ring, &nodes)
+            }
             None => Vec::new(),
         }
     }
 }
 
-/// Values at a ring's nodes of `w` to coefficients of `T_n(2t - 1)` at each texel.
-fn to_tables(sums: &PowerSums, grid: &Grid, rings: &[Ring], count: usize) -> Vec<Array3<f32>> {
-    let size = grid.size;
+/// Values at a ring's nodes of `w` to coefficients of `T_n(2t - 1)` over each texel's range.
+fn to_tables(
+    sums: &PowerSums,
+    texels: &Texels,
+    domain: Option<&Domain>,
+    rings: &[Ring],
+    nodes: &Nodes,
+) -> Vec<Array3<f32>> {
+    let (count, width) = (nodes.tables, texels.columns.len());
     let matrix = chebyshev::coefficient_matrix(count);
     let t_nodes = chebyshev::gauss_nodes(count, 0.0, 1.0);
-    let interpolants: Vec<Interpolant> = rings.iter().map(|r| Interpolant::new(count, 0.0, r.w_max())).collect();
-    let mut interleaved = vec![0.0f32; size * size * 3 * count];
-    let row_length = size * 3;
-    interleaved.par_chunks_mut(row_length * count).enumerate().for_each(|(row, out)| {
-        for column in 0..size {
-            let rho = grid.u(column).hypot(grid.v(row));
+    let interpolants: Vec<Interpolant> =
+        rings.iter().zip(&nodes.rings).map(|(ring, &n)| Interpolant::new(n, ring.w[0], ring.w[1])).collect();
+    let mut interleaved = vec![0.0f32; texels.window_texels() * 3 * count];
+    let row_length = width * 3;
+    interleaved.par_chunks_mut(row_length * count).enumerate().for_each(|(line, out)| {
+        let row = texels.rows.start + line;
+        for (index, column) in texels.columns.clone().enumerate() {
+            let rho = texels.grid.u(column).hypot(texels.grid.v(row));
+            let [low, high] = match domain {
+                None => [0.0, w_reach(rho)],
+                Some(domain) if domain.reaches(row, column) => domain.w_at(row, column, domain.range(row, column)),
+                Some(_) => continue,
+            };
             let Some(ring) = rings.iter().position(|r| rho >= r.rho[0] && rho < r.rho[1]) else { continue };
-            let reach = w_reach(rho);
-            let to_t: Vec<Vec<f64>> = t_nodes.iter().map(|t| interpolants[ring].weights(t * reach)).collect();
+            let to_t: Vec<Vec<f64>> =
+                t_nodes.iter().map(|t| interpolants[ring].weights(low + t * (high - low))).collect();
             for channel in 0..3 {
-                let start = ((row * size + column) * 3 + channel) * sums.nodes;
-                let values = &sums.data[start..start + count];
+                let start = ((line * width + index) * 3 + channel) * sums.nodes;
+                let values = &sums.data[start..start + nodes.rings[ring]];
                 let at_t: Vec<f64> =
                     to_t.iter().map(|w| w.iter().zip(values).map(|(w, &v)| w * f64::from(v)).sum()).collect();
                 for (n, matrix) in matrix.iter().enumerate() {
                     let value: f64 = matrix.iter().zip(&at_t).map(|(m, v)| m * v).sum();
-                    out[n * row_length + column * 3 + channel] = value as f32;
+                    out[n * row_length + index * 3 + channel] = value as f32;
                 }
             }
         }
     });
     (0..count)
         .map(|n| {
-            Array3::from_shape_fn((size, size, 3), |(row, column, channel)| {
+            Array3::from_shape_fn((texels.rows.len(), width, 3), |(row, column, channel)| {
                 interleaved[(row * count + n) * row_length + column * 3 + channel]
             })
         })
@@ -281,14 +466,28 @@ pub fn rms_nm(field: &HeightField) -> f64 {
     (variance / field.heights_nm.len().max(1) as f64).sqrt()
 }
 
+/// Texels times wavelengths of each ring.
+pub fn ring_samples(plan: &BuildPlan) -> Vec<f64> {
+    let rings = plan.rings.iter();
+    let texels = |ring: &Ring| -> usize {
+        let rows = plan.texels.rows.clone();
+        rows.map(|row| plan.texels.runs_in(row, ring.rho).iter().map(ExactSizeIterator::len).sum::<usize>()).sum()
+    };
+    rings.map(|ring| texels(ring) as f64 * ring.quadrature.wavelengths_nm.len() as f64).collect()
+}
+
+/// Texels times wavelengths times nodes: what was summed.
+fn node_samples(plan: &BuildPlan, nodes: &[usize]) -> u64 {
+    ring_samples(plan).iter().zip(nodes).map(|(samples, &nodes)| samples * nodes as f64).sum::<f64>() as u64
+}
+
 /// Counts of a plan for reports.
 pub(super) fn record(plan: &BuildPlan) -> BuildRecord {
-    let mut record = BuildRecord { wavelength_step_nm: [f64::MAX, 0.0], ..BuildRecord::default() };
+    let samples = ring_samples(plan).iter().sum::<f64>() as u64;
+    let mut record = BuildRecord { wavelength_step_nm: [f64::MAX, 0.0], samples, ..BuildRecord::default() };
     for ring in &plan.rings {
         let nm = &ring.quadrature.wavelengths_nm;
         record.wavelengths_max = record.wavelengths_max.max(nm.len());
-        let area = std::f64::consts::PI * (ring.rho[1].powi(2) - ring.rho[0].powi(2)) / plan.grid.texel().powi(2);
-        record.samples += (area * nm.len() as f64) as u64;
         for pair in nm.windows(2) {
             let step = (pair[0] - pair[1]).abs();
             record.wavelength_step_nm[0] = record.wavelength_step_nm[0].min(step);

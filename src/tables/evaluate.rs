@@ -2,7 +2,7 @@
 
 use ndarray::{Array3, ArrayView3};
 
-use super::model::{Basis, Lobe, TableSet};
+use super::model::{Basis, Lobe, Served, TableSet};
 use super::plan::w_reach;
 use crate::ground::chebyshev;
 use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
@@ -17,7 +17,8 @@ pub enum Interpolation {
     Cubic,
 }
 
-/// XYZ of the BRDF in 1/sr; zero for directions not above the surface.
+/// XYZ of the BRDF in 1/sr; zero for directions not above the surface, not a number for those that the tables do not
+/// serve (see [`serves`]).
 pub fn brdf_xyz(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> Xyz {
     let front = prefactor(&set.optics, wi, wo);
     if front == 0.0 {
@@ -35,17 +36,60 @@ pub fn window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xy
     sum
 }
 
-/// The tables' part of [`window_power`], without the lobe.
+/// The tables' part of [`window_power`], without the lobe; not a number where they do not serve.
 pub fn diffuse_window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xyz {
     let w = q[2].abs();
+    let size = set.size() as f64 - 1.0;
+    let mut at = [(2.0 - q[1]) / 4.0 * size, (q[0] + 2.0) / 4.0 * size];
+    let mut t = t_of(q);
+    if let Some(served) = &set.served {
+        at = [at[0] - served.first[0] as f64, at[1] - served.first[1] as f64];
+        match share_of_range(served, interpolation, at, t) {
+            Some(share) => t = share,
+            None => return [f64::NAN; 3],
+        }
+    }
     let basis = match set.basis {
-        Basis::Chebyshev => chebyshev::shifted_values(set.tables.len(), t_of(q)),
+        Basis::Chebyshev => chebyshev::shifted_values(set.tables.len(), t),
         // I_p w^p / w².
         Basis::Taylor => (0..set.tables.len()).map(|p| w.powi(p as i32 - 2)).collect(),
     };
-    let size = set.size() as f64 - 1.0;
-    let at = [(2.0 - q[1]) / 4.0 * size, (q[0] + 2.0) / 4.0 * size];
     expansion(&set.tables, &basis, interpolation, at)
+}
+
+/// Whether the tables can answer for a pair of directions: always where they serve every direction, or where one of
+/// the two is not above the surface and there is nothing to look up.
+pub fn serves(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> bool {
+    prefactor(&set.optics, wi, wo) == 0.0
+        || diffuse_window_power(set, interpolation, wave_vector_change(wi, wo)).iter().all(|value| !value.is_nan())
+}
+
+/// How far `t` may lie outside the range between the texels, as a share of the range: rounding to 32 bits, and filters of
+/// graphics hardware.
+const RANGE_SLACK: f64 = 0.02;
+
+/// Where `t` lies in the range at a position in the served window, 0 to 1; `None` outside of what is served.
+fn share_of_range(served: &Served, interpolation: Interpolation, at: [f64; 2], t: f64) -> Option<f64> {
+    let (rows, columns, _) = served.range.dim();
+    let inside = |x: f64, count: usize| x >= 0.0 && x <= (count - 1) as f64;
+    if !inside(at[0], rows) || !inside(at[1], columns) {
+        return None;
+    }
+    let (row, wy) = stencil(interpolation, at[0], rows);
+    let (column, wx) = stencil(interpolation, at[1], columns);
+    let [mut low, mut high] = [0.0; 2];
+    for (dy, wy) in wy.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+        for (dx, wx) in wx.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+            let texel = |channel| f64::from(served.range[[row + dy, column + dx, channel]]);
+            if texel(2) == 0.0 {
+                return None;
+            }
+            low += wy * wx * texel(0);
+            high += wy * wx * texel(1);
+        }
+    }
+    let share = (t - low) / (high - low);
+    (-RANGE_SLACK..=1.0 + RANGE_SLACK).contains(&share).then_some(share.clamp(0.0, 1.0))
 }
 
 /// The lobe's part of [`window_power`]: zero where the tables contain it.
@@ -54,7 +98,7 @@ pub fn lobe_window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) 
 }
 
 /// `t = |w| / sqrt(4 - u² - v²)`, in [0, 1] for directions above the surface.
-fn t_of(q: Vec3) -> f64 {
+pub fn t_of(q: Vec3) -> f64 {
     let reach = w_reach(q[0].hypot(q[1]));
     if reach == 0.0 { 0.0 } else { (q[2].abs() / reach).min(1.0) }
 }

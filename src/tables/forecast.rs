@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
-use super::build::{BuildPlan, plan};
+use super::build::{BuildPlan, plan, ring_samples};
 use super::model::{Storage, TablesConfig};
+use super::plan::w_reach;
 use crate::ground::chebyshev;
 use crate::ground::error::Result;
 use crate::height::HeightField;
@@ -24,8 +25,12 @@ pub struct Forecast {
     pub size: usize,
     /// Smallest wavelength step in nm.
     pub step_min_nm: f64,
+    /// Texels computed.
+    pub texels: u64,
     /// Texels times wavelengths.
     pub samples: f64,
+    /// Texels times wavelengths times nodes in `w`.
+    pub node_samples: f64,
     /// Predicted seconds.
     pub seconds: f64,
     /// Predicted peak memory in bytes.
@@ -55,53 +60,83 @@ pub fn forecast(
     config: &TablesConfig,
     threads: usize,
 ) -> Result<Forecast> {
-    let plan = plan(fields, optics, config)?;
-    let transforms = chebyshev::nodes_for_exponential(plan.bandwidth_nm, plan.spectra.s_max, plan.spectra.tolerance);
-    let tables = config.count.unwrap_or_else(|| expected_tables(fields, &plan, config.tolerance));
-    let lanes = tables.next_multiple_of(4) as f64 / 4.0;
+    Ok(forecast_of(fields, optics, config, &plan(fields, optics, config)?, threads))
+}
+
+/// Predicts what [`super::build::build_planned`] will take.
+pub fn forecast_of(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    config: &TablesConfig,
+    plan: &BuildPlan,
+    threads: usize,
+) -> Forecast {
+    let depth = plan.spectra.s[1] - plan.spectra.s[0];
+    let transforms = chebyshev::nodes_for_exponential(plan.bandwidth_nm, depth, plan.spectra.tolerance);
+    let rms = fields.iter().map(super::build::rms_nm).fold(0.0, f64::max);
+    let tables = config.count.unwrap_or_else(|| expected_tables(rms, plan, config.tolerance));
+    let lanes_of = |nodes: usize| nodes.next_multiple_of(4) as f64 / 4.0;
+    let nodes: Vec<usize> = match &plan.domain {
+        None => vec![tables; plan.rings.len()],
+        Some(_) => {
+            plan.rings.iter().map(|ring| expected_nodes(rms, plan, ring.w, config.tolerance).max(tables)).collect()
+        }
+    };
+    let samples = ring_samples(plan);
     let (mut work_ns, mut lines_most) = (0.0, 0.0f64);
-    let samples = samples(&plan);
     for &(scan, placement) in &plan.windows {
-        let lines = lines(&fields[scan], placement, optics, &plan);
+        let lines = lines(&fields[scan], placement, optics, plan);
+        // Along x every line is transformed, along y only the wanted ones.
         let padded = lines.padded[0] * lines.padded[1];
-        work_ns += transforms as f64 * padded * NS_PER_FFT_POINT;
+        work_ns += transforms as f64 * 0.5 * (padded + lines.lines[0] * lines.padded[1]) * NS_PER_FFT_POINT;
         let complex = if placement == Placement::TileMean { 1.0 } else { 2.0 };
-        for ring in &plan.rings {
-            let area = std::f64::consts::PI * (ring.rho[1].powi(2) - ring.rho[0].powi(2));
-            let texels = area / plan.grid.texel().powi(2);
+        let texel = plan.texels.grid.texel();
+        for ((ring, samples), &nodes) in plan.rings.iter().zip(&samples).zip(&nodes) {
+            let texels = samples / ring.quadrature.wavelengths_nm.len() as f64;
+            let area = texels * texel.powi(2);
             for nm in &ring.quadrature.wavelengths_nm {
                 let cells = area / (nm * nm * lines.step[0] * lines.step[1]);
-                let rows = texels * plan.grid.texel() / (nm * lines.step[1]).min(plan.grid.texel() * 8.0);
+                let rows = texels * texel / (nm * lines.step[1]).min(texel * 8.0);
                 let box_samples = if complex == 1.0 { 1.0 } else { plan.filter.samples as f64 };
                 work_ns += NS_PER_LANE_TAP
-                    * lanes
+                    * lanes_of(nodes)
                     * (2.0 * cells * transforms as f64
                         + complex * lines.taps * (rows * box_samples + texels * box_samples.powi(2)));
             }
         }
         if config.count.is_none() && lines_most == 0.0 {
-            work_ns += pilot_ns(&plan, transforms, lines.taps, placement);
+            work_ns += pilot_ns(plan, transforms, lines.taps, placement);
         }
         lines_most = lines_most.max(lines.lines[0] * lines.lines[1]);
     }
-    let texels = (plan.grid.size * plan.grid.size) as f64;
+    let texels = plan.texels.window_texels() as f64;
+    let counted = match &plan.domain {
+        None => std::f64::consts::FRAC_PI_4 * texels,
+        Some(domain) => domain.texels() as f64,
+    };
     // Values at the nodes become coefficients; the lobe is a table of its own.
-    work_ns += std::f64::consts::FRAC_PI_4 * texels * tables as f64 * NS_PER_TEXEL_AND_TABLE;
-    work_ns += LOBE_SAMPLES * (transforms * plan.windows.len()) as f64 * NS_PER_LOBE_NODE;
-    let memory = lines_most * transforms as f64 * 8.0 + texels * 3.0 * 4.0 * (lanes * 4.0 + 2.0 * tables as f64);
+    work_ns += counted * tables as f64 * NS_PER_TEXEL_AND_TABLE;
+    if plan.lobe_seen {
+        work_ns += LOBE_SAMPLES * (transforms * plan.windows.len()) as f64 * NS_PER_LOBE_NODE;
+    }
+    let most = nodes.iter().copied().max().unwrap_or(tables).next_multiple_of(4) as f64;
+    let memory = lines_most * transforms as f64 * 8.0 + texels * 3.0 * 4.0 * (most + 2.0 * tables as f64);
     let value_bytes = if config.storage == Storage::Half { 2.0 } else { 4.0 };
     let steps = plan.rings.iter().flat_map(|r| r.quadrature.wavelengths_nm.windows(2).map(|p| (p[0] - p[1]).abs()));
-    Ok(Forecast {
+    let range_bytes = if plan.domain.is_some() { texels * 3.0 * 4.0 } else { 0.0 };
+    Forecast {
         windows: plan.windows.len(),
         transforms,
         tables,
-        size: plan.grid.size,
+        size: plan.texels.grid.size,
+        texels: counted as u64,
         step_min_nm: steps.fold(f64::MAX, f64::min),
-        samples,
+        samples: samples.iter().sum(),
+        node_samples: samples.iter().zip(&nodes).map(|(samples, &nodes)| samples * nodes as f64).sum(),
         seconds: work_ns * 1e-9 / threads as f64,
         memory_bytes: memory as u64,
-        stored_bytes: (texels * 3.0 * value_bytes * tables as f64) as u64,
-    })
+        stored_bytes: (counted * 3.0 * value_bytes * tables as f64 + range_bytes) as u64,
+    }
 }
 
 /// The pilot: every tested texel at all its wavelengths and fine nodes, once per tap where powers are summed.
@@ -113,16 +148,23 @@ fn pilot_ns(plan: &BuildPlan, transforms: usize, taps: f64, placement: Placement
     super::pilot::TEXELS as f64 * each * products * transforms as f64 * NS_PER_COMPLEX_PRODUCT
 }
 
-/// Tables that the pilot will likely choose: as for a surface of bandwidth 1.5 rms in each phasor.
-fn expected_tables(fields: &[HeightField], plan: &BuildPlan, tolerance: f64) -> usize {
-    let rms = fields.iter().map(super::build::rms_nm).fold(0.0, f64::max);
-    chebyshev::nodes_for_exponential(1.5 * rms, plan.spectra.s_max, tolerance).min(plan.nodes_bound).max(2)
+/// Tables that the pilot will likely choose.
+fn expected_tables(rms_nm: f64, plan: &BuildPlan, tolerance: f64) -> usize {
+    let Some(domain) = &plan.domain else {
+        return expected_nodes(rms_nm, plan, [0.0, w_reach(0.0)], tolerance).max(2);
+    };
+    // As many as the widest ranges but one in twenty need.
+    let mut lengths: Vec<f64> =
+        domain.iter().map(|(row, column, t)| domain.w_at(row, column, t)).map(|[low, high]| high - low).collect();
+    lengths.sort_by(f64::total_cmp);
+    let length = lengths.get(lengths.len() * 19 / 20).copied().unwrap_or(0.0);
+    expected_nodes(rms_nm, plan, [0.0, length], tolerance)
 }
 
-fn samples(plan: &BuildPlan) -> f64 {
-    let area = |ring: &super::plan::Ring| std::f64::consts::PI * (ring.rho[1].powi(2) - ring.rho[0].powi(2));
-    let texel = plan.grid.texel().powi(2);
-    plan.rings.iter().map(|r| area(r) / texel * r.quadrature.wavelengths_nm.len() as f64).sum()
+/// Nodes that a range of `w` will likely need: as for a surface of bandwidth 1.5 rms in each phasor.
+fn expected_nodes(rms_nm: f64, plan: &BuildPlan, w: [f64; 2], tolerance: f64) -> usize {
+    let depth = (w[1] - w[0]) * std::f64::consts::TAU / plan.wavelength_min_nm;
+    chebyshev::nodes_for_exponential(1.5 * rms_nm, depth, tolerance).min(plan.nodes_bound)
 }
 
 /// Sizes of one window's transforms.
@@ -143,7 +185,8 @@ fn lines(field: &HeightField, placement: Placement, optics: &OpticsConfig, plan:
             _ => samples,
         };
         lines.step[axis] = 1.0 / (lines.padded[axis] * pitch);
-        let reach = (2.0 * plan.spectra.frequency_max / lines.step[axis]).min(lines.padded[axis]);
+        let [low, high] = plan.spectra.frequency[axis];
+        let reach = ((high - low) / lines.step[axis]).min(lines.padded[axis]);
         lines.lines[axis] = reach + 1.0;
         // A Gaussian of 5.5 standard deviations on each side, or the fixed kernel.
         let gaussian = 11.0 / (std::f64::consts::TAU * optics.sigma_nm * lines.step[axis]);

@@ -22,6 +22,7 @@ const WAVELENGTHS: usize = 200;
 /// `|c|²` of every window as a function of `s`, without the window's shape.
 #[derive(Debug, Clone)]
 pub struct PhasorPower {
+    s: [f64; 2],
     depth: Interpolant,
     mean_phasor: Vec<Complex<f64>>,
     lobe_peak_nm2: f64,
@@ -31,15 +32,17 @@ impl PhasorPower {
     /// Keeps what the lobe needs of a window's transforms.
     pub fn of(spectra: &Spectra) -> Self {
         Self {
+            s: spectra.s,
             depth: spectra.depth.clone(),
             mean_phasor: spectra.mean_phasor.clone(),
             lobe_peak_nm2: spectra.lobe_peak_nm2,
         }
     }
 
-    /// `|c(s)|² (∬g)² / A` in nm².
+    /// `|c(s)|² (∬g)² / A` in nm². Where transforms stop short of the whole hemisphere, no direction that is served asks
+    /// for more: what lies beyond takes the value at their end.
     fn at(&self, s: f64) -> f64 {
-        let weights = self.depth.weights(s);
+        let weights = self.depth.weights(s.clamp(self.s[0], self.s[1]));
         let c: Complex<f64> = weights.iter().zip(&self.mean_phasor).map(|(w, c)| c * w).sum();
         c.norm_sqr() * self.lobe_peak_nm2
     }

@@ -3,6 +3,7 @@
 pub mod accumulate;
 pub mod baselines;
 pub mod build;
+pub mod domain;
 pub mod evaluate;
 pub mod forecast;
 pub mod lobe;

@@ -73,6 +73,23 @@ pub struct Lobe {
     pub cross: Vec<Array3<f32>>,
 }
 
+/// The part of (u, v, w) that tables made for certain scenes can answer for.
+///
+/// Tables then hold a window of the whole grid, and at each texel the Chebyshev polynomials run over that texel's own
+/// range of `t` instead of [0, 1]: they are `T_n(2s - 1)` with `s = (t - low) / (high - low)`, where `low` and `high`
+/// are interpolated between texels like the tables themselves. A look-up that reads a texel which is not served, or
+/// lies outside the range, has no answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Served {
+    /// Texels along u and v of the whole grid over [-2, 2].
+    pub size: usize,
+    /// Row and column of the whole grid at which the window begins.
+    pub first: [usize; 2],
+    /// Lowest `t`, highest `t`, and 1 where the texel is served or 0 where not; shape `[rows, columns, 3]`, that of
+    /// the tables.
+    pub range: Array3<f32>,
+}
+
 /// The tables of one specimen.
 ///
 /// Texel `(row, column)` of a table lies at `u = -2 + 4 column / (size - 1)`,
@@ -85,7 +102,7 @@ pub struct Lobe {
 pub struct TableSet {
     /// Which expansion the tables hold.
     pub basis: Basis,
-    /// One array per basis function, shape `[size, size, 3]`, 0 beyond the disc of radius 2 but for a rim of
+    /// One array per basis function, shape `[size, size, 3]` or that of the served window, 0 beyond the disc of radius 2 but for a rim of
     /// three texels, which keeps interpolation at the rim free of zeros.
     pub tables: Vec<Array3<f32>>,
     /// The coherent lobe; `None` for `Basis::Taylor`, whose tables contain it.
@@ -94,14 +111,19 @@ pub struct TableSet {
     pub prefilter_width: f64,
     /// The optics the tables were computed for.
     pub optics: OpticsConfig,
+    /// What they can answer for; `None` for every pair of directions above the surface.
+    pub served: Option<Served>,
     /// Radius of the (u, v) disc that the scans' sampling can answer for; beyond it is zero or doubtful.
     pub usable_radius: f64,
 }
 
 impl TableSet {
-    /// Texels along u and v.
+    /// Texels along u and v of the whole grid.
     pub fn size(&self) -> usize {
-        self.tables.first().map_or(0, |table| table.dim().0)
+        match &self.served {
+            Some(served) => served.size,
+            None => self.tables.first().map_or(0, |table| table.dim().0),
+        }
     }
 }
 
@@ -116,6 +138,9 @@ pub struct BuildRecord {
     pub wavelengths_max: usize,
     /// Wavelengths times texels, summed over the disc.
     pub samples: u64,
+    /// The same times the nodes in `w`: what was summed. 0 where the series in powers of `w` has no nodes.
+    #[serde(default)]
+    pub node_samples: u64,
     /// Smallest and largest wavelength step in nm.
     pub wavelength_step_nm: [f64; 2],
 }

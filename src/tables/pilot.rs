@@ -1,36 +1,156 @@
-//! A pilot: how many tables a surface needs, found on a few texels before all are computed.
+//! A pilot: how many nodes in `w` a surface needs, found on a few texels before all are computed.
 
 use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 
 use super::build::BuildPlan;
-use super::plan::w_reach;
-use crate::ground::chebyshev;
+use super::plan::{nodes_bound_over, w_reach};
+use crate::ground::chebyshev::{self, Interpolant};
 use crate::ground::sampling;
+use crate::ground::spectrum::SpectralQuadrature;
 use crate::optics::spectra::Spectra;
 
-/// Texels spread over the disc, and half as many where there is light; the 95th percentiles then rest on
-/// the forty and the twenty largest errors.
+/// Texels spread over the disc, half as many where there is light, and a quarter as many around the mirror direction;
+/// the 95th percentiles then rest on the forty, twenty and ten largest errors.
 pub const TEXELS: usize = 160;
 
-/// Values of `t` at which the interpolation in `w` is judged: between and beyond the nodes.
-const T_TESTED: [f64; 5] = [0.02, 0.21, 0.47, 0.76, 1.0];
+/// Places in a range of `w` at which the interpolation is judged: between and beyond the nodes.
+const PLACES_TESTED: [f64; 5] = [0.02, 0.21, 0.47, 0.76, 1.0];
 
-/// Share of the tolerance that the basis may take.
+/// Share of the tolerance that the basis may take, and that the nodes of a ring may where texels have ranges of their
+/// own within the ring's.
 const BASIS_SHARE: f64 = 0.5;
+const RING_SHARE: f64 = 0.1;
 
-/// The smallest number of nodes in `w` whose interpolation errs by at most half the tolerance of Y in
-/// 95 % of the tested directions: of those spread over the whole disc, and again of those that get light. A
-/// grating sends its light along one line, which the former miss.
-pub fn nodes_for_tolerance(spectra: &Spectra, plan: &BuildPlan, tolerance: f64) -> usize {
-    let fine = plan.nodes_bound.max(4);
-    // Deep surfaces have many nodes and lines: fewer texels keep the pilot short beside the build.
-    let texels = (TEXELS * 24 / fine.max(24)).max(24);
-    let groups = [spread_texels(texels), lit_texels(spectra, plan, texels / 2)]
-        .map(|texels| luminance_polynomials(spectra, plan, fine, &texels));
-    let error = |count: usize| groups.iter().map(|group| basis_error(group, fine, count, 0.95)).fold(0.0, f64::max);
-    (2..fine).find(|&count| error(count) <= BASIS_SHARE * tolerance).unwrap_or(fine)
+/// Share of directions whose luminance must keep its share of the tolerance.
+const QUANTILE: f64 = 0.95;
+
+/// The luminance of the tried texels as functions of `w`.
+pub struct Pilot {
+    /// Texels spread evenly; those that get light, since a grating sends its light along one line, which the former miss;
+    /// and those around the mirror direction, where pictures are brightest.
+    groups: [Vec<Polynomial>; 3],
+    tolerance: f64,
+}
+
+/// Luminance of a texel at fine nodes over the `|w|` of its ring, and the range it is itself asked for.
+struct Polynomial {
+    values: Vec<f64>,
+    ring: [f64; 2],
+    own: [f64; 2],
+}
+
+impl Pilot {
+    /// Sums the luminance of a few texels in double precision.
+    pub fn new(spectra: &Spectra, plan: &BuildPlan, tolerance: f64) -> Self {
+        let fine = plan.nodes_bound.max(4);
+        // Deep surfaces have many nodes and lines: fewer texels keep the pilot short beside the build.
+        let texels = (TEXELS * 24 / fine.max(24)).max(24);
+        let groups = match &plan.domain {
+            None => [spread_texels(texels), lit_texels(spectra, plan, texels / 2), middle_texels(plan, texels / 4)]
+                .map(|texels| {
+                    let reach = |uv: [f64; 2]| [0.0, w_reach(uv[0].hypot(uv[1]))];
+                    texels.into_iter().filter(|uv| uv[0].hypot(uv[1]) < 2.0).map(|uv| (uv, reach(uv))).collect()
+                }),
+            Some(domain) => {
+                let grid = &domain.grid;
+                let at = |(row, column, t)| ([grid.u(column), grid.v(row)], domain.w_at(row, column, t));
+                let served: Vec<([f64; 2], [f64; 2])> = domain.iter().map(at).collect();
+                let drawn = |index: usize| served[(sampling::plane(index)[0] * served.len() as f64) as usize];
+                let lit = lit_texels(spectra, plan, texels * 4).into_iter();
+                let lit = lit.filter_map(|uv| domain.w_near(uv).map(|w| (uv, w))).take(texels / 2);
+                let middle = middle_texels(plan, texels / 4).into_iter();
+                let middle = middle.filter_map(|uv| domain.w_near(uv).map(|w| (uv, w)));
+                [(0..texels.min(served.len())).map(drawn).collect(), lit.collect(), middle.collect()]
+            }
+        };
+        Self { groups: groups.map(|texels: Vec<_>| polynomials(spectra, plan, &texels)), tolerance }
+    }
+
+    /// The smallest number of tables that errs by at most half the tolerance of Y in 95 % of the tested directions.
+    ///
+    /// Where every direction is served, tables come from as many nodes over the ring's whole reach; else each texel's
+    /// own range counts.
+    pub fn tables(&self, most: usize, own_ranges: bool) -> usize {
+        let over = |p: &Polynomial| if own_ranges { p.own } else { p.ring };
+        let first = if own_ranges { 1 } else { 2 };
+        self.fewest(first, most, BASIS_SHARE, &over, &|_| true)
+    }
+
+    /// The smallest number of patches of the cross term, which keep the whole reach whatever is served: as many as tables
+    /// of the lobe's texels would need for every direction.
+    pub fn cross_patches(spectra: &Spectra, plan: &BuildPlan, tolerance: f64, most: usize) -> usize {
+        let texels = middle_texels(plan, TEXELS / 4);
+        let whole = [0.0, w_reach(0.0)];
+        let of_texel = |&uv: &[f64; 2]| {
+            let ring = plan.rings.iter().min_by(|a, b| a.rho[0].total_cmp(&b.rho[0]))?;
+            let own = [0.0, w_reach(uv[0].hypot(uv[1]))];
+            Some(polynomial(spectra, &ring.quadrature, uv, nodes_over(plan, whole), whole, own))
+        };
+        let groups = [texels.iter().filter_map(of_texel).collect(), Vec::new(), Vec::new()];
+        Self { groups, tolerance }.fewest(2, most, BASIS_SHARE, &|p| p.ring, &|_| true)
+    }
+
+    /// The smallest number of nodes over a ring's `|w|` that leaves the texels' own ranges accurate.
+    pub fn ring_nodes(&self, ring: [f64; 2], most: usize) -> usize {
+        let inside = |p: &Polynomial| p.ring == ring;
+        // A ring without a tried texel is as its neighbours are.
+        let any = self.groups.iter().flatten().any(inside);
+        let length = ring[1] - ring[0];
+        let over = |p: &Polynomial| {
+            let start = (p.ring[1] - length).max(p.ring[0]);
+            if any { ring } else { [start, p.ring[1]] }
+        };
+        self.fewest(1, most, RING_SHARE, &over, &|p| !any || inside(p))
+    }
+
+    fn fewest(
+        &self,
+        first: usize,
+        most: usize,
+        share: f64,
+        over: &dyn Fn(&Polynomial) -> [f64; 2],
+        counts: &dyn Fn(&Polynomial) -> bool,
+    ) -> usize {
+        let error = |nodes: usize| {
+            let errors = self.groups.iter().map(|group| {
+                let counted = group.iter().filter(|p| counts(p));
+                quantile(counted.flat_map(|p| p.errors(nodes, over(p))).collect())
+            });
+            errors.fold(0.0, f64::max)
+        };
+        (first..most).find(|&nodes| error(nodes) <= share * self.tolerance).unwrap_or(most)
+    }
+}
+
+impl Polynomial {
+    /// Relative errors over the texel's own range of interpolation from `count` nodes over a range.
+    fn errors(&self, count: usize, over: [f64; 2]) -> Vec<f64> {
+        let fine = Interpolant::new(self.values.len(), self.ring[0], self.ring[1]);
+        let at = |w: f64| dot(&fine.weights(w), &self.values);
+        let coarse = Interpolant::new(count, over[0], over[1]);
+        let nodes: Vec<f64> = coarse.nodes().iter().map(|&w| at(w)).collect();
+        let largest = self.values.iter().copied().fold(0.0, f64::max);
+        // A flat surface has no diffuse part: nothing to be wrong about.
+        let places = PLACES_TESTED.into_iter().filter(|_| largest > 0.0);
+        let error = |place: f64| {
+            let w = self.own[0] + place * (self.own[1] - self.own[0]);
+            let exact = at(w);
+            (dot(&coarse.weights(w), &nodes) - exact).abs() / exact.abs().max(1e-9 * largest)
+        };
+        places.map(error).collect()
+    }
+}
+
+fn dot(weights: &[f64], values: &[f64]) -> f64 {
+    weights.iter().zip(values).map(|(w, v)| w * v).sum()
+}
+
+fn quantile(mut errors: Vec<f64>) -> f64 {
+    errors.sort_by(f64::total_cmp);
+    let last = errors.len().saturating_sub(1);
+    errors.get((last as f64 * QUANTILE).ceil() as usize).copied().unwrap_or(0.0)
 }
 
 /// Texels `(u, v)`: half of them even over the disc, half towards its centre, where directions crowd near
@@ -43,6 +163,13 @@ fn spread_texels(count: usize) -> Vec<[f64; 2]> {
             [rho * phi.cos(), rho * phi.sin()]
         })
         .collect()
+}
+
+/// Texels even over the inner half of the coherent lobe, as wide as it looks.
+fn middle_texels(plan: &BuildPlan, count: usize) -> Vec<[f64; 2]> {
+    let radius = 0.5 * plan.lobe_radius;
+    let at = |[a, b]: [f64; 2]| [radius * a.sqrt() * (TAU * b).cos(), radius * a.sqrt() * (TAU * b).sin()];
+    (0..count).map(|index| at(sampling::plane(index))).collect()
 }
 
 /// Share of the brightest line's power from which on a line counts as lit.
@@ -67,57 +194,44 @@ fn lit_texels(spectra: &Spectra, plan: &BuildPlan, count: usize) -> Vec<[f64; 2]
         .collect()
 }
 
-/// Luminance of a texel at the Gauss nodes of its ring's reach, and the texel's own share of that reach.
-struct Polynomial {
-    values: Vec<f64>,
-    reach: f64,
-}
-
-/// Sums the luminance of the texels within the disc at `fine` nodes of `w`, in double precision.
-fn luminance_polynomials(spectra: &Spectra, plan: &BuildPlan, fine: usize, texels: &[[f64; 2]]) -> Vec<Polynomial> {
+/// Sums the luminance of texels, each given with its own range of `|w|`, at fine nodes over their rings'.
+fn polynomials(spectra: &Spectra, plan: &BuildPlan, texels: &[([f64; 2], [f64; 2])]) -> Vec<Polynomial> {
     texels
         .par_iter()
-        .filter_map(|&[u, v]| {
+        .filter_map(|&([u, v], own)| {
             let rho = u.hypot(v);
-            let ring = plan.rings.iter().find(|r| rho < 2.0 && rho >= r.rho[0] && rho < r.rho[1])?;
-            let nodes = chebyshev::gauss_nodes(fine, 0.0, ring.w_max());
-            let mut values = vec![0.0; fine];
-            for (&nm, weight) in ring.quadrature.wavelengths_nm.iter().zip(&ring.quadrature.weights) {
-                let k = TAU / nm;
-                let node_weights: Vec<_> = nodes.iter().map(|w| spectra.node_weights(k * w)).collect();
-                let power = spectra.power_at([u / nm, v / nm], &node_weights);
-                let scale = weight[1] * (k / nm).powi(2);
-                values.iter_mut().zip(power).for_each(|(sum, p)| *sum += scale * p);
-            }
-            Some(Polynomial { values, reach: w_reach(rho) / ring.w_max().max(f64::MIN_POSITIVE) })
+            let ring = plan.rings.iter().find(|r| rho >= r.rho[0] && rho < r.rho[1])?;
+            let fine = match plan.domain {
+                None => plan.nodes_bound.max(4),
+                Some(_) => nodes_over(plan, ring.w),
+            };
+            Some(polynomial(spectra, &ring.quadrature, [u, v], fine, ring.w, own))
         })
         .collect()
 }
 
-/// Quantile of the relative error of `count` nodes against the fine ones.
-fn basis_error(polynomials: &[Polynomial], fine: usize, count: usize, quantile: f64) -> f64 {
-    let to_coarse: Vec<Vec<f64>> = chebyshev::gauss_nodes(count, 0.0, 1.0)
-        .into_iter()
-        .map(|x| chebyshev::interpolation_weights(fine, 0.0, 1.0, x))
-        .collect();
-    let dot = |weights: &[f64], values: &[f64]| weights.iter().zip(values).map(|(w, v)| w * v).sum::<f64>();
-    let mut errors: Vec<f64> = polynomials
-        .iter()
-        .flat_map(|p| {
-            let coarse: Vec<f64> = to_coarse.iter().map(|w| dot(w, &p.values)).collect();
-            let largest = p.values.iter().copied().fold(0.0, f64::max);
-            T_TESTED.into_iter().filter_map(move |t| {
-                let x = t * p.reach;
-                let exact = dot(&chebyshev::interpolation_weights(fine, 0.0, 1.0, x), &p.values);
-                let approximate = dot(&chebyshev::interpolation_weights(count, 0.0, 1.0, x), &coarse);
-                // A flat surface has no diffuse part: nothing to be wrong about.
-                (largest > 0.0).then(|| (approximate - exact).abs() / exact.abs().max(1e-9 * largest))
-            })
-        })
-        .collect();
-    if errors.is_empty() {
-        return 0.0;
+/// Sums the luminance of a texel at fine nodes over a range of `|w|` that holds its own.
+fn polynomial(
+    spectra: &Spectra,
+    quadrature: &SpectralQuadrature,
+    [u, v]: [f64; 2],
+    fine: usize,
+    ring: [f64; 2],
+    own: [f64; 2],
+) -> Polynomial {
+    let nodes = chebyshev::gauss_nodes(fine, ring[0], ring[1]);
+    let mut values = vec![0.0; nodes.len()];
+    for (&nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
+        let k = TAU / nm;
+        let node_weights: Vec<_> = nodes.iter().map(|w| spectra.node_weights(k * w)).collect();
+        let power = spectra.power_at([u / nm, v / nm], &node_weights);
+        let scale = weight[1] * (k / nm).powi(2);
+        values.iter_mut().zip(power).for_each(|(sum, p)| *sum += scale * p);
     }
-    errors.sort_by(f64::total_cmp);
-    errors[((errors.len() - 1) as f64 * quantile).ceil() as usize]
+    Polynomial { values, ring, own: [own[0].max(ring[0]), own[1].min(ring[1])] }
+}
+
+/// Nodes over a range of `w` that leave nothing to be seen between them.
+fn nodes_over(plan: &BuildPlan, w: [f64; 2]) -> usize {
+    nodes_bound_over(plan.bandwidth_nm, plan.wavelength_min_nm, plan.fine_tolerance, w[1] - w[0]).max(4)
 }

@@ -1,7 +1,9 @@
 //! What a table set needs for a tolerance: its grid, the wavelengths each ring of (u, v) asks for.
 
-use std::f64::consts::{PI, SQRT_2, TAU};
+use std::f64::consts::{SQRT_2, TAU};
 
+use super::domain::Domain;
+use crate::ground::chebyshev::nodes_for_exponential;
 use crate::ground::error::Result;
 use crate::ground::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers};
 use crate::optics::config::OpticsConfig;
@@ -31,6 +33,11 @@ impl Grid {
         -self.u(row)
     }
 
+    /// Texels in the disc of radius 2, about.
+    pub fn disc_texels(&self) -> f64 {
+        std::f64::consts::PI * (2.0 / self.texel()).powi(2)
+    }
+
     /// Columns with `|u| <= reach`, as a half-open range.
     pub fn columns_within(&self, reach: f64) -> std::ops::Range<usize> {
         let middle = (self.size - 1) / 2;
@@ -52,15 +59,10 @@ pub fn w_reach(rho: f64) -> f64 {
 pub struct Ring {
     /// Inner (included) and outer radius.
     pub rho: [f64; 2],
+    /// Lowest and highest `|w|` that its texels are asked for.
+    pub w: [f64; 2],
     /// Wavelengths with XYZ weights.
     pub quadrature: SpectralQuadrature,
-}
-
-impl Ring {
-    /// Largest `|w|` any texel of the ring can ask for.
-    pub fn w_max(&self) -> f64 {
-        w_reach(self.rho[0])
-    }
 }
 
 /// Fewest wavelengths of a continuous spectrum: enough for the observer's curves.
@@ -100,26 +102,78 @@ pub fn rings(
     tolerance: f64,
     step_nm: Option<f64>,
 ) -> Result<Vec<Ring>> {
-    let range_nm = optics.illuminant.reach_nm(optics.wavelength_nm);
     let mut rings = Vec::new();
     let mut outer = rho_max;
     loop {
-        let count = match step_nm {
-            Some(step) => ((range_nm[1] - range_nm[0]) / step).ceil() as usize + 1,
-            None => wavelengths_needed(optics, bandwidth_nm, outer, tolerance),
-        };
+        let count = wavelengths_of(optics, bandwidth_nm, outer, tolerance, step_nm);
         let inner = outer / SQRT_2;
         let settled = count == wavelengths_needed(optics, bandwidth_nm, 0.0, tolerance) || step_nm.is_some();
         // The interpolation in `w` profits from a small reach even where the wavelengths do not.
         let last = settled && w_reach(inner) > 0.9 * w_reach(0.0) || inner < 0.02;
+        let inner_edge = if last { 0.0 } else { inner };
         rings.push(Ring {
-            rho: [if last { 0.0 } else { inner }, outer],
+            rho: [inner_edge, outer],
+            // The whole reach of the texels nearest to the middle.
+            w: [0.0, w_reach(inner_edge)],
             quadrature: uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?,
         });
         if last {
             return Ok(rings);
         }
         outer = inner;
+    }
+}
+
+/// Where `t` is nearly the same everywhere, `|w|` is not: rings are cut so that `w_reach` changes by no more than this,
+/// nor their radii by more than this ratio, and with them the nodes of a ring stay few...
+const FINE_STEP: f64 = 0.25;
+const FINE_RATIO: f64 = 1.19;
+/// ...but no narrower than this many widths of what blurs a line, since every ring interpolates all lines whose blur
+/// reaches into it.
+const FINE_LOBES: f64 = 20.0;
+
+/// Rings for the texels of a domain: finer than [`rings`], and always at the same radii, so that what a texel holds
+/// does not depend on which others are asked for. Rings without a texel are left out.
+///
+/// # Errors
+/// `Error::Call` for an invisible light.
+pub fn rings_of(
+    domain: &Domain,
+    optics: &OpticsConfig,
+    bandwidth_nm: f64,
+    rho_max: f64,
+    tolerance: f64,
+    step_nm: Option<f64>,
+) -> Result<Vec<Ring>> {
+    let narrowest = FINE_LOBES * lobe_width(optics.sigma_nm, optics.illuminant.reach_nm(optics.wavelength_nm)[0]);
+    let mut rings = Vec::new();
+    let mut outer = rho_max;
+    while outer > 0.0 {
+        let by_reach = (4.0 - (w_reach(outer) + FINE_STEP).powi(2)).max(0.0).sqrt();
+        let inner = by_reach.max(outer / FINE_RATIO).min(outer - narrowest).max(0.0);
+        let rho = [if inner < narrowest { 0.0 } else { inner }, outer];
+        if let Some(w) = domain.w_of_ring(rho) {
+            let count = wavelengths_of(optics, bandwidth_nm, outer, tolerance, step_nm);
+            let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
+            rings.push(Ring { rho, w, quadrature });
+        }
+        outer = rho[0];
+    }
+    Ok(rings)
+}
+
+/// Wavelengths for a radius: as many as the tolerance asks for, or those of a given step.
+pub(super) fn wavelengths_of(
+    optics: &OpticsConfig,
+    bandwidth_nm: f64,
+    rho: f64,
+    tolerance: f64,
+    step_nm: Option<f64>,
+) -> usize {
+    let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
+    match step_nm {
+        Some(step) => ((high_nm - low_nm) / step).ceil() as usize + 1,
+        None => wavelengths_needed(optics, bandwidth_nm, rho, tolerance),
     }
 }
 
@@ -159,5 +213,10 @@ pub fn box_samples(optics: &OpticsConfig, width: f64) -> usize {
 /// Numbers of nodes in `w` that a surface can at most need: Chebyshev terms of a function of bandwidth
 /// `2 max|h|` in `k w` over the whole reach.
 pub fn nodes_bound(bandwidth_nm: f64, wavelength_min_nm: f64, tolerance: f64) -> usize {
-    crate::ground::chebyshev::nodes_for_exponential(2.0 * bandwidth_nm, 2.0 * 2.0 * PI / wavelength_min_nm, tolerance)
+    nodes_bound_over(bandwidth_nm, wavelength_min_nm, tolerance, w_reach(0.0))
+}
+
+/// The same over an interval of this length in `w`.
+pub fn nodes_bound_over(bandwidth_nm: f64, wavelength_min_nm: f64, tolerance: f64, w_length: f64) -> usize {
+    nodes_for_exponential(2.0 * bandwidth_nm, w_length * TAU / wavelength_min_nm, tolerance)
 }

@@ -11,7 +11,7 @@ use crate::ground::error::{Error, Result};
 use crate::ground::exr_image::{self, Precision};
 use crate::ground::files;
 use crate::optics::config::OpticsConfig;
-use crate::tables::model::{Basis, Lobe, Storage, TableSet};
+use crate::tables::model::{Basis, Lobe, Served, Storage, TableSet};
 
 /// Exponent of the power of two at which the largest value of a half table is stored: 2^11 < peak <= 2^12.
 ///
@@ -23,6 +23,8 @@ const PEAK_EXPONENT: i32 = 12;
 
 /// What a renderer computes from tables in the Chebyshev basis.
 const CHEBYSHEV_FORMULA: &str = "f = R G (coherent / w^2 + sum_n cross_n T_n(2t - 1) / |w| + sum_n table_n T_n(2t - 1)), t = |w| / sqrt(4 - u^2 - v^2)";
+/// The same from tables made for certain scenes.
+const SERVED_FORMULA: &str = "f = R G (coherent / w^2 + sum_n cross_n T_n(2t - 1) / |w| + sum_n table_n T_n(2s - 1)), t = |w| / sqrt(4 - u^2 - v^2), s = (t - low) / (high - low)";
 /// What a renderer computes from tables in powers of w.
 const TAYLOR_FORMULA: &str = "f = R G (sum_n table_n |w|^n) / w^2";
 
@@ -78,6 +80,17 @@ pub struct StoredCross {
     pub patches: Vec<StoredArray>,
 }
 
+/// What tables made for certain scenes can answer for.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StoredServed {
+    /// Texels along u and v of the whole grid over [-2, 2], of which the tables are a window.
+    pub size: usize,
+    /// Row and column of the whole grid at which the window begins.
+    pub first: [usize; 2],
+    /// Channels R, G, B: lowest `t`, highest `t`, and 1 where a texel is served or 0 where not; 16-bit floats, exact.
+    pub range: StoredArray,
+}
+
 /// Everything needed to read the tables of a specimen again, apart from its optics.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StoredTables {
@@ -97,7 +110,10 @@ pub struct StoredTables {
     pub usable_radius: f64,
     /// The tables, one per basis function.
     pub tables: Vec<StoredArray>,
-    /// The lobe; `None` for powers of `w`.
+    /// What they can answer for; absent where they serve every direction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub served: Option<StoredServed>,
+    /// The lobe; `None` for powers of `w`, and where no served direction lies in it.
     pub lobe: Option<StoredLobe>,
 }
 
@@ -112,15 +128,15 @@ struct Job<'a> {
     rows: (&'static str, Axis),
 }
 
-/// Writes `table.NNN.exr`, and where there is a lobe `lobe.exr` and `lobe.NNN.exr`, into an existing folder.
+/// Writes `table.NNN.exr`, where there is a lobe `lobe.exr` and `lobe.NNN.exr`, and where not every direction is served
+/// `range.exr`, into an existing folder.
 pub fn write_tables(folder: &Path, set: &TableSet, storage: Storage) -> Result<StoredTables> {
-    let size = set.size();
-    assert!(size >= 2, "a table set holds at least one table of 2 x 2 texels");
-    let u = Axis { first: -2.0, last: 2.0, samples: size };
-    let v = reversed(u);
+    let [u, v] = table_axes(set);
+    let shape = (v.samples, u.samples, 3);
+    assert!(u.samples.min(v.samples) >= 2, "a table set holds at least one table of 2 x 2 texels");
 
     let table_jobs = set.tables.iter().enumerate().map(|(order, values)| {
-        assert_eq!(values.dim(), (size, size, 3), "all tables have the same size");
+        assert_eq!(values.dim(), shape, "all tables have the same size");
         Job {
             file: format!("table.{order:03}.exr"),
             kind: "table",
@@ -136,17 +152,33 @@ pub fn write_tables(folder: &Path, set: &TableSet, storage: Storage) -> Result<S
     if let (Some(lobe), Some(axes)) = (&set.lobe, &axes) {
         jobs.extend(lobe_jobs(lobe, axes, storage));
     }
+    jobs.extend(set.served.as_ref().map(|served| {
+        assert_eq!(served.range.dim(), shape, "ranges are those of the tables' texels");
+        Job {
+            file: "range.exr".to_owned(),
+            kind: "range",
+            order: 0,
+            values: &served.range,
+            // Half floats from the start: nothing is rounded here.
+            storage: Storage::Half,
+            columns: ("u", u),
+            rows: ("v", v),
+        }
+    }));
     // Collected in the order of the jobs, whatever thread wrote which.
     let mut stored: Vec<StoredArray> =
         jobs.par_iter().map(|job| write_array(folder, set, job)).collect::<Result<_>>()?;
+    let served = set.served.as_ref().zip(stored.pop_if(|last| last.file == "range.exr"));
     let lobe_arrays = stored.split_off(set.tables.len());
+    let formula = match (set.basis, &set.served) {
+        (Basis::Chebyshev, None) => CHEBYSHEV_FORMULA,
+        (Basis::Chebyshev, Some(_)) => SERVED_FORMULA,
+        (Basis::Taylor, _) => TAYLOR_FORMULA,
+    };
     Ok(StoredTables {
         basis: set.basis,
-        formula: match set.basis {
-            Basis::Chebyshev => CHEBYSHEV_FORMULA,
-            Basis::Taylor => TAYLOR_FORMULA,
-        }
-        .to_owned(),
+        formula: formula.to_owned(),
+        served: served.map(|(served, range)| StoredServed { size: served.size, first: served.first, range }),
         storage,
         u,
         v,
@@ -159,6 +191,7 @@ pub fn write_tables(folder: &Path, set: &TableSet, storage: Storage) -> Result<S
 
 /// Reads what [`write_tables`] wrote; `optics` is what the tables were computed for.
 pub fn read_tables(folder: &Path, stored: &StoredTables, optics: &OpticsConfig) -> Result<TableSet> {
+    let shape = (stored.v.samples, stored.u.samples);
     let read_all = |arrays: &[StoredArray], shape: (usize, usize)| {
         arrays.par_iter().map(|array| read_array(folder, array, shape)).collect::<Result<Vec<_>>>()
     };
@@ -175,12 +208,40 @@ pub fn read_tables(folder: &Path, stored: &StoredTables, optics: &OpticsConfig) 
     };
     Ok(TableSet {
         basis: stored.basis,
-        tables: read_all(&stored.tables, (stored.v.samples, stored.u.samples))?,
+        tables: read_all(&stored.tables, shape)?,
         lobe,
         prefilter_width: stored.prefilter_width,
         optics: optics.clone(),
+        served: stored.served.as_ref().map(|served| read_served(folder, served, shape)).transpose()?,
         usable_radius: stored.usable_radius,
     })
+}
+
+fn read_served(folder: &Path, stored: &StoredServed, shape: (usize, usize)) -> Result<Served> {
+    let [row, column] = stored.first;
+    if row + shape.0 > stored.size || column + shape.1 > stored.size {
+        return Err(Error::bad_file(
+            folder,
+            format!(
+                "specimen.json puts {} x {} texels at column {column}, row {row} of {} x {}",
+                shape.1, shape.0, stored.size, stored.size
+            ),
+            "Restore specimen.json, or run the pipeline again.",
+        ));
+    }
+    Ok(Served { size: stored.size, first: stored.first, range: read_array(folder, &stored.range, shape)? })
+}
+
+/// Columns and rows of the tables: the whole square, or the served window of it.
+fn table_axes(set: &TableSet) -> [Axis; 2] {
+    let (rows, columns, _) = set.tables.first().map_or((0, 0, 0), Array3::dim);
+    let whole = Axis { first: -2.0, last: 2.0, samples: columns };
+    let Some(Served { size, first: [row, column], .. }) = set.served else {
+        return [whole, reversed(whole)];
+    };
+    let at = |texel: usize| -2.0 + 4.0 * texel as f64 / (size - 1) as f64;
+    let u = Axis { first: at(column), last: at(column + columns - 1), samples: columns };
+    [u, Axis { first: -at(row), last: -at(row + rows - 1), samples: rows }]
 }
 
 /// Axes of the lobe's images: radius, t, and for the cross term u and v.

@@ -9,8 +9,9 @@ use std::f64::consts::TAU;
 use ndarray::Array3;
 use rayon::prelude::*;
 
-use super::accumulate::{Targets, inner_columns, span};
+use super::accumulate::{Targets, span};
 use super::build::{Advance, BuildPlan, plan, record};
+use super::domain::inner_columns;
 use super::model::{Basis, BuildRecord, Storage, TableSet, TablesConfig};
 use super::plan::{Ring, usable_radius};
 use crate::ground::error::{Error, Result};
@@ -112,17 +113,17 @@ pub fn build_taylor(
     advance: Advance,
 ) -> Result<(TableSet, BuildRecord)> {
     let plan = plan(fields, optics, config)?;
-    let forecast = forecast(fields, plan.spectra.s_max, config.tolerance);
+    let forecast = forecast(fields, plan.spectra.s[1], config.tolerance);
     refuse_catastrophe(&forecast, config.storage)?;
     let terms = config.count.unwrap_or(forecast.terms).max(1);
     check_limits(&plan, terms, config)?;
     let powers = PowersConfig {
         orders: terms,
         scale_nm: if plan.bandwidth_nm > 0.0 { plan.bandwidth_nm } else { 1.0 },
-        frequency_max: plan.spectra.frequency_max,
+        frequency: plan.spectra.frequency,
         memory_bytes: plan.spectra.memory_bytes,
     };
-    let mut sums = vec![0.0; plan.grid.size * plan.grid.size * 3 * terms];
+    let mut sums = vec![0.0; plan.texels.grid.size * plan.texels.grid.size * 3 * terms];
     let share = 1.0 / plan.windows.len() as f64;
     for &(scan, placement) in &plan.windows {
         let series = transform_powers(&fields[scan], placement, optics.sigma_nm, &powers)?;
@@ -136,7 +137,7 @@ pub fn build_taylor(
         }
     }
     let record = BuildRecord { transforms: terms, windows: plan.windows.len(), ..record(&plan) };
-    let size = plan.grid.size;
+    let size = plan.texels.grid.size;
     let table = |p: usize| {
         Array3::from_shape_fn((size, size, 3), |(row, column, channel)| {
             sums[((row * size + column) * 3 + channel) * terms + p] as f32
@@ -148,6 +149,7 @@ pub fn build_taylor(
         lobe: None,
         prefilter_width: plan.filter.width,
         optics: optics.clone(),
+        served: None,
         usable_radius: fields.iter().map(|f| usable_radius(optics, f.pitch_nm)).fold(2.0, f64::min),
     };
     Ok((set, record))
@@ -183,13 +185,13 @@ fn check_limits(plan: &BuildPlan, terms: usize, config: &TablesConfig) -> Result
             "use tables.basis = \"chebyshev\", or set tables.count lower",
         ));
     }
-    let bytes = (plan.grid.size * plan.grid.size * 3 * terms * size_of::<f64>()) as u64;
+    let bytes = (plan.texels.grid.size * plan.texels.grid.size * 3 * terms * size_of::<f64>()) as u64;
     if bytes > plan.spectra.memory_bytes {
         return Err(Error::limit(
             format!(
                 "sums of {terms} tables over {} x {} texels need {} MiB, {} MiB are allowed",
-                plan.grid.size,
-                plan.grid.size,
+                plan.texels.grid.size,
+                plan.texels.grid.size,
                 bytes >> 20,
                 config.memory_mib
             ),
@@ -205,6 +207,8 @@ struct Wave<'a> {
     plan: &'a BuildPlan,
     ring: &'a Ring,
     terms: usize,
+    /// First to last column (and row) of the ring.
+    columns: std::ops::Range<usize>,
     targets: Targets,
     /// `[η line][target][value]` after the interpolation along ξ, and the first line's index.
     rows: Vec<f64>,
@@ -213,7 +217,9 @@ struct Wave<'a> {
 
 impl<'a> Wave<'a> {
     fn new(series: &'a HeightPowers, plan: &'a BuildPlan, ring: &'a Ring, terms: usize, wavelength_nm: f64) -> Self {
-        let targets = Targets::new(&plan.grid, ring, plan.filter, series.kernel, series.step, wavelength_nm);
+        let columns = plan.texels.grid.columns_within(ring.rho[1]);
+        let box_of = [columns.clone(), columns.clone()];
+        let targets = Targets::new(&plan.texels.grid, box_of, plan.filter, series.kernel, series.step, wavelength_nm);
         let (first_row, last_row) = span(&targets.taps[1]);
         let taps = &targets.taps[0];
         let mut rows = vec![0.0; (last_row - first_row) as usize * taps.first.len() * series.values];
@@ -230,15 +236,15 @@ impl<'a> Wave<'a> {
                 }
             }
         });
-        Self { series, plan, ring, terms, targets, rows, first_row }
+        Self { series, plan, ring, terms, columns, targets, rows, first_row }
     }
 
     /// Adds `factors[p] weight[c] a_p` to every texel; layout of the sums `[row][column][channel][term]`.
     fn add(&self, factors: &[f64], weight: [f64; 3], sums: &mut [f64]) {
-        let grid = &self.plan.grid;
+        let grid = &self.plan.texels.grid;
         let per_texel = 3 * self.terms;
         let per_row = grid.size * per_texel;
-        sums.par_chunks_mut(per_row).enumerate().filter(|(row, _)| self.targets.columns.contains(row)).for_each_init(
+        sums.par_chunks_mut(per_row).enumerate().filter(|(row, _)| self.columns.contains(row)).for_each_init(
             || (vec![0.0; self.series.values], vec![0.0; self.terms]),
             |(values, power), (row, out)| {
                 let v = grid.v(row);
@@ -259,7 +265,8 @@ impl<'a> Wave<'a> {
 
     /// Coefficients of `|P|²` in one texel, averaged over its box samples.
     fn texel(&self, row: usize, column: usize, values: &mut [f64], power: &mut [f64]) {
-        let Targets { samples, columns, taps: [taps_x, taps_y], .. } = &self.targets;
+        let Targets { samples, taps: [taps_x, taps_y], .. } = &self.targets;
+        let columns = &self.columns;
         let mean_power = matches!(self.series.kernel, Kernel::GaussianPower { .. });
         let share = 1.0 / (samples * samples) as f64;
         let mut squared = vec![0.0; self.terms];

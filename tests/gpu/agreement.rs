@@ -8,7 +8,7 @@ use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
 use diffraction_atlas::tables::model::{Basis, TableSet};
 use half::f16;
 
-use crate::sets::{build_set, full_set, gpu, scenes, sphere};
+use crate::sets::{build_set, full_set, gpu, scenes, served_set, sphere};
 
 fn agrees(name: &str, set: &TableSet) {
     let Some(gpu) = gpu(name) else { return };
@@ -46,6 +46,29 @@ fn lobe_without_cross_term_on_a_dielectric() {
 #[test]
 fn powers_of_w_on_an_ideal_reflector() {
     agrees("taylor", &build_set(Basis::Taylor, Windows::Centre, Material::Ideal, false));
+}
+
+/// Tables for one scene: a window of the grid, a range of depths in each texel.
+#[test]
+fn tables_that_serve_one_scene() {
+    let Some(gpu) = gpu("served") else { return };
+    for scene in scenes() {
+        let set = served_set(&scene);
+        assert!(set.served.is_some());
+        let check = check_specimen(gpu, &set, std::slice::from_ref(&scene)).unwrap().remove(0);
+        println!("{}: share {:.3} of {:.2e}", check.scene, check.worst_of_tolerance, check.tolerance);
+        assert!(check.passed && check.worst > 0.0, "{check:?}");
+    }
+}
+
+/// What they do not serve has no answer on the GPU either.
+#[test]
+fn look_ups_beyond_what_is_served_fail() {
+    let Some(gpu) = gpu("beyond what is served") else { return };
+    let patch = scenes().swap_remove(2);
+    let set = served_set(&patch);
+    let check = check_specimen(gpu, &set, &[sphere(24)]).unwrap().remove(0);
+    assert!(!check.passed && check.not_finite > 0, "{check:?}");
 }
 
 /// Where the atlas stores halves nothing is lost on the way to the GPU, and the tolerance knows it.

@@ -5,7 +5,7 @@ use diffraction_atlas::render::gpu_tables::upload;
 use diffraction_atlas::stages::gpu_check::{GpuSceneCheck, check_uploaded};
 use half::f16;
 
-use crate::sets::{full_set, gpu, sphere};
+use crate::sets::{full_set, gpu, served_set, sphere};
 
 /// The check of the full set with an upload that was tampered with.
 fn check_with(test: &str, tamper: impl FnOnce(&mut TableImage)) -> Option<GpuSceneCheck> {
@@ -23,7 +23,7 @@ fn must_fail(what: &str, tamper: impl FnOnce(&mut TableImage)) {
 }
 
 fn layer(image: &mut TableImage, n: usize) -> &mut [[f16; 4]] {
-    let texels = image.tables.side * image.tables.side;
+    let texels = image.tables.size[0] * image.tables.size[1];
     &mut image.tables.texels[n * texels..(n + 1) * texels]
 }
 
@@ -62,7 +62,7 @@ fn a_wrong_scale() {
 #[test]
 fn exchanged_layers() {
     must_fail("tables 0 and 1 exchanged", |image| {
-        let texels = image.tables.side * image.tables.side;
+        let texels = image.tables.size[0] * image.tables.size[1];
         let (first, second) = image.tables.texels.split_at_mut(texels);
         first.swap_with_slice(&mut second[..texels]);
         image.params.table_scales[0].swap(0, 1);
@@ -73,11 +73,43 @@ fn exchanged_layers() {
 #[test]
 fn a_mirrored_or_shifted_table() {
     must_fail("rows upside down", |image| {
-        let side = image.tables.side;
+        let side = image.tables.size[0];
         let rows: Vec<_> = layer(image, 0).chunks(side).rev().flatten().copied().collect();
         layer(image, 0).copy_from_slice(&rows);
     });
     must_fail("one column further", |image| layer(image, 0).rotate_right(1));
+}
+
+/// What holds where tables serve one scene alone.
+#[test]
+fn a_wrong_range_or_window() {
+    let scene = sphere(32);
+    let set = served_set(&scene);
+    let Some(gpu) = gpu("range") else { return };
+    let check = |tamper: &dyn Fn(&mut TableImage)| {
+        let mut image = table_image(&set).unwrap();
+        tamper(&mut image);
+        check_uploaded(gpu, &upload(gpu, &image).unwrap(), &set, &scene).unwrap()
+    };
+    assert!(check(&|_| ()).passed);
+    let range = |image: &mut TableImage, change: &dyn Fn([f16; 4]) -> [f16; 4]| {
+        let layer = layer(image, set.tables.len());
+        layer.iter_mut().for_each(|texel| *texel = change(*texel));
+    };
+    let tampers: [(&str, &dyn Fn(&mut TableImage)); 5] = [
+        ("lowest depth 5 % down", &|image| {
+            range(image, &|[low, high, there, x]| [low * f16::from_f32(0.95), high, there, x])
+        }),
+        ("nothing served", &|image| range(image, &|[low, high, _, x]| [low, high, f16::ZERO, x])),
+        ("window one column further", &|image| image.params.first_column += 1.0),
+        ("window one row further", &|image| image.params.first_row += 1.0),
+        ("range not looked at", &|image| image.params.served = 0),
+    ];
+    for (what, tamper) in tampers {
+        let check = check(tamper);
+        println!("{what}: {:.1e} times what is allowed", check.worst_of_tolerance);
+        assert!(!check.passed, "{what} went unnoticed: {check:?}");
+    }
 }
 
 #[test]
@@ -97,7 +129,7 @@ fn a_wrong_material() {
 #[test]
 fn a_number_that_is_not_finite() {
     must_fail("infinite texel", |image| {
-        let middle = image.tables.side * image.tables.side / 2;
+        let middle = image.tables.size[0] * image.tables.size[1] / 2;
         layer(image, 0)[middle][1] = f16::INFINITY;
     });
 }

@@ -96,7 +96,7 @@ fn a_lost_device_is_an_error_in_every_later_call() {
 fn what_the_driver_rejects_is_an_error() {
     let Some(gpu) = gpu("rejected upload") else { return };
     let mut image = table_image(full_set()).unwrap();
-    image.tables.side = 20_000;
+    image.tables.size = [20_000; 2];
     image.tables.texels.clear();
     let error = upload(gpu, &image).unwrap_err().to_string();
     assert!(error.contains("cannot upload the tables") && error.contains("20000"), "{error}");

@@ -7,7 +7,8 @@ use diffraction_atlas::height::HeightField;
 use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::render::gpu::Gpu;
 use diffraction_atlas::scene::model::{Exposure, Light, Scene, Shape};
-use diffraction_atlas::tables::build::build;
+use diffraction_atlas::stages::serve::{Source, domain_of, plan_without};
+use diffraction_atlas::tables::build::{build, build_planned};
 use diffraction_atlas::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 use ndarray::Array2;
 
@@ -61,6 +62,26 @@ pub fn build_set(basis: Basis, windows: Windows, material: Material, shadowing: 
 pub fn full_set() -> &'static TableSet {
     static SET: OnceLock<TableSet> = OnceLock::new();
     SET.get_or_init(|| build_set(Basis::Chebyshev, Windows::Centre, Material::Conductor { n: 0.9, k: 6.2 }, true))
+}
+
+/// The same surface's tables for one scene alone, lobe and cross term included.
+pub fn served_set(scene: &Scene) -> TableSet {
+    let full = full_set();
+    let config = TablesConfig {
+        basis: Basis::Chebyshev,
+        tolerance: 1e-2,
+        size: Some(65),
+        count: Some(3),
+        wavelength_step_nm: Some(20.0),
+        storage: Storage::Float,
+        prefilter: Prefilter::None,
+        memory_mib: 256,
+    };
+    let fields = [surface()];
+    let source = Source { fields: &fields, optics: &full.optics, tables: &config };
+    let domain = domain_of(&source, &[scene]).expect("the scene renders");
+    let plan = plan_without(None, &source, &domain).expect("the build fits");
+    build_planned(&fields, &full.optics, &config, &plan, &|_| ()).expect("the set builds").0
 }
 
 /// A sphere under a lamp and the sun.

@@ -7,5 +7,6 @@ mod interruption;
 mod place;
 mod real_scans;
 mod scans;
+mod served;
 mod settings;
 mod versions;

@@ -56,6 +56,7 @@ fn make_sample() -> Sample {
                 })
                 .into(),
         },
+        left_out: Vec::new(),
         failures: vec![Failure {
             specimen: Some("torn_scan".into()),
             stage: "read scans".into(),
@@ -132,6 +133,8 @@ fn truncated() -> SpecimenResult {
         height_map: None,
         spectrum: None,
         preview_png: None,
+        reached_png: None,
+        budget: None,
         warnings: vec![],
         failed: Some(
             "scans/torn.tif: the file ends after 31 of 512 rows\n  copy the scan again from the instrument".into(),
@@ -181,6 +184,8 @@ fn specimen(
         height_map: Some(height_file(name, field, pictures)),
         spectrum: Some(spectrum_file(name, field, &periods, pictures)),
         preview_png: Some(preview),
+        reached_png: None,
+        budget: None,
         warnings: vec![],
         failed: None,
     }
@@ -225,6 +230,7 @@ fn build() -> BuildResult {
         record: BuildRecord {
             transforms: 14,
             windows: 1,
+            node_samples: 4_000_000,
             wavelengths_max: 412,
             samples: 61_204_511,
             wavelength_step_nm: [0.61, 5.0],
@@ -289,6 +295,7 @@ fn scene(name: &str, period: &Period, pictures: &mut BTreeMap<String, Vec<u8>>) 
             ciede2000_p95: 0.13,
             ciede2000_max: 0.92,
         }),
+        unserved_pixels: 0,
         table_png: path(""),
         side_by_side_png: Some(path(".side_by_side")),
         difference_png: Some(path(".difference")),

@@ -14,7 +14,7 @@ use crate::manifest::{self, convert::specimen_config};
 use crate::optics::reference;
 use crate::stages::ingest::ingest;
 use crate::stages::{atlas, specimen};
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
+use crate::tables::evaluate::{Interpolation, brdf_xyz, serves};
 use crate::tables::plan::usable_radius;
 
 /// Arguments of `eval`.
@@ -146,6 +146,21 @@ fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<
         Lookup::Bilinear => Interpolation::Bilinear,
         Lookup::Cubic => Interpolation::Cubic,
     };
+    let beyond: Vec<usize> = (0..pairs.len())
+        .filter(|&index| !serves(&set, interpolation, pairs[index].0, pairs[index].1))
+        .map(|index| index + 1)
+        .collect();
+    if let Some(first) = beyond.first() {
+        return Err(Error::limit(
+            format!(
+                "{} of {} directions, row {first} the first, lie outside of what this atlas serves: its tables were made \
+                 for the scenes of its manifest alone",
+                beyond.len(),
+                pairs.len()
+            ),
+            "set tables.serve = \"all\" and run the pipeline again, or evaluate with `--method reference`",
+        ));
+    }
     Ok(xyz_table(pairs.par_iter().map(|&(wi, wo)| brdf_xyz(&set, interpolation, wi, wo)).collect::<Vec<_>>()))
 }
 

@@ -146,10 +146,16 @@ fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
             if file.species.is_empty() { "no species named" } else { &file.species },
             file.tables.tables.len(),
             file.tables.basis,
-            file.tables.u.samples,
+            file.tables.served.as_ref().map_or(file.tables.u.samples, |served| served.size),
             file.tables.storage,
             file.build.wavelengths_max
         );
+        if let Some(served) = &file.tables.served {
+            text += &format!(
+                "  serves the scenes of its manifest alone: {} x {} of {} x {} texels\n",
+                file.tables.u.samples, file.tables.v.samples, served.size, served.size
+            );
+        }
         text.extend(file.warnings.iter().map(|warning| format!("  warning: {warning}\n")));
     }
     output::print(&text)?;

@@ -8,8 +8,10 @@ use crate::cli::Global;
 use crate::cli::output::{self, Outcome, bytes_in_words};
 use crate::ground::error::Result;
 use crate::manifest::{self, convert::run_config};
+use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::ingest::ingest;
-use crate::tables::forecast::{Forecast, forecast};
+use crate::stages::serve::{self, Budget, Cost, Source};
+use crate::tables::forecast::{Forecast, forecast, forecast_of};
 
 /// Arguments of `plan`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
@@ -38,6 +40,8 @@ struct Plan {
 struct SpecimenPlan {
     name: String,
     forecast: Option<Forecast>,
+    /// What its tables leave out, where they do not serve every direction.
+    budget: Option<Budget>,
     failure: Option<String>,
 }
 
@@ -49,17 +53,20 @@ pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
     let config = run_config(&manifest, &text);
     let threads = rayon::current_num_threads();
-    let specimens = config.specimens.iter().map(|specimen| {
-        let outcome =
-            ingest(specimen).and_then(|ingested| forecast(&ingested.fields, &specimen.optics, &config.tables, threads));
-        let (forecast, failure) = match outcome {
-            Ok(forecast) => (Some(forecast), None),
-            Err(error) => (None, Some(error.to_string())),
+    let asked_for = config.specimens.iter().filter(|specimen| serve::is_asked_for(&config, &specimen.name));
+    let specimens = asked_for.map(|specimen| {
+        let (forecast, budget, failure) = match plan_specimen(&config, specimen, threads) {
+            Ok((forecast, budget)) => (Some(forecast), budget, None),
+            Err(error) => (None, None, Some(error.to_string())),
         };
-        SpecimenPlan { name: specimen.name.clone(), forecast, failure }
+        SpecimenPlan { name: specimen.name.clone(), forecast, budget, failure }
     });
-    let plan =
-        Plan { atlas: config.atlas_name.clone(), threads, specimens: specimens.collect(), left_out: left_out(&config) };
+    let plan = Plan {
+        atlas: config.atlas_name.clone(),
+        threads,
+        specimens: specimens.collect(),
+        left_out: serve::left_out(&config),
+    };
     if args.json {
         output::print_json(&plan)?;
     } else {
@@ -73,17 +80,16 @@ pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     Ok(if failures.is_empty() { Outcome::Done } else { Outcome::Failures(failures) })
 }
 
-fn left_out(config: &crate::stages::config::RunConfig) -> Vec<String> {
-    let mut rows = Vec::new();
-    if config.scenes.is_empty() {
-        rows.push("scene pictures and their references: the manifest has no [[scene]]".into());
-    }
-    if config.gpu == crate::stages::config::GpuCheck::Off {
-        rows.push("the GPU check: gpu.check = \"off\"".into());
-    }
-    rows.push("texels outside the disc |(u, v)| <= 2, which no pair of directions reaches: 21 % of each table".into());
-    rows.push("wavelengths that inner texels do not need: their step grows as 1 / |(u, v)|".into());
-    rows
+fn plan_specimen(config: &RunConfig, specimen: &SpecimenConfig, threads: usize) -> Result<(Forecast, Option<Budget>)> {
+    let ingested = ingest(specimen)?;
+    let source = Source { fields: &ingested.fields, optics: &specimen.optics, tables: &config.tables };
+    let Some(scenes) = serve::served_scenes(config, &specimen.name) else {
+        return Ok((forecast(source.fields, source.optics, source.tables, threads)?, None));
+    };
+    let domain = serve::domain_of(&source, &scenes)?;
+    let plan = serve::plan_without(None, &source, &domain)?;
+    let forecast = forecast_of(source.fields, source.optics, source.tables, &plan, threads);
+    Ok((forecast, Some(serve::budget(&source, &scenes, &domain)?)))
 }
 
 impl Plan {
@@ -113,10 +119,47 @@ impl Plan {
                 (None, None) => {}
             }
         }
-        text += &format!("tables in about {total_s:.1} s; pictures and measured errors come on top\nleft out:\n");
+        text += &format!("tables in about {total_s:.1} s; pictures and measured errors come on top\n");
+        for specimen in &self.specimens {
+            if let Some(budget) = &specimen.budget {
+                text += &budget_text(&specimen.name, budget);
+            }
+        }
+        if !self.left_out.is_empty() {
+            text += "left out:\n";
+        }
         for row in &self.left_out {
             text += &format!("  {row}\n");
         }
         text
     }
+}
+
+/// What a specimen's tables leave out, one row per thing.
+fn budget_text(name: &str, budget: &Budget) -> String {
+    let mut text = format!(
+        "{name} serves {}: {:.2} % of the disc of (u, v)\n  {:<42} {:>9} {:>9} {:>11} {:>11} {:>8}  why\n",
+        budget.scenes.join(", "),
+        100.0 * budget.reached_share,
+        "left out",
+        "saves sums",
+        "seconds",
+        "memory",
+        "stored",
+        "error"
+    );
+    for row in &budget.rows {
+        let saved = |of: fn(&Cost) -> f64| (of(&row.with_it) - of(&budget.served)).max(0.0);
+        text += &format!(
+            "  {:<42} {:>9.1e} {:>9.2} {:>11} {:>11} {:>8.0e}  {}\n",
+            row.what,
+            saved(|cost| cost.node_samples),
+            saved(|cost| cost.seconds),
+            bytes_in_words(saved(|cost| cost.memory_bytes) as u64),
+            bytes_in_words(saved(|cost| cost.stored_bytes) as u64),
+            row.error_bound,
+            row.why
+        );
+    }
+    text
 }

@@ -6,15 +6,20 @@ use serde::Serialize;
 
 use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
+use crate::ground::direction::Vec3;
 use crate::ground::error::{Error, Result};
 use crate::ground::sampling::{self, Region};
 use crate::ground::{files, metrics};
 use crate::height::read::Provenance;
-use crate::manifest::{self, Manifest, convert::specimen_config};
+use crate::manifest::convert::{run_config, specimen_config};
+use crate::manifest::{self, Manifest};
 use crate::optics::spectral;
+use crate::scene::model::Scene;
+use crate::scene::samples::samples;
 use crate::stages::atlas::{self, AtlasIndex};
 use crate::stages::ingest::ingest;
 use crate::stages::results::ErrorRow;
+use crate::stages::serve;
 use crate::stages::specimen::{self, CheckValue, SpecimenFile};
 use crate::stages::verify::{self, VerifyReport};
 use crate::tables::build;
@@ -101,7 +106,7 @@ struct SpecimenCheck {
 /// Relative errors of Y over directions of one region, beside those recorded when the atlas was made.
 #[derive(Debug, Serialize)]
 struct ReferenceCheck {
-    region: &'static str,
+    region: String,
     /// Directions bright enough to have a relative error.
     directions: usize,
     p50: f64,
@@ -201,11 +206,11 @@ fn against_scans(
     let fields = ingested.fields;
     let plan = build::plan(&fields, &config.optics, &manifest.tables)?;
     let recorded: Vec<ErrorRow> = serde_json::from_value(file.errors.clone()).unwrap_or_default();
-    // The sequence that chose the recorded directions, further on.
-    let skip = 1000 + args.seed as usize % 1_000_000;
-    let pairs = |region| sampling::direction_pairs(region, skip + args.samples).split_off(skip);
-    let regions = [Region::Hemisphere, Region::NearSpecular];
-    let all: Vec<_> = regions.into_iter().flat_map(pairs).collect();
+    let groups = match set.served {
+        None => hemisphere_groups(args),
+        Some(_) => scene_groups(args, manifest, &file.name)?,
+    };
+    let all: Vec<_> = groups.iter().flat_map(|(_, pairs)| pairs.clone()).collect();
     let exact = spectral::brdf_xyz_batch(&fields, &config.optics, &plan.spectra, &all)?;
     let errors: Vec<Option<f64>> = all
         .iter()
@@ -216,16 +221,44 @@ fn against_scans(
             (exact[1] > FLOOR_PER_SR || exact[1].is_nan()).then(|| (ours - exact[1]).abs() / exact[1])
         })
         .collect();
-    let compare = |(region, errors): (Region, &[Option<f64>])| {
-        let recorded = recorded.iter().find(|row| row.what == "total" && row.region == region.name());
-        let errors: Vec<f64> = errors.iter().copied().flatten().collect();
-        recorded.map(|recorded| reference_check(region.name(), errors, recorded))
-    };
-    check.reference = regions.into_iter().zip(errors.chunks(args.samples)).filter_map(compare).collect();
+    let mut rest = errors.as_slice();
+    for (region, pairs) in &groups {
+        let (own, others) = rest.split_at(pairs.len());
+        rest = others;
+        if let Some(recorded) = recorded.iter().find(|row| row.what == "total" && row.region == *region) {
+            check.reference.push(reference_check(region, own.iter().copied().flatten().collect(), recorded));
+        }
+    }
     Ok(())
 }
 
-fn reference_check(region: &'static str, errors: Vec<f64>, recorded: &ErrorRow) -> ReferenceCheck {
+/// Directions of one kind, by name.
+type Group = (String, Vec<(Vec3, Vec3)>);
+
+/// The sequence that chose the recorded directions, further on.
+fn hemisphere_groups(args: &VerifyArgs) -> Vec<Group> {
+    let skip = 1000 + args.seed as usize % 1_000_000;
+    let pairs = |region| sampling::direction_pairs(region, skip + args.samples).split_off(skip);
+    [Region::Hemisphere, Region::NearSpecular].map(|region| (region.name().to_owned(), pairs(region))).to_vec()
+}
+
+/// Directions of the scenes that the tables were made for, others than the recorded ones.
+fn scene_groups(args: &VerifyArgs, manifest: &Manifest, specimen: &str) -> Result<Vec<Group>> {
+    let config = run_config(manifest, "");
+    let scenes = serve::served_scenes(&config, specimen).unwrap_or_default();
+    let group = |scene: &&Scene| {
+        let samples = samples(scene)?;
+        let count = samples.weight.len();
+        let drawn = (0..args.samples.min(count)).map(|index| {
+            let at = (sampling::plane(index + args.seed as usize % 1_000_000)[0] * count as f64) as usize;
+            (samples.wi[at].map(f64::from), samples.wo[at].map(f64::from))
+        });
+        Ok((format!("scene {}", scene.name), drawn.collect()))
+    };
+    scenes.iter().map(group).collect()
+}
+
+fn reference_check(region: &str, errors: Vec<f64>, recorded: &ErrorRow) -> ReferenceCheck {
     let plausible = |quantile: f64, limit: f64| {
         let limit = limit.max(ERROR_FLOOR);
         let above = errors.iter().filter(|&&error| error.is_nan() || error > limit).count();
@@ -234,7 +267,7 @@ fn reference_check(region: &'static str, errors: Vec<f64>, recorded: &ErrorRow) 
     let passed = plausible(0.5, recorded.p50) && plausible(0.95, recorded.p95);
     let quantiles = metrics::quantiles(errors);
     ReferenceCheck {
-        region,
+        region: region.to_owned(),
         directions: quantiles.count,
         p50: quantiles.p50,
         p95: quantiles.p95,

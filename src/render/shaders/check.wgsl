@@ -23,8 +23,14 @@ fn shade_runs(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let run = runs[id.x];
     var sum = vec3<f32>(0.0, 0.0, 0.0);
+    var unserved = 0.0;
     for (var index = run.first; index < run.first + run.count; index = index + 1u) {
-        sum = sum + samples[index].weight * brdf_xyz(samples[index].wi, samples[index].wo);
+        let xyz = brdf_xyz(samples[index].wi, samples[index].wo);
+        if serves(xyz) {
+            sum = sum + samples[index].weight * xyz;
+        } else {
+            unserved = unserved + 1.0;
+        }
     }
-    sums[id.x] = vec4<f32>(sum, 0.0);
+    sums[id.x] = vec4<f32>(sum, unserved);
 }

@@ -47,7 +47,11 @@ fn shade_sphere(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32
             let wi = vec3<f32>(dot(tangent, to_light), dot(bitangent, to_light), dot(normal, to_light));
             let wo = vec3<f32>(tangent.z, bitangent.z, normal.z);
             if wi.z > 0.0 {
-                sum = sum + light.irradiance * wi.z * brdf_xyz(wi, wo);
+                let brdf = brdf_xyz(wi, wo);
+                if !serves(brdf) {
+                    return vec4<f32>(1.0, 0.0, 1.0, 1.0);
+                }
+                sum = sum + light.irradiance * wi.z * brdf;
             }
         }
     }

@@ -5,6 +5,11 @@
 fn shade_material(@location(0) wi: vec3<f32>, @location(1) wo: vec3<f32>) -> @location(0) vec4<f32> {
     let to_light = normalize(wi);
     let to_viewer = normalize(wo);
-    let xyz = brdf_xyz(to_light, to_viewer) * max(to_light.z, 0.0);
+    let brdf = brdf_xyz(to_light, to_viewer);
+    if !serves(brdf) {
+        // No answer: magenta, which no surface is by itself.
+        return vec4<f32>(1.0, 0.0, 1.0, 1.0);
+    }
+    let xyz = brdf * max(to_light.z, 0.0);
     return vec4<f32>(xyz_to_linear_srgb(xyz), 1.0);
 }

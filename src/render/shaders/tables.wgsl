@@ -27,14 +27,21 @@ struct TableParams {
     // Refractive index n + ik.
     index_n: f32,
     index_k: f32,
+    // 1 where the tables serve certain scenes alone: one more layer of `tables` holds the range of t of each texel.
+    served: u32,
+    // Texels along u and v of the whole grid less one, and where in it the tables' window begins.
+    grid_last: f32,
+    first_column: f32,
+    first_row: f32,
     // Value of a layer = texel times scale; four scales to a vector.
     table_scales: array<vec4<f32>, 64>,
     cross_scales: array<vec4<f32>, 64>,
 }
 
 @group(0) @binding(0) var<uniform> params: TableParams;
-// Half floats, one layer per basis function; texel (row, column) lies at u = -2 + 4 column / (size - 1),
-// v = 2 - 4 row / (size - 1).
+// Half floats, one layer per basis function; texel (row, column) of the whole grid lies at u = -2 + 4 column / grid_last,
+// v = 2 - 4 row / grid_last. Where tables serve certain scenes, the layer after the last holds low, high and 1 where
+// a texel is served.
 @group(0) @binding(1) var tables: texture_2d_array<f32>;
 // Half floats, one layer per basis function, over [-radius_max, radius_max]².
 @group(0) @binding(2) var cross_terms: texture_2d_array<f32>;
@@ -42,6 +49,11 @@ struct TableParams {
 @group(0) @binding(3) var lobe: texture_2d<f32>;
 // Bilinear, clamped to the edges.
 @group(0) @binding(4) var bilinear: sampler;
+
+// What `brdf_xyz` gives for directions that the tables do not serve, in every channel: no answer.
+const UNSERVED: f32 = -1.0;
+// How far t may lie outside of the range between the texels, as a share of the range.
+const RANGE_SLACK: f32 = 0.02;
 
 fn wave_vector_change(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     return -wi - wo;
@@ -141,23 +153,52 @@ fn powers(w: f32) -> Recurrence {
     return Recurrence(first, 1.0 / w, w, 0.0);
 }
 
-// XYZ of the BRDF in 1/sr; 0 for directions not above the surface.
+// XYZ of the BRDF in 1/sr; 0 for directions not above the surface, UNSERVED for those that the tables do not serve.
 fn brdf_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     let front = prefactor(wi, wo);
     if front == 0.0 {
         return vec3<f32>(0.0, 0.0, 0.0);
     }
-    return front * window_power(wave_vector_change(wi, wo));
+    let power = window_power(wave_vector_change(wi, wo));
+    if !serves(power) {
+        return power;
+    }
+    return front * power;
 }
 
-// The BRDF without reflectance, geometry and shadowing.
+// Whether a value is an answer.
+fn serves(xyz: vec3<f32>) -> bool {
+    return !(xyz.x == UNSERVED && xyz.y == UNSERVED && xyz.z == UNSERVED);
+}
+
+// The BRDF without reflectance, geometry and shadowing; UNSERVED where the tables do not serve.
 fn window_power(q: vec3<f32>) -> vec3<f32> {
     let at = 0.5 * q.xy;
     if params.basis == TAYLOR {
         return expansion(powers(abs(q.z)), at);
     }
     let t = t_of(q);
-    return expansion(shifted_values(t), at) + lobe_value(q, t);
+    var s = t;
+    if params.served != 0u {
+        s = share_of_range(at, t);
+        if s < 0.0 {
+            return vec3<f32>(UNSERVED, UNSERVED, UNSERVED);
+        }
+    }
+    return expansion(shifted_values(s), at) + lobe_value(q, t);
+}
+
+// Where t lies in the range at a position, 0 to 1; negative outside of what is served.
+fn share_of_range(at: vec2<f32>, t: f32) -> f32 {
+    let uv = table_place(at);
+    let half_texel = 0.5 / vec2<f32>(textureDimensions(tables));
+    let range = textureSampleLevel(tables, bilinear, uv, params.table_count, 0.0).rgb;
+    let inside = all(uv > 0.99 * half_texel) && all(1.0 - uv > 0.99 * half_texel);
+    let s = (t - range.x) / (range.y - range.x);
+    if !(inside && range.z > 0.998 && s >= -RANGE_SLACK && s <= 1.0 + RANGE_SLACK) {
+        return -1.0;
+    }
+    return clamp(s, 0.0, 1.0);
 }
 
 fn t_of(q: vec3<f32>) -> f32 {
@@ -184,7 +225,7 @@ fn lobe_value(q: vec3<f32>, t: f32) -> vec3<f32> {
 
 // Sum of basis_n table_n at a position in [-1, 1]².
 fn expansion(basis: Recurrence, at: vec2<f32>) -> vec3<f32> {
-    let uv = texel_centred(at, textureDimensions(tables));
+    let uv = table_place(at);
     var sum = vec3<f32>(0.0, 0.0, 0.0);
     var now = basis.first;
     var next = basis.second;
@@ -212,6 +253,12 @@ fn cross_expansion(basis: Recurrence, at: vec2<f32>) -> vec3<f32> {
         next = after;
     }
     return sum;
+}
+
+// Normalised coordinates in the tables of a position in [-1, 1]², y up.
+fn table_place(at: vec2<f32>) -> vec2<f32> {
+    let texel = vec2<f32>(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y) * params.grid_last;
+    return (texel - vec2<f32>(params.first_column, params.first_row) + 0.5) / vec2<f32>(textureDimensions(tables));
 }
 
 // Normalised texture coordinates of a position in [-1, 1]², y up: its ends are the outer texels' centres.

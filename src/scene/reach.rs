@@ -1,0 +1,108 @@
+//! What of (u, v, w) a scene's picture reaches: the texels and depths that its tables must hold.
+
+use rayon::prelude::*;
+
+use super::model::{Scene, Shape};
+use super::samples::{ShadingSamples, pixel_range, samples_of, samples_per_pixel};
+use crate::ground::direction::wave_vector_change;
+use crate::ground::error::Result;
+use crate::tables::domain::Domain;
+use crate::tables::evaluate::t_of;
+use crate::tables::plan::Grid;
+
+/// Texels by which the directions of neighbouring pixels may lie apart and still belong to one piece of surface: what
+/// lies between them is then reached too. Farther apart they are on two sides of an edge.
+const JUMP_TEXELS: f64 = 16.0;
+
+/// Positions within each pixel that are looked at, if the picture has fewer.
+const PIXEL_SAMPLES: usize = 16;
+
+/// Samples gathered at a time.
+const BAND_SAMPLES: usize = 1 << 18;
+
+/// Marks on a grid whatever a picture of the scene looks up, light by light.
+///
+/// Directions are those of the very samples that the picture is made of. To hold for other renderers too, which put
+/// their samples elsewhere within the same pixels and lights, more samples are spread over each pixel, everything between
+/// a pixel's samples of one light and between those of neighbouring pixels counts as reached, and so do the texels
+/// around all that.
+///
+/// # Errors
+/// A scene that cannot be rendered.
+pub fn reach(scene: &Scene, grid: Grid) -> Result<Domain> {
+    let mut reached = Domain::new(grid);
+    let lights = match scene.shape {
+        Shape::Hemisphere | Shape::Screen { .. } => 1,
+        _ => scene.lights.len().max(1),
+    };
+    for light in 0..lights {
+        let alone = Scene { lights: scene.lights.get(light).copied().into_iter().collect(), ..scene.clone() };
+        reached = reached.merge(&reach_of_light(&alone, grid)?);
+        if scene.pixel_samples < PIXEL_SAMPLES {
+            let spread = Scene { pixel_samples: PIXEL_SAMPLES, ..alone };
+            reached = reached.merge(&reach_of_light(&spread, grid)?);
+        }
+    }
+    Ok(reached.with_margin())
+}
+
+fn reach_of_light(scene: &Scene, grid: Grid) -> Result<Domain> {
+    let side = scene.size_px;
+    let band = (BAND_SAMPLES / (samples_per_pixel(scene) * side).max(1)).clamp(1, side);
+    let starts: Vec<usize> = (0..side).step_by(band).collect();
+    starts
+        .into_par_iter()
+        .try_fold(
+            || Domain::new(grid),
+            |mut domain, start| {
+                // One row more, so that the last row has a neighbour.
+                let samples = samples_of(scene, start..(start + band + 1).min(side), 1)?;
+                mark_pixels(&mut domain, &samples);
+                Ok(domain)
+            },
+        )
+        .try_reduce(|| Domain::new(grid), |a, b| Ok(a.merge(&b)))
+}
+
+/// Everything that a pixel's samples reach: intervals of u, v, t.
+type Box3 = [[f64; 2]; 3];
+
+fn mark_pixels(domain: &mut Domain, samples: &ShadingSamples) {
+    let jump = JUMP_TEXELS * domain.grid.texel();
+    let boxes: Vec<Option<Box3>> = (0..samples.rows * samples.columns).map(|pixel| pixel_box(samples, pixel)).collect();
+    for row in 0..samples.rows {
+        for column in 0..samples.columns {
+            let at = |r: usize, c: usize| {
+                let there = r < samples.rows && c < samples.columns;
+                there.then(|| boxes[r * samples.columns + c]).flatten()
+            };
+            let block = [at(row, column), at(row, column + 1), at(row + 1, column), at(row + 1, column + 1)];
+            let Some(own) = block[0] else { continue };
+            let parts = || block.into_iter().flatten();
+            let widest = parts().map(extent).fold(0.0, f64::max);
+            let whole = parts().fold(own, joined);
+            let [u, v, t] = if extent(whole) <= widest + jump { whole } else { own };
+            domain.mark(u, v, t);
+        }
+    }
+}
+
+fn pixel_box(samples: &ShadingSamples, pixel: usize) -> Option<Box3> {
+    let range = pixel_range(samples, pixel / samples.columns, pixel % samples.columns);
+    range
+        .map(|index| {
+            let [wi, wo] = [samples.wi[index], samples.wo[index]].map(|d| d.map(f64::from));
+            let q = wave_vector_change(wi, wo);
+            [[q[0]; 2], [q[1]; 2], [t_of(q); 2]]
+        })
+        .reduce(joined)
+}
+
+fn joined(a: Box3, b: Box3) -> Box3 {
+    std::array::from_fn(|axis| [a[axis][0].min(b[axis][0]), a[axis][1].max(b[axis][1])])
+}
+
+/// Larger side in (u, v).
+fn extent([u, v, _]: Box3) -> f64 {
+    (u[1] - u[0]).max(v[1] - v[0])
+}

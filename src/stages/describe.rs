@@ -1,0 +1,199 @@
+//! What a specimen's files and the report say of it, put together from what its stages found out.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::atlas::{InputRecord, SpecimenEntry};
+use super::config::{RunConfig, SpecimenConfig};
+use super::ingest::Ingested;
+use super::results::{BuildResult, LobeResult, SpecimenResult};
+use super::specimen::{self, CheckValue, SpecimenFile};
+use crate::ground::direction::{Vec3, angles_deg, from_angles_deg};
+use crate::ground::error::Error;
+use crate::ground::sampling;
+use crate::tables::build::BuildPlan;
+use crate::tables::evaluate::{Interpolation, brdf_xyz};
+use crate::tables::model::{Basis, BuildRecord, TableSet};
+
+/// Directions whose values are stored for testing other programs.
+const CHECK_VALUES: usize = 20;
+
+/// Everything about a specimen that is known before its errors are measured.
+pub(super) fn describe(
+    specimen: &SpecimenConfig,
+    ingested: &Ingested,
+    config: &RunConfig,
+    set: &TableSet,
+    record: &BuildRecord,
+    plan: &BuildPlan,
+) -> SpecimenResult {
+    let field = &ingested.fields[0];
+    let [nx, ny] = field.extent_nm();
+    SpecimenResult {
+        name: specimen.name.clone(),
+        species: specimen.species.clone(),
+        generated: specimen.species.as_deref().is_some_and(|species| species.starts_with("generated")),
+        scans: ingested.provenance.iter().map(to_value).collect(),
+        size: field.size(),
+        pitch_nm: field.pitch_nm,
+        extent_um: [nx * 1e-3, ny * 1e-3],
+        statistics: ingested.statistics.first().cloned(),
+        optics: Some(specimen.optics.clone()),
+        build: Some(BuildResult {
+            basis: set.basis,
+            tables: set.tables.len(),
+            size: set.size(),
+            storage: config.tables.storage,
+            stored_bytes: 0,
+            prefilter_width: set.prefilter_width,
+            tolerance: config.tables.tolerance,
+            record: record.clone(),
+            build_s: 0.0,
+        }),
+        lobe: set.lobe.as_ref().map(|lobe| LobeResult {
+            radius_max: lobe.radius_max,
+            cross_tables: lobe.cross.len(),
+            power_share: None,
+        }),
+        errors: Vec::new(),
+        power_sums: Vec::new(),
+        scenes: Vec::new(),
+        height_map: None,
+        spectrum: None,
+        preview_png: None,
+        reached_png: None,
+        budget: None,
+        warnings: warnings(specimen, set, plan),
+        failed: None,
+    }
+}
+
+/// What a user must know about these tables.
+fn warnings(specimen: &SpecimenConfig, set: &TableSet, plan: &BuildPlan) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if specimen.measured.is_some() {
+        warnings.push("`measured` is named, but this version does not compare with measured reflectance yet".into());
+    }
+    if set.usable_radius < 2.0 {
+        warnings.push(format!(
+            "the scan's sampling answers for |(u, v)| up to {:.2} only: beyond, some wavelengths are missing and values are too dark",
+            set.usable_radius
+        ));
+    }
+    if set.prefilter_width > 0.0 {
+        warnings.push(format!(
+            "a texel ({:.4}) is wider than the coherence lobe: each holds the mean over a square of {:.4} in u and v, \
+             so single directions differ from the point values while pictures of extended lights and pixels do not",
+            plan.texels.grid.texel(),
+            set.prefilter_width
+        ));
+    }
+    if set.basis == Basis::Taylor {
+        warnings.push("tables of the published Taylor series, kept for comparison".into());
+    }
+    warnings
+}
+
+pub(super) fn entry(specimen: &SpecimenConfig) -> SpecimenEntry {
+    SpecimenEntry { name: specimen.name.clone(), species: specimen.species.clone().unwrap_or_default() }
+}
+
+pub(super) fn inputs(config: &RunConfig, specimen: &SpecimenConfig, ingested: &Ingested) -> Vec<InputRecord> {
+    let name = |path: &Path| path.strip_prefix(&config.base).unwrap_or(path).display().to_string();
+    let scans = specimen.scans.iter().zip(&ingested.provenance);
+    scans.map(|(path, provenance)| InputRecord { path: name(path), sha256: provenance.sha256.clone() }).collect()
+}
+
+fn to_value(value: &impl serde::Serialize) -> Value {
+    serde_json::to_value(value).unwrap_or(Value::Null)
+}
+
+pub(super) fn specimen_file(
+    specimen: &SpecimenConfig,
+    ingested: &Ingested,
+    tables: crate::tables::storage::StoredTables,
+    result: &SpecimenResult,
+    set: &TableSet,
+    served: &[(Vec3, Vec3)],
+) -> SpecimenFile {
+    SpecimenFile {
+        schema: specimen::SCHEMA,
+        name: specimen.name.clone(),
+        species: specimen.species.clone().unwrap_or_default(),
+        provenance: to_value(&ingested.provenance),
+        preparation: json!({ "settings": specimen.prepare, "done": ingested.preparation }),
+        statistics: to_value(&ingested.statistics),
+        optics: specimen.optics.clone(),
+        build: result.build.as_ref().map(|build| build.record.clone()).unwrap_or_default(),
+        tables,
+        errors: to_value(&result.errors),
+        check_values: check_values(set, served),
+        warnings: result.warnings.clone(),
+    }
+}
+
+/// Values for testing other programs: half over the whole hemisphere, half around the mirror direction; where tables
+/// do not serve every direction, some of those they do.
+fn check_values(set: &TableSet, served: &[(Vec3, Vec3)]) -> Vec<CheckValue> {
+    if set.served.is_some() {
+        let step = served.len().div_ceil(CHECK_VALUES).max(1);
+        return served.iter().step_by(step).map(|&(wi, wo)| served_value(set, wi, wo)).collect();
+    }
+    let angle = |share: f64, range: f64| (share * range * 10.0).round() / 10.0;
+    (0..CHECK_VALUES)
+        .map(|index| {
+            let [a, b, c, d] = sampling::four(index);
+            let (theta_i_deg, phi_i_deg) = (angle(a, 80.0), angle(b, 360.0));
+            let (theta_r_deg, phi_r_deg) = if index % 2 == 0 {
+                (angle(c, 80.0), angle(d, 360.0))
+            } else {
+                ((theta_i_deg + angle(c, 2.0) - 1.0).abs(), (phi_i_deg + 179.0 + angle(d, 2.0)) % 360.0)
+            };
+            let (wi, wo) = (from_angles_deg(theta_i_deg, phi_i_deg), from_angles_deg(theta_r_deg, phi_r_deg));
+            let xyz = brdf_xyz(set, Interpolation::Bilinear, wi, wo);
+            CheckValue { theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, wi, wo, xyz }
+        })
+        .collect()
+}
+
+fn served_value(set: &TableSet, wi: Vec3, wo: Vec3) -> CheckValue {
+    let [[theta_i_deg, phi_i_deg], [theta_r_deg, phi_r_deg]] = [wi, wo].map(angles_deg);
+    // Samples of a picture are 32-bit floats, not quite of unit length.
+    let (wi, wo) = (from_angles_deg(theta_i_deg, phi_i_deg), from_angles_deg(theta_r_deg, phi_r_deg));
+    CheckValue {
+        theta_i_deg,
+        phi_i_deg,
+        theta_r_deg,
+        phi_r_deg,
+        wi,
+        wo,
+        xyz: brdf_xyz(set, Interpolation::Bilinear, wi, wo),
+    }
+}
+
+pub(super) fn failed_result(specimen: &SpecimenConfig, error: &Error) -> SpecimenResult {
+    SpecimenResult {
+        name: specimen.name.clone(),
+        species: specimen.species.clone(),
+        generated: false,
+        scans: Vec::new(),
+        size: [0, 0],
+        pitch_nm: [0.0, 0.0],
+        extent_um: [0.0, 0.0],
+        statistics: None,
+        optics: None,
+        build: None,
+        lobe: None,
+        errors: Vec::new(),
+        power_sums: Vec::new(),
+        scenes: Vec::new(),
+        height_map: None,
+        spectrum: None,
+        preview_png: None,
+        reached_png: None,
+        budget: None,
+        warnings: Vec::new(),
+        failed: Some(error.to_string()),
+    }
+}

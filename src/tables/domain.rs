@@ -1,0 +1,374 @@
+//! The directions that are asked for: which texels of (u, v), and which depths at each of them.
+//!
+//! Depth is `t = |w| / sqrt(4 - u² - v²)`, the share of what `|w|` can be: a scene with one light and one camera reaches
+//! nearly the same `t` everywhere, but every `|w|`.
+
+use std::ops::Range;
+
+use half::f16;
+use ndarray::Array3;
+
+use super::model::Served;
+use super::plan::{Grid, w_reach};
+
+/// Rounding of positions to 32 bits must not leave what was marked.
+const ROUNDING_TEXELS: f64 = 1e-3;
+
+/// What is reached of a grid, texel by texel in rows from the top.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Domain {
+    /// The whole grid.
+    pub grid: Grid,
+    /// Lowest `t` of each texel; infinite where nothing is reached.
+    pub low: Vec<f32>,
+    /// Highest `t`; negative where nothing is reached.
+    pub high: Vec<f32>,
+}
+
+impl Domain {
+    /// Nothing reached yet.
+    pub fn new(grid: Grid) -> Self {
+        let texels = grid.size * grid.size;
+        Self { grid, low: vec![f32::INFINITY; texels], high: vec![-1.0; texels] }
+    }
+
+    /// Marks every texel that a bilinear look-up anywhere in a box of (u, v) reads, for `t` in a range.
+    pub fn mark(&mut self, u: [f64; 2], v: [f64; 2], t: [f64; 2]) {
+        let columns = self.stencil(u[0], u[1]);
+        let rows = self.stencil(-v[1], -v[0]);
+        for row in rows {
+            for index in row * self.grid.size + columns.start..row * self.grid.size + columns.end {
+                self.low[index] = self.low[index].min(t[0] as f32);
+                self.high[index] = self.high[index].max(t[1] as f32);
+            }
+        }
+    }
+
+    /// Texels along an axis between which positions from `low` to `high` lie.
+    fn stencil(&self, low: f64, high: f64) -> Range<usize> {
+        let at = |x: f64| (x + self.grid.half_width) / self.grid.texel();
+        let last = (self.grid.size - 1) as f64;
+        let first = (at(low) - ROUNDING_TEXELS).floor().clamp(0.0, last) as usize;
+        let end = (at(high) + ROUNDING_TEXELS).ceil().clamp(0.0, last) as usize;
+        first..end + 1
+    }
+
+    /// Adds what another domain on the same grid reaches.
+    pub fn merge(mut self, other: &Self) -> Self {
+        assert_eq!(self.grid, other.grid, "domains are merged texel by texel");
+        self.low.iter_mut().zip(&other.low).for_each(|(low, other)| *low = low.min(*other));
+        self.high.iter_mut().zip(&other.high).for_each(|(high, other)| *high = high.max(*other));
+        self
+    }
+
+    /// Adds the texels next to those reached, with the ranges of their neighbours.
+    pub fn with_margin(&self) -> Self {
+        let size = self.grid.size;
+        let mut wide = Self::new(self.grid);
+        for row in 0..size {
+            for column in (0..size).filter(|&column| self.reaches(row, column)) {
+                let from = row * size + column;
+                for r in row.saturating_sub(1)..(row + 2).min(size) {
+                    for index in r * size + column.saturating_sub(1)..r * size + (column + 2).min(size) {
+                        wide.low[index] = wide.low[index].min(self.low[from]);
+                        wide.high[index] = wide.high[index].max(self.high[from]);
+                    }
+                }
+            }
+        }
+        wide
+    }
+
+    /// Widens every range by `pad` at both ends, within [0, 1], then lets neighbours differ by at most `slope` per
+    /// texel, again by widening; at last the ends become half floats, which is how they are stored.
+    ///
+    /// Between texels a look-up interpolates coefficients and ranges with the same shares `s_i`. That is the mean of
+    /// the texels' polynomials at `t_i`, which lie as deep in the ranges of the texels as `t` does in the range
+    /// between them: `Σ s_i t_i = t`, so only the second order errs, by at most `slope² / 8` times the second
+    /// derivative in `t` for two neighbours.
+    pub fn with_smooth_ranges(mut self, pad: f64, slope: f64) -> Self {
+        for (low, high) in self.low.iter_mut().zip(&mut self.high).filter(|(low, high)| low <= high) {
+            *low = (*low - pad as f32).max(0.0);
+            *high = (*high + pad as f32).min(1.0);
+        }
+        let (straight, diagonal) = (slope as f32, (slope * std::f64::consts::SQRT_2) as f32);
+        let size = self.grid.size as isize;
+        let neighbours: [[isize; 2]; 4] = [[-1, -1], [-1, 0], [-1, 1], [0, -1]];
+        let mut relax = |index: usize, back: bool| {
+            let mut changed = false;
+            if self.low[index] > self.high[index] {
+                return changed;
+            }
+            let (row, column) = (index as isize / size, index as isize % size);
+            for [dr, dc] in neighbours.map(|offset| if back { offset.map(|o| -o) } else { offset }) {
+                let (r, c) = (row + dr, column + dc);
+                if !(0..size).contains(&r) || !(0..size).contains(&c) {
+                    continue;
+                }
+                let other = (r * size + c) as usize;
+                if self.low[other] <= self.high[other] {
+                    let step = if dr != 0 && dc != 0 { diagonal } else { straight };
+                    let [low, high] = [self.low[other] + step, self.high[other] - step];
+                    changed |= low < self.low[index] || high > self.high[index];
+                    self.low[index] = self.low[index].min(low);
+                    self.high[index] = self.high[index].max(high);
+                }
+            }
+            changed
+        };
+        let texels = (size * size) as usize;
+        // Down and up once settles a domain without holes; around a hole ranges spread in further rounds.
+        loop {
+            let down = (0..texels).fold(false, |changed, index| relax(index, false) | changed);
+            let up = (0..texels).rev().fold(false, |changed, index| relax(index, true) | changed);
+            if !down && !up {
+                break;
+            }
+        }
+        for (low, high) in self.low.iter_mut().zip(&mut self.high).filter(|(low, high)| low <= high) {
+            (*low, *high) = (half_below(*low), half_above(*high));
+        }
+        self
+    }
+
+    /// Every texel of the disc, those not reached with the hull of all ranges.
+    pub fn with_all_texels(&self) -> Self {
+        let ends = |ends: [f64; 2], [low, high]: [f64; 2]| [ends[0].min(low), ends[1].max(high)];
+        let whole = self.iter().map(|(_, _, t)| t).fold([1.0, 0.0], ends);
+        self.filled(|row, column| if self.reaches(row, column) { self.range(row, column) } else { whole })
+    }
+
+    /// The texels reached, each over all its depths.
+    pub fn with_all_depths(&self) -> Self {
+        let mut deep = self.clone();
+        for (low, high) in deep.low.iter_mut().zip(&mut deep.high).filter(|(low, high)| low <= high) {
+            (*low, *high) = (0.0, 1.0);
+        }
+        deep
+    }
+
+    fn filled(&self, range: impl Fn(usize, usize) -> [f64; 2]) -> Self {
+        let mut filled = self.clone();
+        for row in 0..self.grid.size {
+            for column in 0..self.grid.size {
+                if self.grid.u(column).hypot(self.grid.v(row)) < 2.0 {
+                    let index = row * self.grid.size + column;
+                    [filled.low[index], filled.high[index]] = range(row, column).map(|t| t as f32);
+                }
+            }
+        }
+        filled
+    }
+
+    /// Whether a texel is reached.
+    pub fn reaches(&self, row: usize, column: usize) -> bool {
+        let index = row * self.grid.size + column;
+        self.low[index] <= self.high[index]
+    }
+
+    /// Lowest and highest `t` of a texel that is reached.
+    pub fn range(&self, row: usize, column: usize) -> [f64; 2] {
+        let index = row * self.grid.size + column;
+        [self.low[index].into(), self.high[index].into()]
+    }
+
+    /// Range of `|w|` at the texel nearest to `(u, v)`; `None` where it is not reached.
+    pub fn w_near(&self, [u, v]: [f64; 2]) -> Option<[f64; 2]> {
+        let index = |x: f64| ((x + self.grid.half_width) / self.grid.texel()).round();
+        let inside = |at: f64| at >= 0.0 && at < self.grid.size as f64;
+        let (row, column) = (index(-v), index(u));
+        let there = inside(row) && inside(column) && self.reaches(row as usize, column as usize);
+        there.then(|| self.w_at(row as usize, column as usize, self.range(row as usize, column as usize)))
+    }
+
+    /// Number of texels reached.
+    pub fn texels(&self) -> usize {
+        self.low.iter().zip(&self.high).filter(|(low, high)| low <= high).count()
+    }
+
+    /// Row, column and range of every texel reached.
+    pub fn iter(&self) -> impl Iterator<Item = (usize, usize, [f64; 2])> + '_ {
+        let size = self.grid.size;
+        let ranges = self.low.iter().zip(&self.high).enumerate().filter(|(_, (low, high))| low <= high);
+        ranges.map(move |(index, (&low, &high))| (index / size, index % size, [low.into(), high.into()]))
+    }
+
+    /// The range of `|w|` that a range of `t` is at a texel.
+    pub fn w_at(&self, row: usize, column: usize, t: [f64; 2]) -> [f64; 2] {
+        let reach = w_reach(self.grid.u(column).hypot(self.grid.v(row)));
+        t.map(|t| t * reach)
+    }
+
+    /// Radius, and `|w|`, from the least to the greatest that is reached; `None` where nothing is.
+    pub fn hull(&self) -> Option<Hull> {
+        let mut hull: Option<Hull> = None;
+        for (row, column, t) in self.iter() {
+            let [u, v] = [self.grid.u(column), self.grid.v(row)];
+            let here = Hull { rho: [u.hypot(v); 2], u: [u; 2], v: [v; 2], w: self.w_at(row, column, t) };
+            hull = Some(hull.map_or(here, |hull| hull.with(&here)));
+        }
+        hull
+    }
+
+    /// Lowest and highest `|w|` of the texels of a ring; `None` where it has none.
+    pub fn w_of_ring(&self, rho: [f64; 2]) -> Option<[f64; 2]> {
+        let inside = self.iter().filter(|&(row, column, _)| {
+            let radius = self.grid.u(column).hypot(self.grid.v(row));
+            radius >= rho[0] && radius < rho[1]
+        });
+        inside.map(|(row, column, t)| self.w_at(row, column, t)).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+    }
+
+    /// The window around everything reached, as rows and columns.
+    pub fn window(&self) -> Option<[Range<usize>; 2]> {
+        let mut window: Option<[Range<usize>; 2]> = None;
+        for (row, column, _) in self.iter() {
+            let [rows, columns] = window.unwrap_or([row..row + 1, column..column + 1]);
+            let grown = |range: Range<usize>, at: usize| range.start.min(at)..range.end.max(at + 1);
+            window = Some([grown(rows, row), grown(columns, column)]);
+        }
+        window
+    }
+
+    /// What readers of the tables need to know; `None` where nothing is reached.
+    pub fn served(&self) -> Option<Served> {
+        let [rows, columns] = self.window()?;
+        let range = Array3::from_shape_fn((rows.len(), columns.len(), 3), |(row, column, channel)| {
+            let index = (rows.start + row) * self.grid.size + columns.start + column;
+            match (self.low[index] <= self.high[index], channel) {
+                (true, 0) => self.low[index],
+                (true, 1) => self.high[index],
+                (true, _) => 1.0,
+                (false, _) => 0.0,
+            }
+        });
+        Some(Served { size: self.grid.size, first: [rows.start, columns.start], range })
+    }
+}
+
+/// The next half float at or below a number in [0, 1].
+fn half_below(number: f32) -> f32 {
+    let half = f16::from_f32(number);
+    let above = half.to_f32() > number;
+    if above { f16::from_bits(half.to_bits() - 1).to_f32() } else { half.to_f32() }
+}
+
+/// The next half float at or above a number in [0, 1].
+fn half_above(number: f32) -> f32 {
+    let half = f16::from_f32(number);
+    let below = half.to_f32() < number;
+    if below { f16::from_bits(half.to_bits() + 1).to_f32() } else { half.to_f32() }
+}
+
+/// The extent of a domain, each from the least to the greatest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hull {
+    /// Radius in (u, v).
+    pub rho: [f64; 2],
+    /// `u`.
+    pub u: [f64; 2],
+    /// `v`.
+    pub v: [f64; 2],
+    /// `|w|`.
+    pub w: [f64; 2],
+}
+
+impl Hull {
+    /// Everything that directions above the surface reach, and the rim of texels beyond.
+    pub fn whole(rho_max: f64) -> Self {
+        Self { rho: [0.0, rho_max], u: [-rho_max, rho_max], v: [-rho_max, rho_max], w: [0.0, w_reach(0.0)] }
+    }
+
+    fn with(&self, other: &Self) -> Self {
+        let joined = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
+        Self {
+            rho: joined(self.rho, other.rho),
+            u: joined(self.u, other.u),
+            v: joined(self.v, other.v),
+            w: joined(self.w, other.w),
+        }
+    }
+}
+
+/// The texels that are computed: a window of a grid, and of each of its rows the runs of columns.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Texels {
+    /// The whole grid.
+    pub grid: Grid,
+    /// Rows of the window.
+    pub rows: Range<usize>,
+    /// Columns of the window.
+    pub columns: Range<usize>,
+    /// Runs of each row of the window; `None` where every column counts.
+    runs: Option<Vec<Vec<Range<usize>>>>,
+}
+
+impl Texels {
+    /// All texels of a grid.
+    pub fn whole(grid: Grid) -> Self {
+        Self { grid, rows: 0..grid.size, columns: 0..grid.size, runs: None }
+    }
+
+    /// Those that a domain reaches; none for an empty domain.
+    pub fn reached(domain: &Domain) -> Self {
+        let [rows, columns] = domain.window().unwrap_or_default();
+        let runs = rows.clone().map(|row| runs_of(columns.clone().filter(|&column| domain.reaches(row, column))));
+        Self { grid: domain.grid, runs: Some(runs.collect()), rows, columns }
+    }
+
+    /// Whether every texel of the grid counts.
+    pub fn is_whole(&self) -> bool {
+        self.runs.is_none()
+    }
+
+    /// Texels in the window, counted or not.
+    pub fn window_texels(&self) -> usize {
+        self.rows.len() * self.columns.len()
+    }
+
+    /// Runs of columns of a row (of the grid) within `rho[0] <= radius < rho[1]`.
+    pub fn runs_in(&self, row: usize, rho: [f64; 2]) -> Vec<Range<usize>> {
+        let v = self.grid.v(row);
+        // What lies inside the next ring's hole.
+        let outer = inner_columns(&self.grid, rho[1], v);
+        let hole = inner_columns(&self.grid, rho[0], v);
+        let annulus = if hole.is_empty() { [outer, 0..0] } else { [outer.start..hole.start, hole.end..outer.end] };
+        let Some(runs) = &self.runs else {
+            return annulus.into_iter().filter(|run| !run.is_empty()).collect();
+        };
+        let own = row.checked_sub(self.rows.start).and_then(|index| runs.get(index));
+        let both = |a: &Range<usize>, b: &Range<usize>| a.start.max(b.start)..a.end.min(b.end);
+        let cut = own.into_iter().flatten().flat_map(|run| annulus.iter().map(move |part| both(run, part)));
+        cut.filter(|run| !run.is_empty()).collect()
+    }
+}
+
+/// Ascending numbers as runs.
+fn runs_of(columns: impl Iterator<Item = usize>) -> Vec<Range<usize>> {
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    for column in columns {
+        match runs.last_mut() {
+            Some(run) if run.end == column => run.end += 1,
+            _ => runs.push(column..column + 1),
+        }
+    }
+    runs
+}
+
+/// Columns of a row that lie inside a ring's hole.
+pub fn inner_columns(grid: &Grid, rho: f64, v: f64) -> Range<usize> {
+    let reach = rho * rho - v * v;
+    if reach <= 0.0 {
+        return 0..0;
+    }
+    let columns = grid.columns_within(reach.sqrt());
+    // The ring includes its inner radius.
+    let on_rim = |column: usize| grid.u(column).hypot(v) >= rho;
+    let start = columns.start + usize::from(on_rim(columns.start));
+    let end = columns.end - usize::from(columns.end > start && on_rim(columns.end - 1));
+    start..end.max(start)
+}
+
+#[cfg(test)]
+#[path = "domain_tests.rs"]
+mod tests;

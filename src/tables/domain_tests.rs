@@ -1,0 +1,127 @@
+use super::*;
+use proptest::prelude::*;
+
+fn grid(size: usize) -> Grid {
+    Grid { size, half_width: 2.0 }
+}
+
+#[test]
+fn nothing_marked_is_nothing_reached() {
+    let domain = Domain::new(grid(9));
+    assert_eq!((domain.texels(), domain.window(), domain.hull()), (0, None, None));
+    assert!(domain.served().is_none());
+    assert!(domain.with_margin().with_smooth_ranges(0.1, 0.1).window().is_none());
+}
+
+#[test]
+fn a_mark_holds_the_four_texels_of_its_look_up() {
+    // Texels lie 0.5 apart: u = 0.3 between columns 4 and 5, v = 0.3 between rows 3 and 4.
+    let mut domain = Domain::new(grid(9));
+    domain.mark([0.3; 2], [0.3; 2], [0.75; 2]);
+    let found: Vec<_> = domain.iter().map(|(row, column, w)| (row, column, w)).collect();
+    let t = [0.75; 2];
+    assert_eq!(found, [(3, 4, t), (3, 5, t), (4, 4, t), (4, 5, t)]);
+    assert_eq!(domain.with_margin().texels(), 16);
+    // A mark on a texel's centre keeps its neighbours: a reader's rounding may fall into either cell.
+    let mut centred = Domain::new(grid(9));
+    centred.mark([0.5; 2], [0.0; 2], [0.5; 2]);
+    assert_eq!(centred.texels(), 9);
+}
+
+#[test]
+fn runs_cut_rings_out_of_what_is_reached() {
+    let whole = Texels::whole(grid(41));
+    let mut domain = Domain::new(grid(41));
+    domain.mark([-2.0, 2.0], [-2.0, 2.0], [0.0, 1.0]);
+    let reached = Texels::reached(&domain);
+    for row in 0..41 {
+        for rho in [[0.0, 0.33], [0.33, 1.2], [1.2, 2.01]] {
+            let mut columns: Vec<usize> = whole.runs_in(row, rho).into_iter().flatten().collect();
+            assert_eq!(columns, reached.runs_in(row, rho).into_iter().flatten().collect::<Vec<_>>());
+            columns.retain(|&column| {
+                let radius = whole.grid.u(column).hypot(whole.grid.v(row));
+                !(radius >= rho[0] && radius < rho[1])
+            });
+            assert!(columns.is_empty(), "row {row}, ring {rho:?}: {columns:?} lie outside");
+        }
+    }
+}
+
+proptest! {
+    /// Every texel of a domain lies in exactly one ring's runs, and nothing else does.
+    #[test]
+    fn runs_hold_each_texel_once(marks in proptest::collection::vec((-2.0..2.0f64, -2.0..2.0f64), 1..20)) {
+        let mut domain = Domain::new(grid(31));
+        for (u, v) in marks {
+            domain.mark([u, u + 0.1], [v, v + 0.2], [0.5; 2]);
+        }
+        let texels = Texels::reached(&domain);
+        let mut count = vec![0; 31 * 31];
+        for row in 0..31 {
+            for rho in [[0.0, 0.71], [0.71, 1.53], [1.53, 3.0]] {
+                for column in texels.runs_in(row, rho).into_iter().flatten() {
+                    count[row * 31 + column] += 1;
+                }
+            }
+        }
+        for (index, count) in count.into_iter().enumerate() {
+            prop_assert_eq!(count, usize::from(domain.reaches(index / 31, index % 31)));
+        }
+    }
+
+    /// Smooth ranges hold the ranges they are made from, and differ by no more than asked from texel to texel.
+    #[test]
+    fn ranges_widen_until_they_are_smooth(
+        marks in proptest::collection::vec((-1.9..1.9f64, -1.9..1.9f64, 0.0..1.0f64), 1..30), slope in 0.01..0.5f64,
+    ) {
+        let mut domain = Domain::new(grid(21));
+        for (u, v, t) in marks {
+            domain.mark([u, u], [v, v], [t, t]);
+        }
+        let smooth = domain.clone().with_smooth_ranges(0.01, slope);
+        prop_assert_eq!(smooth.texels(), domain.texels());
+        for (row, column, [low, high]) in smooth.iter() {
+            let [from, to] = domain.range(row, column);
+            prop_assert!(low <= (from - 0.01).max(0.0) + 1e-6 && high >= (to + 0.01).min(1.0) - 1e-6);
+            for (r, c) in [(row + 1, column), (row, column + 1)] {
+                if r < 21 && c < 21 && smooth.reaches(r, c) {
+                    let [a, b] = smooth.range(r, c);
+                    // Half floats below 1 lie up to 2^-11 apart.
+                    prop_assert!((a - low).abs() < slope + 5e-4 && (b - high).abs() < slope + 5e-4);
+                    prop_assert!([low, high].iter().all(|&x| f64::from(f16::from_f64(x)) == x));
+                }
+            }
+        }
+    }
+
+    /// Wherever a marked direction is looked up, the range between the texels holds its `t`.
+    #[test]
+    fn look_ups_lie_within_their_range(
+        marks in proptest::collection::vec((-1.9..1.9f64, -1.9..1.9f64, 0.0..1.0f64), 1..30),
+    ) {
+        let mut domain = Domain::new(grid(21));
+        for &(u, v, t) in &marks {
+            domain.mark([u, u], [v, v], [t, t]);
+        }
+        let domain = domain.with_smooth_ranges(0.002, 0.05);
+        for (u, v, t) in marks {
+            let at = |x: f64| (x + 2.0) / domain.grid.texel();
+            let (x, y) = (at(u), at(-v));
+            let (column, row) = (x as usize, y as usize);
+            let [fx, fy] = [x - column as f64, y - row as f64];
+            let mut range = [0.0; 2];
+            for (r, c, share) in [
+                (row, column, (1.0 - fx) * (1.0 - fy)),
+                (row, column + 1, fx * (1.0 - fy)),
+                (row + 1, column, (1.0 - fx) * fy),
+                (row + 1, column + 1, fx * fy),
+            ] {
+                prop_assert!(domain.reaches(r, c));
+                let [low, high] = domain.range(r, c);
+                range[0] += share * low;
+                range[1] += share * high;
+            }
+            prop_assert!(range[0] < t + 1e-9 && t - 1e-9 < range[1]);
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Tables that serve scenes: what is written, what is left out, and what refuses to answer.
+
+use crate::evaluation::directions;
+use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, WAVE};
+
+/// A flat patch far away under one light: a few texels.
+const PATCH: &str = r#"[[scene]]
+name = "far"
+shape = "patch"
+specimen = "rough"
+width_mm = 10
+distance_mm = 900
+tilt_deg = 30
+light = { direction = [0.35, 0.866, 0.5], angular_diameter_deg = 0.5 }
+size_px = 24
+"#;
+
+fn manifest(serve: &str, rest: &[&str]) -> String {
+    let lasers = LASERS.replace("size = 65\n", &format!("size = 65\nserve = {serve}\n"));
+    [&[HEAD, &lasers, ROUGH, WAVE], rest].concat().concat()
+}
+
+#[test]
+fn only_what_a_scene_needs_is_published() {
+    let place = Place::with_scans();
+    place.publish(&manifest("\"scenes\"", &[PATCH, "[report]\nsavings = true\n"]));
+    let index = place.json("out/small/v0001/atlas.json");
+    assert_eq!(index["specimens"].as_array().unwrap().len(), 1, "no scene shows the wave");
+    let about = place.json("out/small/v0001/rough/specimen.json");
+    let served = &about["tables"]["served"];
+    assert_eq!(served["size"], 65);
+    let texels = about["tables"]["u"]["samples"].as_u64().unwrap() * about["tables"]["v"]["samples"].as_u64().unwrap();
+    assert!(texels < 300 && about["tables"]["lobe"].is_null(), "{texels} texels");
+    assert!(!about["check_values"].as_array().unwrap().is_empty());
+    let format = std::fs::read_to_string(place.path("out/small/v0001/FORMAT.md")).unwrap();
+    assert!(format.contains("`range.exr`") && format.contains("no answer"), "{format}");
+
+    let report = place.json("out/small/v0001/report.json");
+    assert!(report["left_out"][0].as_str().unwrap().contains("wave"), "{}", report["left_out"]);
+    let budget = &report["specimens"][0]["budget"];
+    for row in budget["rows"].as_array().unwrap() {
+        assert!(row["measured"]["seconds"].as_f64().unwrap() > 0.0, "{row}");
+    }
+    let sums = |cost: &serde_json::Value| cost["node_samples"].as_f64().unwrap();
+    assert!(sums(&budget["rows"][0]["measured"]) > 50.0 * sums(&budget["measured"]), "{budget}");
+    place.call("verify out/small --manifest m.toml").ended(0);
+    assert!(place.call("inspect out/small").ended(0).stdout.contains("serves the scenes of its manifest alone"));
+    // Nothing has changed: nothing is published.
+    assert!(place.call("run m.toml").ended(0).stdout.contains("nothing was published"));
+}
+
+#[test]
+fn directions_that_are_not_served_are_refused() {
+    let place = Place::with_scans();
+    place.write("d.csv", &directions(12));
+    place.publish(&manifest("\"scenes\"", &[PATCH]));
+    let refused = place.call("eval --directions d.csv --atlas out/small --specimen rough").ended(1);
+    assert!(
+        refused.stdout.is_empty() && refused.stderr.contains("12 of 12 directions, row 1 the first"),
+        "{refused:?}"
+    );
+    // The directions of a check value are served.
+    let about = place.json("out/small/v0001/rough/specimen.json");
+    let check = &about["check_values"][0];
+    let angle = |key: &str| check[key].as_f64().unwrap();
+    let row = ["theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg"].map(|key| format!("{}", angle(key))).join(",");
+    place.write("one.csv", &format!("theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n{row}\n"));
+    let value = place
+        .call("eval --directions one.csv --atlas out/small --specimen rough --interpolation bilinear")
+        .ended(0)
+        .stdout;
+    let y: f64 = value.lines().nth(1).unwrap().split(',').nth(5).unwrap().parse().unwrap();
+    assert!((y / check["xyz"][1].as_f64().unwrap() - 1.0).abs() < 1e-6, "{value}");
+}
+
+#[test]
+fn the_plan_lists_what_is_left_out() {
+    let place = Place::with_scans();
+    place.write("m.toml", &manifest("[\"far\"]", &[SCENES, PATCH]));
+    let said = place.call("plan m.toml").ended(0).stdout;
+    for expected in [
+        "rough serves far",
+        "texels that no look-up reads",
+        "the scene ball: tables.serve does not name it",
+        "the specimen wave",
+    ] {
+        assert!(said.contains(expected), "{expected}:\n{said}");
+    }
+    let plan = place.call("plan m.toml --json").ended(0).json();
+    let rows = plan["specimens"][0]["budget"]["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), 5, "everything, and four things one by one");
+    assert!(!place.path("out").exists(), "nothing is written");
+}
+
+#[test]
+fn what_cannot_be_served_is_said() {
+    let place = Place::with_scans();
+    for (text, expected) in [
+        (manifest("\"scenes\"", &[]), "there must be a [[scene]] to serve"),
+        (manifest("[]", &[SCENES]), "serves no direction at all"),
+        (manifest("[\"bal\"]", &[SCENES]), "did you mean \"ball\"?"),
+        (manifest("\"some\"", &[SCENES]), "scenes"),
+        (manifest("\"scenes\"\nbasis = \"taylor\"", &[SCENES]), "goes with basis = \"chebyshev\""),
+    ] {
+        place.write("m.toml", &text);
+        let refused = place.call("run m.toml").ended(2);
+        assert!(refused.stderr.contains(expected), "{expected}:\n{}", refused.stderr);
+    }
+}
+
+#[test]
+fn what_nobody_asks_for_is_not_done() {
+    let place = Place::with_scans();
+    place.publish(&[HEAD, LASERS, ROUGH, SCENES, "[report]\nwrite = false\nreference = false\n"].concat());
+    let version = place.path("out/small/v0001");
+    assert!(!version.join("report.html").exists() && !version.join("rough/scenes/ball.reference.exr").exists());
+    assert!(version.join("rough/scenes/ball.png").exists() && version.join("rough/table.000.exr").exists());
+}
