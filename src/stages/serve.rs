@@ -13,6 +13,7 @@ use super::results::null_for_nan;
 use super::study::memory;
 use crate::ground::error::{Error, Result};
 use crate::ground::files;
+use crate::ground::spectrum::Illuminant;
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
 use crate::scene::model::Scene;
@@ -98,13 +99,15 @@ pub enum Pruning {
     Depths,
     /// Wavelengths that a radius in (u, v) does not need.
     Wavelengths,
+    /// Wavelengths at which the lamp, a laser, does not shine.
+    Spectrum,
     /// The coherent lobe where no direction lies in it.
     Lobe,
 }
 
 impl Pruning {
     /// Every step.
-    pub const ALL: [Self; 4] = [Self::Texels, Self::Depths, Self::Wavelengths, Self::Lobe];
+    pub const ALL: [Self; 5] = [Self::Texels, Self::Depths, Self::Wavelengths, Self::Spectrum, Self::Lobe];
 
     /// What is left out, for people.
     pub fn what(self) -> &'static str {
@@ -112,10 +115,26 @@ impl Pruning {
             Self::Texels => "texels that no look-up reads",
             Self::Depths => "depths that no direction has",
             Self::Wavelengths => "wavelengths beyond what a radius needs",
+            Self::Spectrum => "wavelengths without light",
             Self::Lobe => "the coherent lobe",
         }
     }
 }
+
+/// The optics with one step taken back: as they are, unless it is the spectrum's, for which lines become daylight.
+fn optics_without(step: Option<Pruning>, optics: &OpticsConfig) -> OpticsConfig {
+    if step != Some(Pruning::Spectrum) || !is_laser(optics) {
+        return optics.clone();
+    }
+    OpticsConfig { illuminant: Illuminant::D65, wavelength_nm: VISIBLE_NM, ..optics.clone() }
+}
+
+fn is_laser(optics: &OpticsConfig) -> bool {
+    matches!(optics.illuminant, Illuminant::Lines(_))
+}
+
+/// The wavelengths that the eye's observer is tabulated for.
+const VISIBLE_NM: [f64; 2] = [380.0, 780.0];
 
 /// The plan for the scenes with one step taken back; with none, the plan itself.
 ///
@@ -127,13 +146,18 @@ pub fn plan_without(step: Option<Pruning>, source: &Source, domain: &Domain) -> 
         Some(Pruning::Depths) => domain.with_all_depths(),
         _ => domain.clone(),
     };
-    let mut plan = plan_for(source.fields, source.optics, source.tables, Some(domain))?;
+    let mut plan = plan_for(source.fields, &optics_without(step, source.optics), source.tables, Some(domain))?;
     match step {
         Some(Pruning::Wavelengths) => plan.use_rim_wavelengths(),
         Some(Pruning::Lobe) => plan.lobe_seen = true,
         _ => {}
     }
     Ok(plan)
+}
+
+/// The plan for every direction, and for daylight where the lamp is a laser.
+fn plan_for_all(source: &Source) -> Result<BuildPlan> {
+    plan(source.fields, &optics_without(Some(Pruning::Spectrum), source.optics), source.tables)
 }
 
 /// What one thing left out saves.
@@ -201,34 +225,37 @@ pub struct Budget {
 pub fn budget(source: &Source, scenes: &[&Scene], domain: &Domain) -> Result<Budget> {
     let Source { fields, optics, tables } = *source;
     let threads = rayon::current_num_threads();
-    let cost = |plan: &BuildPlan| Cost::predicted(&forecast_of(fields, optics, tables, plan, threads));
+    let cost = |step, plan: &BuildPlan| {
+        Cost::predicted(&forecast_of(fields, &optics_without(step, optics), tables, plan, threads))
+    };
     let served = plan_without(None, source, domain)?;
     let mut rows = vec![BudgetRow {
         step: None,
         what: "all of it".into(),
-        why: "tables for every direction".into(),
+        why: if is_laser(optics) { "tables for every direction and wavelength" } else { "tables for every direction" }
+            .into(),
         error_bound: build::RANGE_SHARE * tables.tolerance,
-        with_it: cost(&plan(fields, optics, tables)?),
+        with_it: cost(Some(Pruning::Spectrum), &plan_for_all(source)?),
         measured: None,
     }];
-    for step in Pruning::ALL.into_iter().filter(|&step| step != Pruning::Lobe || !served.lobe_seen) {
+    for step in Pruning::ALL.into_iter().filter(|&step| saves(step, &served, optics)) {
         rows.push(BudgetRow {
             step: Some(step),
             what: step.what().into(),
             why: why(step, domain, &served),
             error_bound: match step {
-                Pruning::Texels | Pruning::Lobe => 0.0,
+                Pruning::Texels | Pruning::Lobe | Pruning::Spectrum => 0.0,
                 Pruning::Depths => build::RANGE_SHARE * tables.tolerance,
                 Pruning::Wavelengths => tables.tolerance,
             },
-            with_it: cost(&plan_without(Some(step), source, domain)?),
+            with_it: cost(Some(step), &plan_without(Some(step), source, domain)?),
             measured: None,
         });
     }
     Ok(Budget {
         scenes: scenes.iter().map(|scene| scene.name.clone()).collect(),
         reached_share: domain.texels() as f64 / domain.grid.disc_texels(),
-        served: cost(&served),
+        served: cost(None, &served),
         measured: None,
         rows,
     })
@@ -244,11 +271,12 @@ pub fn account(source: &Source, scenes: &[&Scene], domain: &Domain, measured: Co
     budget.measured = Some(measured);
     if savings {
         for row in &mut budget.rows {
-            let plan = match row.step {
-                None => plan(source.fields, source.optics, source.tables)?,
-                step => plan_without(step, source, domain)?,
+            let (step, plan) = match row.step {
+                None => (Some(Pruning::Spectrum), plan_for_all(source)?),
+                step => (step, plan_without(step, source, domain)?),
             };
-            row.measured = Some(measure(source, &plan)?);
+            let optics = optics_without(step, source.optics);
+            row.measured = Some(measure(&Source { optics: &optics, ..*source }, &plan)?);
         }
     }
     Ok(budget)
@@ -270,6 +298,17 @@ pub fn measure(source: &Source, plan: &BuildPlan) -> Result<Cost> {
     Ok(Cost { node_samples: record.node_samples as f64, seconds, memory_bytes, stored_bytes })
 }
 
+/// Whether there is anything for a step to leave out.
+fn saves(step: Pruning, served: &BuildPlan, optics: &OpticsConfig) -> bool {
+    match step {
+        Pruning::Texels | Pruning::Depths => true,
+        // Lines are all needed everywhere; only a spectrum is resolved as a radius asks.
+        Pruning::Wavelengths => !is_laser(optics),
+        Pruning::Spectrum => is_laser(optics),
+        Pruning::Lobe => !served.lobe_seen,
+    }
+}
+
 fn why(step: Pruning, domain: &Domain, plan: &BuildPlan) -> String {
     match step {
         Pruning::Texels => {
@@ -284,6 +323,7 @@ fn why(step: Pruning, domain: &Domain, plan: &BuildPlan) -> String {
             let (few, many) = (counts.clone().min().unwrap_or(0), counts.max().unwrap_or(0));
             format!("{few} to {many} wavelengths by radius, {} at the rim", plan.rim.wavelengths_nm.len())
         }
+        Pruning::Spectrum => "a laser shines in its lines alone; compared with daylight".into(),
         Pruning::Lobe => "no direction comes near the mirror's".into(),
     }
 }

@@ -30,6 +30,9 @@ const DEPTH_SHARE: f64 = 1e-3;
 /// Share of the tolerance that interpolating between texels with ranges of their own may take.
 pub const RANGE_SHARE: f64 = 0.01;
 
+/// Share of the tolerance that dropping a texel's highest polynomials may take. What is zero takes no room in a file.
+const DROPPED_SHARE: f64 = 0.1;
+
 /// What ranges of `t` are widened by at both ends: a look-up never lies at an end, nor is a range a point.
 const RANGE_PAD: f64 = 2e-3;
 
@@ -301,10 +304,11 @@ fn build_chebyshev(
             cross: sums.cross_tables(),
         }),
     };
+    let dropped = DROPPED_SHARE * config.tolerance;
     let usable = fields.iter().map(|f| plan::usable_radius(optics, f.pitch_nm)).fold(2.0, f64::min);
     let set = TableSet {
         basis: Basis::Chebyshev,
-        tables: to_tables(&sums.main, &plan.texels, plan.domain.as_ref(), &plan.rings, &sums.nodes),
+        tables: to_tables(&sums.main, &plan.texels, plan.domain.as_ref(), &plan.rings, &sums.nodes, dropped),
         lobe,
         prefilter_width: plan.filter.width,
         optics: optics.clone(),
@@ -404,7 +408,7 @@ impl Sums {
             Some(Cross { sums, texels, ring }) => {
                 let cross = self.nodes.cross;
                 let nodes = Nodes { tables: cross, cross, rings: vec![cross] };
-                to_tables(sums, texels, None, ring, &nodes)
+                to_tables(sums, texels, None, ring, &nodes, 0.0)
             }
             None => Vec::new(),
         }
@@ -418,6 +422,7 @@ fn to_tables(
     domain: Option<&Domain>,
     rings: &[Ring],
     nodes: &Nodes,
+    dropped: f64,
 ) -> Vec<Array3<f32>> {
     let (count, width) = (nodes.tables, texels.columns.len());
     let matrix = chebyshev::coefficient_matrix(count);
@@ -438,14 +443,16 @@ fn to_tables(
             let Some(ring) = rings.iter().position(|r| rho >= r.rho[0] && rho < r.rho[1]) else { continue };
             let to_t: Vec<Vec<f64>> =
                 t_nodes.iter().map(|t| interpolants[ring].weights(low + t * (high - low))).collect();
-            for channel in 0..3 {
+            let coefficients: [Vec<f64>; 3] = std::array::from_fn(|channel| {
                 let start = ((line * width + index) * 3 + channel) * sums.nodes;
                 let values = &sums.data[start..start + nodes.rings[ring]];
                 let at_t: Vec<f64> =
                     to_t.iter().map(|w| w.iter().zip(values).map(|(w, &v)| w * f64::from(v)).sum()).collect();
-                for (n, matrix) in matrix.iter().enumerate() {
-                    let value: f64 = matrix.iter().zip(&at_t).map(|(m, v)| m * v).sum();
-                    out[n * row_length + index * 3 + channel] = value as f32;
+                matrix.iter().map(|row| row.iter().zip(&at_t).map(|(m, v)| m * v).sum()).collect()
+            });
+            for n in 0..needed(&coefficients, dropped) {
+                for (channel, coefficients) in coefficients.iter().enumerate() {
+                    out[n * row_length + index * 3 + channel] = coefficients[n] as f32;
                 }
             }
         }
@@ -457,6 +464,21 @@ fn to_tables(
             })
         })
         .collect()
+}
+
+/// Polynomials that a texel needs: those after them add less than the share `dropped` of the least value it can have.
+fn needed(coefficients: &[Vec<f64>; 3], dropped: f64) -> usize {
+    let of_channel = |channel: &Vec<f64>| {
+        let rest: f64 = channel.iter().skip(1).map(|c| c.abs()).sum();
+        let allowed = dropped * (channel[0].abs() - rest).max(0.0);
+        let mut tail = 0.0;
+        let fits = |c: &&f64| {
+            tail += c.abs();
+            tail <= allowed
+        };
+        channel.len() - channel.iter().rev().take_while(fits).count()
+    };
+    coefficients.iter().map(of_channel).max().unwrap_or(0)
 }
 
 /// Root mean square of the heights about their mean, in nm.
@@ -496,4 +518,20 @@ pub(super) fn record(plan: &BuildPlan) -> BuildRecord {
     }
     record.wavelength_step_nm[0] = record.wavelength_step_nm[0].min(record.wavelength_step_nm[1]);
     record
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn polynomials_that_add_nothing_are_not_needed() {
+        let same = |c: &[f64]| [c.to_vec(), c.to_vec(), c.to_vec()];
+        assert_eq!(needed(&same(&[1.0, 0.5, 1e-5, 1e-6]), 1e-4), 2);
+        assert_eq!(needed(&same(&[1.0, 0.5, 1e-5, 1e-6]), 1e-6), 4);
+        // One channel that needs them is enough, and a value that can vanish needs them all.
+        assert_eq!(needed(&[vec![1.0, 0.0], vec![1.0, 0.1], vec![1.0, 0.0]], 1e-3), 2);
+        assert_eq!(needed(&same(&[1.0, 1.0, 1e-9]), 1e-3), 3);
+        assert_eq!(needed(&same(&[0.0, 0.0]), 1e-3), 0);
+    }
 }
