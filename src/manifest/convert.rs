@@ -17,7 +17,8 @@ pub fn run_config(manifest: &Manifest, text: &str) -> RunConfig {
         tables: manifest.tables.clone(),
         specimens: manifest.specimens.iter().map(specimen_config).collect(),
         scenes: manifest.scenes.iter().map(scene).collect(),
-        gpu: manifest.gpu,
+        gpu: manifest.gpu.check,
+        frame_time: manifest.gpu.frame_time,
         manifest_text: text.to_owned(),
         base: manifest.base.clone(),
     }

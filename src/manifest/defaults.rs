@@ -1,14 +1,14 @@
 //! What holds where a manifest says nothing; docs/manifest.md lists the same values.
 
-use super::model::{GpuCheck, LevelSection, LightSection, ShapeSection};
+use super::model::{FrameTiming, GpuCheck, GpuSection, LevelSection, LightSection, ShapeSection};
 use crate::ground::spectrum::Illuminant;
 use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
 use crate::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
 /// `[atlas] out`.
 pub const OUT: &str = "out/atlas";
-/// `[gpu] check`.
-pub const GPU: GpuCheck = GpuCheck::Auto;
+/// `[gpu]`.
+pub const GPU: GpuSection = GpuSection { check: GpuCheck::Auto, frame_time: FrameTiming::Auto };
 /// `[[specimen]] level`.
 pub const LEVEL: LevelSection = LevelSection::Plane;
 /// `[[specimen]] max_missing_share`.

@@ -96,8 +96,8 @@ pub const LIGHT: Keys = Keys { table: "light", names: &["direction", "angular_di
 /// A fixed exposure.
 pub const EXPOSURE: Keys = Keys { table: "exposure", names: &["ev"] };
 
-/// Whether tables are checked on a GPU.
-pub const GPU: Keys = Keys { table: "[gpu]", names: &["check"] };
+/// What a GPU is used for.
+pub const GPU: Keys = Keys { table: "[gpu]", names: &["check", "frame_time"] };
 
 /// Every table.
 pub const ALL: &[&Keys] = &[
@@ -206,7 +206,7 @@ mod tests {
             ("Storage", &TABLES, "nearest known key is `storage`"),
             ("specimens", &TOP, "nearest known key is `specimen`"),
             ("tolerance", &GPU, "belongs in [tables]"),
-            ("zzz", &GPU, "expected one of `check`"),
+            ("zzz", &GPU, "expected one of `check`, `frame_time`"),
         ] {
             let message = unknown_key(unknown, keys, None);
             assert!(message.contains(expected), "{message}");

@@ -23,6 +23,8 @@ pub struct RunConfig {
     pub scenes: Vec<Scene>,
     /// Whether tables are checked on a GPU.
     pub gpu: GpuCheck,
+    /// Whether frames are timed on it.
+    pub frame_time: FrameTiming,
     /// The manifest, word for word.
     pub manifest_text: String,
     /// Folder that input paths are recorded relative to.
@@ -56,6 +58,18 @@ pub enum GpuCheck {
     Auto,
     /// A machine without one is a failure.
     Required,
+    /// Never.
+    Off,
+}
+
+/// Whether frames are timed on the GPU.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum FrameTiming {
+    /// On hardware; times of a software driver say little.
+    Auto,
+    /// On whatever adapter there is.
+    On,
     /// Never.
     Off,
 }

@@ -9,15 +9,15 @@ use std::time::Instant;
 use serde_json::{Value, json};
 
 use super::atlas::{AtlasIndex, InputRecord, SpecimenEntry};
-use super::config::{GpuCheck, RunConfig, SpecimenConfig};
+use super::config::{RunConfig, SpecimenConfig};
 use super::format_md::format_md;
-use super::gpu_check::check_specimen;
+use super::gpu_stage;
 use super::ingest::{Ingested, ingest};
 use super::measure;
 use super::progress::Progress;
 use super::publish::{self, Published, Staging};
 use super::results::{
-    BuildResult, Failure, GpuResult, GpuRow, HeightMapFile, LobeResult, RESULTS_SCHEMA, RunResults, SpecimenResult,
+    BuildResult, Failure, GpuResult, HeightMapFile, LobeResult, RESULTS_SCHEMA, RunResults, SpecimenResult,
     SpectrumFile, StageTime, Statistics,
 };
 use super::scenes::{SceneWork, render_tables};
@@ -29,7 +29,6 @@ use crate::ground::png_image::write_png;
 use crate::ground::{files, sampling};
 use crate::height::HeightField;
 use crate::render::cpu;
-use crate::render::gpu::Gpu;
 use crate::scene::model::{Exposure, Light, Scene, Shape};
 use crate::tables::build::{self, BuildPlan};
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
@@ -82,7 +81,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     let started = Instant::now();
     let staging = publish::begin(&config.atlas_root)?;
     let mut results = empty_results(config, helpers);
-    let gpu = open_gpu(config, &mut results)?;
+    let gpu = gpu_stage::open(config, &mut results, helpers.progress)?;
     let mut index = AtlasIndex::new(
         &config.atlas_name,
         &files::sha256_hex(config.manifest_text.as_bytes()),
@@ -93,10 +92,12 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     for (number, specimen) in config.specimens.iter().enumerate() {
         let label = format!("[{}/{}] {}", number + 1, config.specimens.len(), specimen.name);
         let specimen_started = Instant::now();
-        match run_specimen(config, specimen, &staging, helpers, gpu.as_ref(), &mut results.stages) {
+        match run_specimen(config, specimen, &staging, helpers, &mut results.stages) {
             Ok(done) => {
+                if let Some(gpu) = &gpu {
+                    gpu_stage::check(gpu, config, specimen, staging.path(), &mut results, helpers.progress);
+                }
                 helpers.progress.message(&done_line(&label, &done.result, specimen_started.elapsed().as_secs_f64()));
-                record_gpu(&mut results, &specimen.name, done.gpu);
                 index.inputs.extend(done.inputs);
                 index.specimens.push(entry(specimen));
                 example.get_or_insert(specimen.name.clone());
@@ -114,6 +115,9 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
             }
         }
     }
+    if let Some(gpu) = &gpu {
+        gpu_stage::time_frames(gpu, config, staging.path(), &mut results, helpers.progress);
+    }
     results.total_wall_s = started.elapsed().as_secs_f64();
     results.peak_memory_mib = peak_memory_mib();
     let Some(example) = example else {
@@ -128,63 +132,6 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     Ok(RunOutcome { results, published: Some(published) })
 }
 
-/// Largest side of the pictures compared on the GPU: every texel look-up is exercised at any size, and a
-/// software driver takes seconds beyond.
-const GPU_SIDE_MAX_PX: usize = 128;
-
-/// The GPU, where one is wanted and there.
-fn open_gpu(config: &RunConfig, results: &mut RunResults) -> Result<Option<Gpu>> {
-    let gpu = match config.gpu {
-        GpuCheck::Off => return Ok(None),
-        GpuCheck::Required => Some(Gpu::require()?),
-        GpuCheck::Auto => Gpu::open()?,
-    };
-    results.gpu = match &gpu {
-        Some(gpu) => GpuResult::Checked { adapter: adapter_text(gpu), rows: Vec::new() },
-        None => GpuResult::Skipped { why: "no adapter: no Vulkan, Metal or DirectX 12 driver was found".into() },
-    };
-    Ok(gpu)
-}
-
-fn adapter_text(gpu: &Gpu) -> String {
-    let info = gpu.info();
-    format!("{} ({}, {})", info.adapter, info.backend, info.driver)
-}
-
-/// Every scene of a specimen on the GPU against the CPU: the largest difference as a share of what
-/// rounding and hardware filtering allow that pixel.
-fn gpu_rows(gpu: &Gpu, name: &str, set: &TableSet, scenes: &[&Scene]) -> Result<Vec<GpuRow>> {
-    let smaller = |scene: &&Scene| Scene { size_px: scene.size_px.min(GPU_SIDE_MAX_PX), ..(*scene).clone() };
-    let scenes: Vec<Scene> = scenes.iter().map(smaller).collect();
-    let checks = check_specimen(gpu, set, &scenes)?;
-    Ok(checks
-        .into_iter()
-        .map(|check| GpuRow {
-            specimen: name.to_owned(),
-            what: format!("{}, share of the difference allowed", check.scene),
-            values: check.samples,
-            relative_l2: check.mean,
-            // A value that is not finite has no share; it must not pass.
-            worst: if check.not_finite == 0 { check.worst_of_tolerance } else { f64::NAN },
-            limit: 1.0,
-        })
-        .collect())
-}
-
-/// Adds a specimen's comparisons; those that miss their limit are failures of the run.
-fn record_gpu(results: &mut RunResults, specimen: &str, rows: Vec<GpuRow>) {
-    for row in rows.iter().filter(|row| !row.passed()) {
-        results.failures.push(Failure {
-            specimen: Some(specimen.to_owned()),
-            stage: "check on the GPU".into(),
-            message: format!("{}: {:.2} times what rounding and filtering allow", row.what, row.worst),
-        });
-    }
-    if let GpuResult::Checked { rows: all, .. } = &mut results.gpu {
-        all.extend(rows);
-    }
-}
-
 /// The line that a finished specimen leaves on the screen.
 fn done_line(label: &str, result: &SpecimenResult, seconds: f64) -> String {
     let (tables, size) = result.build.as_ref().map_or((0, 0), |build| (build.tables, build.size));
@@ -194,7 +141,6 @@ fn done_line(label: &str, result: &SpecimenResult, seconds: f64) -> String {
 /// What a finished specimen leaves besides its files.
 struct Done {
     result: SpecimenResult,
-    gpu: Vec<GpuRow>,
     inputs: Vec<InputRecord>,
 }
 
@@ -241,7 +187,6 @@ fn run_specimen(
     specimen: &SpecimenConfig,
     staging: &Staging,
     helpers: &Helpers,
-    gpu: Option<&Gpu>,
     times: &mut Vec<StageTime>,
 ) -> std::result::Result<Done, Failed> {
     let mut clock = Clock { specimen: &specimen.name, times, progress: helpers.progress };
@@ -269,10 +214,6 @@ fn run_specimen(
     })?;
     let pairs: Vec<(Vec3, Vec3)> =
         measure::fixed_pairs().into_iter().chain(works.iter().flat_map(SceneWork::pairs)).collect();
-    let gpu = match gpu {
-        Some(gpu) => clock.stage("check on the GPU", 0, || gpu_rows(gpu, &specimen.name, &set, &wanted))?,
-        None => Vec::new(),
-    };
     let yardstick = clock.stage("evaluate the reference", 0, || {
         measure::yardstick(&ingested.fields, optics, &plan, built.tables.len(), pairs)
     })?;
@@ -308,7 +249,7 @@ fn run_specimen(
         build.build_s = build_s;
         build.stored_bytes = clock.stage("count bytes", 0, || exr_bytes(&folder))?;
     }
-    Ok(Done { result, gpu, inputs: inputs(config, specimen, &ingested) })
+    Ok(Done { result, inputs: inputs(config, specimen, &ingested) })
 }
 
 /// Everything about a specimen that is known before its errors are measured.

@@ -3,4 +3,5 @@
 mod agreement;
 mod corruption;
 mod frame;
+mod published;
 mod sets;
