@@ -25,9 +25,14 @@ pub fn section(result: &GpuResult, album: &mut Album) -> Result<Value> {
             pictures.push(context! { picture, caption });
         }
     }
-    let rows: Vec<Value> = rows.iter().map(comparison).collect();
+    let limit = rows.first().map_or_else(String::new, |row| numbers::number(row.reference.limit, 2));
+    let rows: Vec<Value> = rows
+        .iter()
+        .enumerate()
+        .map(|(index, row)| comparison(row, index == 0 || rows[index - 1].specimen != row.specimen))
+        .collect();
     let frames = frames.as_ref().map(frame_times);
-    Ok(context! { tone, text, facts => facts(gpu), rows, pictures, frames })
+    Ok(context! { tone, text, facts => facts(gpu), limit, rows, pictures, frames })
 }
 
 fn headline(result: &GpuResult) -> (&'static str, String) {
@@ -57,6 +62,11 @@ fn facts(gpu: &GpuInfo) -> Vec<Value> {
         numbers::count(u64::from(gpu.texture_layers_max)),
         numbers::bytes(gpu.storage_binding_max_bytes)
     );
+    let pixels = if gpu.is_software() {
+        "a software driver: of every picture at most 128 pixels along each side, evenly spread"
+    } else {
+        "all of every picture"
+    };
     let used =
         "timestamp queries where there are any; half-float textures filtered by the hardware, 32-bit ones by hand";
     [
@@ -67,6 +77,7 @@ fn facts(gpu: &GpuInfo) -> Vec<Value> {
         ("Driver", format!("{}, {}", gpu.driver, gpu.backend)),
         ("Limits", limits),
         ("Clock", clock.into()),
+        ("Pixels", pixels.into()),
         ("Features used", used.into()),
         ("Features offered", gpu.features.join(", ").to_lowercase()),
     ]
@@ -74,9 +85,10 @@ fn facts(gpu: &GpuInfo) -> Vec<Value> {
     .into()
 }
 
-fn comparison(row: &GpuRow) -> Value {
+/// A table row; only the first of a specimen names it.
+fn comparison(row: &GpuRow, first: bool) -> Value {
     let (cpu, reference) = (&row.cpu, &row.reference);
-    let three = |value: f64| numbers::number(value, 2);
+    let two = |value: f64| numbers::number(value, 2);
     let verdict = match (row.passed(), reference.accurate) {
         (true, true) => ("green", "within limits"),
         (true, false) => ("amber", "GPU within limits; tables coarser than the tolerance"),
@@ -84,14 +96,13 @@ fn comparison(row: &GpuRow) -> Value {
         (false, _) => ("red", "beyond the limit"),
     };
     context! {
-        specimen => &row.specimen,
+        specimen => if first { row.specimen.as_str() } else { "" },
         scene => &cpu.scene,
-        pixels => numbers::count(cpu.pixels as u64),
-        cpu => [three(cpu.mean), three(cpu.worst), three(cpu.tolerance), three(cpu.worst_of_tolerance)],
-        reference => [
-            three(reference.mean), three(reference.worst), three(reference.look_up_mean), three(reference.unexplained),
-            three(reference.limit), three(reference.ciede2000.mean), three(reference.ciede2000.max),
-        ],
+        cells => [
+            cpu.mean, cpu.worst, cpu.tolerance, cpu.worst_of_tolerance, cpu.ciede2000.max,
+            reference.mean, reference.worst, reference.look_up_mean, reference.unexplained, reference.ciede2000.max,
+        ]
+        .map(two),
         tone => verdict.0,
         verdict => verdict.1,
     }
@@ -165,7 +176,7 @@ mod tests {
     #[test]
     fn whose_fault_it_is_can_be_read() {
         let verdict = |row: &GpuRow| {
-            let view = comparison(row);
+            let view = comparison(row, true);
             [view.get_attr("tone").unwrap().to_string(), view.get_attr("verdict").unwrap().to_string()].join(": ")
         };
         let good = row(0.01, 0.005, true);

@@ -15,6 +15,7 @@ pub mod progress;
 pub mod publish;
 pub mod results;
 pub mod scenes;
+pub mod shader_data;
 pub mod shader_export;
 pub mod specimen;
 pub mod stability;

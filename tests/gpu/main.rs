@@ -2,6 +2,7 @@
 
 mod agreement;
 mod corruption;
+mod engine;
 mod frame;
 mod published;
 mod sets;

@@ -5,6 +5,7 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 use diffraction_atlas::ground::exr_image::{Precision, read_rgb, write_rgb};
+use diffraction_atlas::height::HeightField;
 use diffraction_atlas::height::synthesize::{Structure, synthesize};
 use diffraction_atlas::height::write::write_scan_tiff;
 use diffraction_atlas::manifest::{self, convert::run_config};
@@ -49,14 +50,19 @@ light = { direction = [0.3, 0.2, 1.0] }
 size_px = 150
 "#;
 
-/// A published version, made once.
-struct Published {
-    _place: tempfile::TempDir,
-    config: RunConfig,
-    version: PathBuf,
+fn wave() -> HeightField {
+    let wave = Structure::Sinusoid { period_nm: 1_600.0, amplitude_nm: 60.0, direction_deg: 0.0 };
+    synthesize(&wave, [128, 32], [100.0, 100.0]).unwrap()
 }
 
-fn published() -> &'static Published {
+/// A published version, made once.
+pub struct Published {
+    _place: tempfile::TempDir,
+    pub config: RunConfig,
+    pub version: PathBuf,
+}
+
+pub fn published() -> &'static Published {
     static PUBLISHED: OnceLock<Published> = OnceLock::new();
     PUBLISHED.get_or_init(|| {
         let place = tempfile::tempdir().unwrap();
@@ -161,4 +167,48 @@ fn tables_that_were_always_wrong_are_told_by_the_reference() {
     assert!(rows.iter().all(|row| row.cpu.passed && row.reference.passed), "{rows:?}");
     let told: Vec<String> = rows.iter().filter_map(GpuRow::complaint).collect();
     assert!(!told.is_empty() && told.iter().all(|text| text.contains("the tables are wrong")), "{told:?}");
+}
+
+#[test]
+fn a_lost_device_is_an_error_of_the_stage() {
+    if gpu("lost device in the stage").is_none() {
+        return;
+    }
+    let lost = Gpu::require().unwrap();
+    lost.lose();
+    let published = published();
+    let scenes: Vec<&Scene> = published.config.scenes.iter().collect();
+    let folder = published.version.join("wave");
+    let error = check_files(&GpuStage::new(lost), &folder, "wave", &scenes, &published.config.tables).unwrap_err();
+    assert!(error.to_string().contains("lost"), "{error}");
+}
+
+/// A run that finds no driver, as on a machine without one; and whether it went well.
+#[cfg(target_os = "linux")]
+fn run_without_driver(check: &str) -> (String, bool, tempfile::TempDir) {
+    let place = tempfile::tempdir().unwrap();
+    write_scan_tiff(&place.path().join("wave.tif"), &wave()).unwrap();
+    let path = place.path().join("small.toml");
+    let small = MANIFEST.replace("size = 251", "size = 51").replace("check = \"off\"", &format!("check = \"{check}\""));
+    std::fs::write(&path, small).unwrap();
+    let run = Command::new(env!("CARGO_BIN_EXE_diffraction-atlas"))
+        .arg("run")
+        .arg(&path)
+        .env("VK_DRIVER_FILES", "/nowhere")
+        .env("VK_ICD_FILENAMES", "/nowhere")
+        .output()
+        .unwrap();
+    (String::from_utf8_lossy(&run.stderr).into_owned(), run.status.success(), place)
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_machine_without_adapter_skips_or_fails_as_the_manifest_says() {
+    let (said, went_well, place) = run_without_driver("auto");
+    assert!(went_well && said.contains("GPU check skipped: no adapter"), "{said}");
+    let report = std::fs::read_to_string(place.path().join("out/small/v0001/report.html")).unwrap();
+    assert!(report.contains("skipped: no adapter"));
+    let (said, went_well, place) = run_without_driver("required");
+    assert!(!went_well && said.contains("no adapter") && said.contains("mesa-vulkan-drivers"), "{said}");
+    assert!(!place.path().join("out/small/v0001").exists());
 }
