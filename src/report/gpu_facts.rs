@@ -31,7 +31,7 @@ pub fn section(result: &GpuResult, album: &mut Album) -> Result<Value> {
         .enumerate()
         .map(|(index, row)| comparison(row, index == 0 || rows[index - 1].specimen != row.specimen))
         .collect();
-    let frames = frames.as_ref().map(frame_times);
+    let frames = frames.as_deref().map(frame_times);
     Ok(context! { tone, text, facts => facts(gpu), limit, rows, pictures, frames })
 }
 

@@ -103,15 +103,14 @@ fn errors_p95(set: &TableSet, pairs: &[(Vec3, Vec3)], exact: &[Xyz]) -> [f64; 3]
 
 /// The first so many tables of a series that are as good as `target`, or as good as any number of them; and their errors.
 fn at_equal_error(mut set: TableSet, target: [f64; 3], errors: impl Fn(&TableSet) -> [f64; 3]) -> (TableSet, [f64; 3]) {
-    let whole = set.tables.clone();
-    let mut by_count = Vec::with_capacity(whole.len());
+    let (mut last, mut by_count) = (Vec::new(), Vec::new());
     while !set.tables.is_empty() {
         by_count.push(errors(&set));
-        set.tables.pop();
+        last.extend(set.tables.pop());
     }
     by_count.reverse();
     let count = equal_count(&by_count, target);
-    set.tables = whole.into_iter().take(count).collect();
+    set.tables = last.into_iter().rev().take(count).collect();
     (set, by_count[count - 1])
 }
 

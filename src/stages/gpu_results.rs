@@ -29,7 +29,7 @@ pub enum GpuResult {
         /// One row per scene of a specimen.
         rows: Vec<GpuRow>,
         /// How long a frame takes, where that was measured.
-        frames: Option<FrameComparison>,
+        frames: Option<Box<FrameComparison>>,
     },
 }
 

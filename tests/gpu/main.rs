@@ -2,7 +2,7 @@
 
 mod agreement;
 mod corruption;
-mod engine;
+mod exported;
 mod frame;
 mod published;
 mod sets;

@@ -402,7 +402,7 @@ fn gpu_result() -> GpuResult {
         copy_gb_per_s: 11.3,
     };
     let rows = [("corn_snake_like", 3.1e-6, None), ("blazed_2500nm", 3e-1, Some("corn_snake_like/preview.png"))];
-    GpuResult::Checked { gpu: Box::new(gpu), rows: rows.map(gpu_row).into(), frames: Some(frames) }
+    GpuResult::Checked { gpu: Box::new(gpu), rows: rows.map(gpu_row).into(), frames: Some(Box::new(frames)) }
 }
 
 /// A scene on which the GPU adds `added` where 1e-3 of white are allowed.
