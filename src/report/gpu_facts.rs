@@ -90,17 +90,24 @@ fn comparison(row: &GpuRow, first: bool) -> Value {
     let (cpu, reference) = (&row.cpu, &row.reference);
     let two = |value: f64| numbers::number(value, 2);
     let verdict = match (row.passed(), reference.accurate) {
-        (true, true) => ("green", "within limits"),
-        (true, false) => ("amber", "GPU within limits; tables coarser than the tolerance"),
-        (false, _) if cpu.passed && reference.passed => ("red", "tables beyond the tolerance"),
-        (false, _) => ("red", "beyond the limit"),
+        (true, true) => ("green", "within"),
+        (true, false) => ("amber", "within, tables coarse"),
+        (false, _) if cpu.passed && reference.passed => ("red", "tables off"),
+        (false, _) => ("red", "beyond"),
     };
     context! {
         specimen => if first { row.specimen.as_str() } else { "" },
         scene => &cpu.scene,
         cells => [
-            cpu.mean, cpu.worst, cpu.tolerance, cpu.worst_of_tolerance, cpu.ciede2000.max,
-            reference.mean, reference.worst, reference.look_up_mean, reference.unexplained, reference.ciede2000.max,
+            cpu.mean,
+            cpu.worst,
+            cpu.tolerance,
+            cpu.worst_of_tolerance,
+            reference.mean,
+            reference.worst,
+            reference.look_up_mean,
+            reference.unexplained,
+            reference.ciede2000.max,
         ]
         .map(two),
         tone => verdict.0,
@@ -180,16 +187,16 @@ mod tests {
             [view.get_attr("tone").unwrap().to_string(), view.get_attr("verdict").unwrap().to_string()].join(": ")
         };
         let good = row(0.01, 0.005, true);
-        assert_eq!(verdict(&good), "green: within limits");
+        assert_eq!(verdict(&good), "green: within");
         assert!(good.complaint().is_none());
         let wrong = row(0.01, 0.5, true);
-        assert_eq!(verdict(&wrong), "red: beyond the limit");
+        assert_eq!(verdict(&wrong), "red: beyond");
         assert!(wrong.complaint().unwrap().contains("differs from the CPU by"));
         let inaccurate = row(0.5, 0.005, true);
-        assert_eq!(verdict(&inaccurate), "red: tables beyond the tolerance");
+        assert_eq!(verdict(&inaccurate), "red: tables off");
         assert!(inaccurate.complaint().unwrap().contains("the tables are wrong"));
         let coarse = row(0.5, 0.005, false);
-        assert_eq!(verdict(&coarse), "amber: GPU within limits; tables coarser than the tolerance");
+        assert_eq!(verdict(&coarse), "amber: within, tables coarse");
         assert!(coarse.passed() && coarse.complaint().is_none());
         assert_eq!(headline(&checked(vec![good.clone(), coarse])).1, "2 scenes within limits on some card");
         assert_eq!(headline(&checked(vec![good, wrong, inaccurate])).0, "red");

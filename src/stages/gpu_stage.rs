@@ -16,8 +16,9 @@ use super::gpu_check::{Shade, check_picture, check_reference, reference_limit};
 use super::gpu_results::{GpuResult, GpuRow};
 use super::progress::Progress;
 use super::results::{Failure, RunResults, StageTime};
+use super::scenes::reference_stride;
 use super::specimen;
-use crate::ground::error::Result;
+use crate::ground::error::{Error, Result};
 use crate::ground::exr_image::read_rgb;
 use crate::ground::png_image::write_png;
 use crate::render::gpu::{Gpu, GpuInfo};
@@ -51,11 +52,6 @@ impl GpuStage {
     pub fn new(gpu: Gpu) -> Self {
         let info = gpu.info().clone();
         Self { thread: OwningThread::new(gpu), info }
-    }
-
-    /// What it is.
-    pub fn info(&self) -> &GpuInfo {
-        &self.info
     }
 
     /// The thread, for one more stage's worth of waiting.
@@ -204,8 +200,8 @@ struct Job<'a> {
 
 impl Job<'_> {
     fn check(&self, scene: &Scene, stride: usize) -> Result<GpuRow> {
-        let picture = |ending: &str| read_rgb(&self.folder.join(format!("scenes/{}{ending}", scene.name)));
-        let (by_cpu, reference) = (picture(".exr")?.0, picture(".reference.exr")?.0);
+        let by_cpu = self.picture(scene, ".exr", scene.size_px)?;
+        let reference = self.picture(scene, ".reference.exr", scene.size_px.div_ceil(reference_stride(scene)))?;
         let mut cpu = check_picture(self.shade, self.set, scene, &by_cpu, stride)?;
         let limit = reference_limit(self.config.tolerance, self.config.storage);
         let mut reference = check_reference(self.shade, self.set, scene, &by_cpu, &reference, limit)?;
@@ -213,6 +209,16 @@ impl Job<'_> {
         let difference_png = difference.map(|picture| self.write_difference(&picture, &scene.name)).transpose()?;
         let promised = tolerance_holds(self.set, self.config);
         Ok(GpuRow { specimen: self.specimen.to_owned(), cpu, reference, promised, difference_png })
+    }
+
+    fn picture(&self, scene: &Scene, ending: &str, side: usize) -> Result<Array3<f32>> {
+        let path = self.folder.join(format!("scenes/{}{ending}", scene.name));
+        let (image, _) = read_rgb(&path)?;
+        if image.dim() == (side, side, 3) {
+            return Ok(image);
+        }
+        let what = format!("has {} by {} pixels where the scene has {side} by {side}", image.dim().1, image.dim().0);
+        Err(Error::bad_file(&path, what, "run the pipeline again to draw it anew"))
     }
 
     /// Path of the written picture, relative to the report.

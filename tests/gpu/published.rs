@@ -170,6 +170,19 @@ fn tables_that_were_always_wrong_are_told_by_the_reference() {
 }
 
 #[test]
+fn a_picture_of_another_size_is_refused() {
+    if gpu("other size").is_none() {
+        return;
+    }
+    let published = published();
+    let larger = Scene { size_px: 151, ..published.config.scenes[0].clone() };
+    let stage = GpuStage::new(Gpu::require().unwrap());
+    let checked = check_files(&stage, &published.version.join("wave"), "wave", &[&larger], &published.config.tables);
+    let error = checked.unwrap_err().to_string();
+    assert!(error.contains("hemisphere.exr") && error.contains("150 by 150") && error.contains("151"), "{error}");
+}
+
+#[test]
 fn a_lost_device_is_an_error_of_the_stage() {
     if gpu("lost device in the stage").is_none() {
         return;
