@@ -7,7 +7,7 @@ use diffraction_atlas::ground::error::Result;
 use diffraction_atlas::ground::spectrum::Illuminant;
 use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::render::gpu::Gpu;
-use diffraction_atlas::render::gpu_frame::Frame;
+use diffraction_atlas::render::gpu_frame::{Frame, FramePlan, time_frames};
 use diffraction_atlas::render::gpu_layout::table_image;
 use diffraction_atlas::render::gpu_tables::upload;
 use diffraction_atlas::scene::model::{Exposure, Light, Scene, Shape};
@@ -49,8 +49,12 @@ fn set(basis: Basis, count: usize) -> TableSet {
 
 fn main() -> Result<()> {
     let arguments: Vec<usize> = std::env::args().skip(1).filter_map(|word| word.parse().ok()).collect();
-    let (size_px, frames) = (arguments.first().copied().unwrap_or(1024), arguments.get(1).copied().unwrap_or(20));
+    let size_px = arguments.first().copied().unwrap_or(1024);
     let gpu = Gpu::require()?;
+    let mut plan = FramePlan::suited_to(&gpu);
+    if let Some(&frames) = arguments.get(1) {
+        plan.batches = frames.div_ceil(plan.batch);
+    }
     let info = gpu.info();
     println!("{} ({}), {} {}", info.adapter, info.kind, info.backend, info.driver);
     let scene = Scene {
@@ -73,7 +77,8 @@ fn main() -> Result<()> {
         (Basis::Taylor, 40),
     ] {
         let tables = upload(&gpu, &table_image(&set(basis, count))?)?;
-        let time = Frame::new(&gpu, &tables, &scene, 1.0)?.time(frames)?;
+        let frame = Frame::new(&gpu, &tables, &scene, 1.0)?;
+        let [time] = time_frames([&frame], plan)?;
         let base = *base_ms.get_or_insert(time.median_ms);
         println!(
             "{basis:?} {count:2} tables: median {:.3} ms, shortest {:.3} ms ({:?}, {} frames of {size_px} px), {:.1} GB/s \

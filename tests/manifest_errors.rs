@@ -37,6 +37,8 @@ const CASES: &[Case] = &[
     ("angular_diameter_deg", "angular_diameter", "34:41", "angular_diameter", &["`angular_diameter_deg`"]),
     ("threshold_rms", "threshold", "25:13", "threshold", &["`threshold_rms`"]),
     ("check = \"auto\"", "tolerance = 1", "43:1", "tolerance", &["belongs in [tables]"]),
+    ("check = \"auto\"", "frame_time = \"never\"", "43:14", "\"never\"", &["`gpu.frame_time`", "\"auto\"", "\"on\"", "\"off\""]),
+    ("check = \"auto\"", "check = \"off\"\nframe_time = \"on\"", "44:1", "frame_time", &["needs a GPU"]),
     ("windows = \"grid\"", "zzz.y = 1", "11:1", "zzz", &["unknown key `zzz`", "`illuminant`", "`shadowing`"]),
     // The right quantity in the wrong unit.
     ("sigma_um = 16.25", "sigma_nm = 16250", "10:15", "sigma_nm", &["`sigma_um`", "sigma_um = 16.25)"]),

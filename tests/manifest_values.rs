@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use diffraction_atlas::ground::spectrum::{Illuminant, Line};
 use diffraction_atlas::manifest::{
-    self, ExposureSection, GpuCheck, HeightSection, HeightUnit, LevelSection, ShapeSection,
+    self, ExposureSection, FrameTiming, GpuCheck, HeightSection, HeightUnit, LevelSection, ShapeSection,
 };
 use diffraction_atlas::optics::config::{Edge, Material, Windows};
 use diffraction_atlas::tables::model::{Basis, Prefilter, Storage};
@@ -16,7 +16,7 @@ use manifest_fixture::{GOOD, folder, good_with, parse_in};
 fn what_is_written_is_what_is_read() {
     let folder = folder();
     let good = parse_in(folder.path(), GOOD).unwrap();
-    assert_eq!((good.schema, good.atlas.name.as_str(), good.gpu), (1, "squamates", GpuCheck::Auto));
+    assert_eq!((good.schema, good.atlas.name.as_str(), good.gpu.check), (1, "squamates", GpuCheck::Auto));
     assert_eq!(good.atlas.out, folder.path().join("out"));
     assert_eq!(good.optics.sigma_nm, 16_250.0);
     assert_eq!((good.tables.tolerance, good.tables.size), (1e-3, Some(501)));
@@ -125,7 +125,7 @@ fn every_key_of_the_example_arrives() {
     };
     assert_eq!(wall.shape, screen);
     assert_eq!(wall.lights[0].angular_diameter_deg, 0.1);
-    assert_eq!(all.gpu, GpuCheck::Off);
+    assert_eq!((all.gpu.check, all.gpu.frame_time), (GpuCheck::Off, FrameTiming::Off));
 }
 
 #[test]

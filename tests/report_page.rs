@@ -51,12 +51,19 @@ fn make_hostile(results: &mut RunResults) {
     for stage in &mut results.stages {
         stage.name = HOSTILE.into();
     }
-    if let GpuResult::Checked { adapter, rows } = &mut results.gpu {
-        *adapter = HOSTILE.into();
+    if let GpuResult::Checked { gpu, rows, frames } = &mut results.gpu {
+        for text in [&mut gpu.adapter, &mut gpu.backend, &mut gpu.driver, &mut gpu.kind] {
+            *text = HOSTILE.into();
+        }
+        gpu.features = vec![HOSTILE.into()];
         for row in rows {
             row.specimen = HOSTILE.into();
-            row.what = HOSTILE.into();
+            row.cpu.scene = HOSTILE.into();
+            row.difference_png = Some(HOSTILE.into());
         }
+        let frames = frames.as_mut().unwrap();
+        frames.specimen = HOSTILE.into();
+        frames.refused = Some(HOSTILE.into());
     }
     for specimen in &mut results.specimens {
         specimen.name = HOSTILE.into();

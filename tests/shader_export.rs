@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use diffraction_atlas::stages::shader_export::{ShaderLanguage, shader};
+use diffraction_atlas::stages::shader_export::{README, ShaderLanguage, shader};
 
 /// Runs a compiler over a shader; `None` with a loud line where the compiler is not installed.
 fn accepted(tool: &str, arguments: &[&str], file: &Path) -> Option<bool> {
@@ -92,4 +92,39 @@ fn every_text_holds_the_evaluation_under_its_own_names() {
         }
     }
     assert!(ShaderLanguage::from_name("glsl").is_err());
+}
+
+/// The README that goes with exported shaders names what is in them.
+#[test]
+fn bindings_are_where_the_readme_says() {
+    let text = |language| String::from_utf8(shader(language).unwrap()).unwrap();
+    let columns = [ShaderLanguage::Glsl450, ShaderLanguage::GlslEs300, ShaderLanguage::Hlsl, ShaderLanguage::Msl];
+    let mut rows = 0;
+    for line in README.lines().filter(|line| line.starts_with("| `") || line.starts_with("| sampler")) {
+        rows += 1;
+        let cells: Vec<&str> = line.split('|').map(str::trim).skip(3).collect();
+        for (language, cell) in columns.into_iter().zip(cells) {
+            let text = text(language);
+            for name in cell.split('`').skip(1).step_by(2) {
+                let in_code = match language {
+                    ShaderLanguage::Hlsl => format!("register({name})"),
+                    ShaderLanguage::Msl => format!("[[{name}]]"),
+                    _ => format!(" {name}"),
+                };
+                assert!(text.contains(&in_code), "{in_code} is missing in {}", language.name());
+            }
+            if let Some(number) = cell.strip_prefix("binding ") {
+                assert!(text.contains(&format!("binding = {number})")), "{number} in {}", language.name());
+            }
+        }
+    }
+    assert_eq!(rows, 5);
+    let hlsl = text(ShaderLanguage::Hlsl);
+    assert!(!hlsl.contains("nagaSampler") && hlsl.contains("SamplerState bilinear : register(s4);"));
+    for language in ShaderLanguage::ALL {
+        let entry = if language.name().starts_with("glsl") { "void main()" } else { "shade_material" };
+        if language != ShaderLanguage::Spirv {
+            assert!(text(language).contains(entry), "{entry} in {}", language.name());
+        }
+    }
 }

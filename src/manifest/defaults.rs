@@ -1,6 +1,6 @@
 //! What holds where a manifest says nothing; docs/manifest.md lists the same values.
 
-use super::model::{GpuCheck, LevelSection, LightSection, ShapeSection};
+use super::model::{FrameTiming, GpuCheck, GpuSection, LevelSection, LightSection, ShapeSection};
 use crate::ground::spectrum::Illuminant;
 use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
 use crate::stages::config::ReportConfig;
@@ -8,8 +8,8 @@ use crate::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
 /// `[atlas] out`.
 pub const OUT: &str = "out/atlas";
-/// `[gpu] check`.
-pub const GPU: GpuCheck = GpuCheck::Auto;
+/// `[gpu]`.
+pub const GPU: GpuSection = GpuSection { check: GpuCheck::Auto, frame_time: FrameTiming::Auto };
 /// `[report]`.
 pub const REPORT: ReportConfig = ReportConfig { write: true, reference: true, savings: false };
 /// `[[specimen]] level`.

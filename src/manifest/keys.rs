@@ -108,8 +108,8 @@ pub const LIGHT: Keys = Keys { table: "light", names: &["direction", "angular_di
 /// A fixed exposure.
 pub const EXPOSURE: Keys = Keys { table: "exposure", names: &["ev"] };
 
-/// Whether tables are checked on a GPU.
-pub const GPU: Keys = Keys { table: "[gpu]", names: &["check"] };
+/// What a GPU is used for.
+pub const GPU: Keys = Keys { table: "[gpu]", names: &["check", "frame_time"] };
 
 /// What is found out besides the tables.
 pub const REPORT: Keys = Keys { table: "[report]", names: &["write", "reference", "savings"] };
@@ -221,7 +221,7 @@ mod tests {
             ("Storage", &TABLES, "nearest known key is `storage`"),
             ("specimens", &TOP, "nearest known key is `specimen`"),
             ("tolerance", &GPU, "belongs in [tables]"),
-            ("zzz", &GPU, "expected one of `check`"),
+            ("zzz", &GPU, "expected one of `check`, `frame_time`"),
         ] {
             let message = unknown_key(unknown, keys, None);
             assert!(message.contains(expected), "{message}");

@@ -24,8 +24,8 @@ use std::path::Path;
 use toml::de::DeTable;
 
 pub use model::{
-    AtlasSection, DespikeSection, ExposureSection, GpuCheck, HeightSection, HeightUnit, LevelSection, LightSection,
-    Manifest, ReportConfig, SceneSection, Serve, ShapeSection, SpecimenSection,
+    AtlasSection, DespikeSection, ExposureSection, FrameTiming, GpuCheck, GpuSection, HeightSection, HeightUnit,
+    LevelSection, LightSection, Manifest, ReportConfig, SceneSection, Serve, ShapeSection, SpecimenSection,
 };
 
 use crate::ground::error::{Error, Result};
@@ -149,10 +149,16 @@ fn report(section: &Section) -> Result<ReportConfig> {
     })
 }
 
-fn gpu(section: &Section) -> Result<GpuCheck> {
-    let options = [("auto", GpuCheck::Auto), ("required", GpuCheck::Required), ("off", GpuCheck::Off)];
-    match section.get("check") {
-        Some(item) => item.choice(&options),
-        None => Ok(defaults::GPU),
+fn gpu(section: &Section) -> Result<GpuSection> {
+    let checks = [("auto", GpuCheck::Auto), ("required", GpuCheck::Required), ("off", GpuCheck::Off)];
+    let timings = [("auto", FrameTiming::Auto), ("on", FrameTiming::On), ("off", FrameTiming::Off)];
+    let gpu = GpuSection {
+        check: section.get("check").map_or(Ok(defaults::GPU.check), |item| item.choice(&checks))?,
+        frame_time: section.get("frame_time").map_or(Ok(defaults::GPU.frame_time), |item| item.choice(&timings))?,
+    };
+    if gpu.check == GpuCheck::Off && gpu.frame_time == FrameTiming::On {
+        let message = "`frame_time = \"on\"` needs a GPU, which `check = \"off\"` leaves alone";
+        return Err(section.error_at_key("frame_time", message));
     }
+    Ok(gpu)
 }

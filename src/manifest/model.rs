@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use crate::optics::config::OpticsConfig;
-pub use crate::stages::config::{GpuCheck, ReportConfig, Serve};
+pub use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
 use crate::tables::model::TablesConfig;
 
 /// A whole manifest.
@@ -25,12 +25,21 @@ pub struct Manifest {
     pub specimens: Vec<SpecimenSection>,
     /// The pictures, in the manifest's order; names are unique.
     pub scenes: Vec<SceneSection>,
-    /// Whether tables are checked on a GPU.
-    pub gpu: GpuCheck,
+    /// What a GPU is used for.
+    pub gpu: GpuSection,
     /// What is found out besides the tables.
     pub report: ReportConfig,
     /// The folder that relative paths start at.
     pub base: PathBuf,
+}
+
+/// What a GPU is used for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct GpuSection {
+    /// Whether tables are checked on one.
+    pub check: GpuCheck,
+    /// Whether frames are timed on it.
+    pub frame_time: FrameTiming,
 }
 
 /// What the atlas is called and where it goes.

@@ -39,6 +39,13 @@ pub struct GpuInfo {
     pub features: Vec<String>,
 }
 
+impl GpuInfo {
+    /// Whether the processor does the work: its times say little, and large pictures take long.
+    pub fn is_software(&self) -> bool {
+        self.kind == "cpu"
+    }
+}
+
 /// An opened GPU.
 #[derive(Debug)]
 pub struct Gpu {

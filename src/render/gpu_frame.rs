@@ -13,12 +13,8 @@ use crate::scene::light::light_samples;
 use crate::scene::model::{Scene, Shape, check};
 use crate::scene::sphere;
 
-/// Frames drawn before any is timed: caches fill and clocks rise.
-const WARM_UP: usize = 8;
-/// Most frames timed: two entries each of a query set, which holds 4096.
-const FRAMES_MAX: usize = 2048;
-/// Frames submitted before waiting: the GPU stays busy, the queue short.
-const BATCH: usize = 8;
+/// Most frames in a batch: two entries each of a query set, which holds 4096.
+const BATCH_MAX: usize = 2048;
 /// Bytes of a pixel: four half floats.
 const PIXEL_BYTES: usize = 8;
 /// Bytes of the texels that one bilinear look-up of a table touches.
@@ -32,6 +28,28 @@ pub enum Clock {
     Timestamps,
     /// Time between submitting a batch of frames and its end, over the frames: the GPU has no timestamps.
     Wall,
+}
+
+/// How many frames are drawn to time them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FramePlan {
+    /// Frames drawn before any is timed: caches fill and clocks rise.
+    pub warm_up: usize,
+    /// Batches timed.
+    pub batches: usize,
+    /// Frames in a batch, submitted before waiting: the GPU stays busy, the queue short. 1 to 2048.
+    pub batch: usize,
+}
+
+impl FramePlan {
+    /// A plan of a second or less: many frames on hardware, few on a software driver.
+    pub fn suited_to(gpu: &Gpu) -> Self {
+        if gpu.info().is_software() {
+            Self { warm_up: 1, batches: 5, batch: 1 }
+        } else {
+            Self { warm_up: 200, batches: 125, batch: 8 }
+        }
+    }
 }
 
 /// Time of one frame.
@@ -146,25 +164,20 @@ impl<'a> Frame<'a> {
         }))
     }
 
-    /// Times 1 to 2048 frames after a warm-up.
-    ///
-    /// # Errors
-    /// `Error::Gpu`.
-    pub fn time(&self, frames: usize) -> Result<FrameTime> {
-        let frames = frames.clamp(1, FRAMES_MAX);
-        for _ in 0..WARM_UP {
-            self.submit_batch(1, None)?;
+    /// Times of a batch of frames, or their mean without timestamps.
+    fn batch_ms(&self, frames: usize) -> Result<Vec<f64>> {
+        match clock(self.gpu) {
+            Clock::Timestamps => self.timestamps_ms(frames),
+            Clock::Wall => Ok(vec![self.wall_ms(frames)?]),
         }
-        let clock = if self.gpu.info().timestamps { Clock::Timestamps } else { Clock::Wall };
-        let mut times_ms = match clock {
-            Clock::Timestamps => self.timestamps_ms(frames)?,
-            Clock::Wall => self.wall_times_ms(frames)?,
-        };
+    }
+
+    fn summary(&self, mut times_ms: Vec<f64>, frames: usize) -> FrameTime {
         times_ms.sort_unstable_by(f64::total_cmp);
         let median_ms = times_ms[times_ms.len() / 2];
         let disc = std::f64::consts::PI * (0.5 * sphere::RADIUS * self.size_px as f64).powi(2);
         let look_ups = disc * (self.light_samples * self.tables.table_count) as f64;
-        Ok(FrameTime {
+        FrameTime {
             median_ms,
             shortest_ms: times_ms[0],
             frames,
@@ -172,8 +185,8 @@ impl<'a> Frame<'a> {
             tables: self.tables.table_count,
             light_samples: self.light_samples,
             texel_gb_per_s: look_ups * LOOK_UP_BYTES / (median_ms * 1e6),
-            clock,
-        })
+            clock: clock(self.gpu),
+        }
     }
 
     fn timestamps_ms(&self, frames: usize) -> Result<Vec<f64>> {
@@ -196,9 +209,7 @@ impl<'a> Frame<'a> {
             let resolved = buffer(wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC);
             (set, resolved, buffer(wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ))
         })?;
-        for first in (0..frames).step_by(BATCH) {
-            self.submit_batch(BATCH.min(frames - first), Some((&set, 2 * first as u32)))?;
-        }
+        self.submit_batch(frames, Some((&set, 0)))?;
         self.gpu.guarded("read timestamps", || {
             let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
             encoder.resolve_query_set(&set, 0..count, &resolved, 0);
@@ -213,16 +224,10 @@ impl<'a> Frame<'a> {
         Ok(ticks.chunks_exact(2).map(|pair| pair[1].saturating_sub(pair[0]) as f64 * tick_ms).collect())
     }
 
-    fn wall_times_ms(&self, frames: usize) -> Result<Vec<f64>> {
-        (0..frames)
-            .step_by(BATCH)
-            .map(|first| {
-                let count = BATCH.min(frames - first);
-                let started = Instant::now();
-                self.submit_batch(count, None)?;
-                Ok(started.elapsed().as_secs_f64() * 1e3 / count as f64)
-            })
-            .collect()
+    fn wall_ms(&self, frames: usize) -> Result<f64> {
+        let started = Instant::now();
+        self.submit_batch(frames, None)?;
+        Ok(started.elapsed().as_secs_f64() * 1e3 / frames as f64)
     }
 
     /// Draws frames and waits for them; with timestamps from the given entry on.
@@ -259,6 +264,68 @@ impl<'a> Frame<'a> {
         pass.set_bind_group(1, &self.group, &[]);
         pass.draw(0..3, 0..1);
     }
+}
+
+/// Times frames after a warm-up. Batches take turns, so that whatever else slows the machine down slows all of them.
+///
+/// # Errors
+/// `Error::Gpu`.
+pub fn time_frames<const N: usize>(frames: [&Frame; N], plan: FramePlan) -> Result<[FrameTime; N]> {
+    let (batches, batch) = (plan.batches.max(1), plan.batch.clamp(1, BATCH_MAX));
+    for frame in frames {
+        for _ in 0..plan.warm_up.div_ceil(batch) {
+            frame.submit_batch(batch.min(plan.warm_up), None)?;
+        }
+    }
+    let mut times_ms: [Vec<f64>; N] = std::array::from_fn(|_| Vec::with_capacity(batches * batch));
+    for _ in 0..batches {
+        for (frame, times) in frames.iter().zip(&mut times_ms) {
+            times.extend(frame.batch_ms(batch)?);
+        }
+    }
+    let mut times_ms = times_ms.into_iter();
+    Ok(frames.map(|frame| frame.summary(times_ms.next().unwrap_or_default(), batches * batch)))
+}
+
+fn clock(gpu: &Gpu) -> Clock {
+    if gpu.info().timestamps { Clock::Timestamps } else { Clock::Wall }
+}
+
+/// Bytes of the buffers that [`copy_gb_per_s`] copies: beyond most caches, within WebGPU's default limits.
+const COPY_BYTES: u64 = 64 << 20;
+/// Copies that are timed together.
+const COPIES: u64 = 8;
+
+/// What copying within the GPU's memory reaches in GB/s, bytes read and written counted: a measure of its bandwidth.
+///
+/// # Errors
+/// `Error::Gpu`.
+pub fn copy_gb_per_s(gpu: &Gpu) -> Result<f64> {
+    let buffers = gpu.guarded("prepare copies", || {
+        [(); 2].map(|()| {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("copies"),
+                size: COPY_BYTES,
+                usage: wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        })
+    })?;
+    let copy = |count| -> Result<f64> {
+        let started = Instant::now();
+        gpu.guarded("copy", || {
+            let mut encoder = gpu.device.create_command_encoder(&Default::default());
+            for _ in 0..count {
+                encoder.copy_buffer_to_buffer(&buffers[0], 0, &buffers[1], 0, COPY_BYTES);
+            }
+            gpu.queue.submit([encoder.finish()]);
+        })?;
+        gpu.wait("copy")?;
+        Ok(started.elapsed().as_secs_f64())
+    };
+    // The first copy also clears the buffers.
+    copy(1)?;
+    Ok((2 * COPIES * COPY_BYTES) as f64 / copy(COPIES)? * 1e-9)
 }
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;

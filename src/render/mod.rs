@@ -8,6 +8,7 @@ pub mod gpu_bound;
 pub mod gpu_frame;
 pub mod gpu_layout;
 pub mod gpu_tables;
+pub mod gpu_thread;
 pub mod wgsl;
 
 /// A BRDF to shade with: local `wi` and `wo`, both with positive z, to XYZ in 1/sr. It is called from

@@ -6,8 +6,8 @@ use crate::ground::error::{Error, Result};
 use crate::report::embed::{Album, EMBEDDED_MAX_BYTES, Picture, missing};
 use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
-use crate::report::{budget_facts, frames, numbers, plots};
-use crate::stages::results::{ErrorRow, GpuResult, RunResults, SceneResult, SpecimenResult, StageTime};
+use crate::report::{budget_facts, frames, gpu_facts, numbers, plots};
+use crate::stages::results::{ErrorRow, RunResults, SceneResult, SpecimenResult, StageTime};
 
 const TEMPLATE: &str = include_str!("templates/report.html");
 
@@ -40,6 +40,7 @@ fn render_within(
         summary.push(summary_row(number, specimen, preview.as_ref(), &results.stages));
         specimens.push(specimen_section(number, specimen, preview.as_ref(), &results.stages, &mut album)?);
     }
+    let gpu = gpu_facts::section(&results.gpu, &mut album)?;
     let all: Vec<&StageTime> = results.stages.iter().collect();
     let cpu_s: Option<f64> = all.iter().map(|stage| stage.cpu_s).sum();
     let page = context! {
@@ -51,7 +52,7 @@ fn render_within(
         threads => plural(results.threads, "thread"),
         cpus => plural(results.cpu_count, "processor"),
         peak_memory => results.peak_memory_mib.map(|size| numbers::bytes((size * 1048576.0) as u64)),
-        gpu => gpu(&results.gpu),
+        gpu => gpu,
         failures_title => format!("{} on the way to this atlas", plural(results.failures.len(), "failure")),
         failures => failures(results),
         left_out => &results.left_out,
@@ -326,45 +327,6 @@ fn failures(results: &RunResults) -> Vec<Value> {
         .collect()
 }
 
-fn gpu(result: &GpuResult) -> Value {
-    let none: Vec<Value> = Vec::new();
-    match result {
-        GpuResult::Off => {
-            context! { tone => "", text => "check switched off", adapter => "", rows => none }
-        }
-        GpuResult::Skipped { why } => {
-            context! { tone => "amber", text => format!("not checked, {why}"), adapter => "", rows => none }
-        }
-        GpuResult::Checked { adapter, rows } => {
-            let beyond = rows.iter().filter(|row| !row.passed()).count();
-            let (tone, text) = if rows.is_empty() {
-                ("amber", format!("nothing compared on {adapter}"))
-            } else if beyond == 0 {
-                let compared = plural(rows.len(), "comparison");
-                ("green", format!("{compared} with the CPU within limits"))
-            } else {
-                let of = plural(rows.len(), "comparison");
-                ("red", format!("{beyond} of {of} with the CPU beyond the limit"))
-            };
-            let rows: Vec<Value> = rows
-                .iter()
-                .map(|row| {
-                    context! {
-                        specimen => &row.specimen,
-                        what => &row.what,
-                        values => numbers::count(row.values as u64),
-                        l2 => numbers::number(row.relative_l2, 2),
-                        worst => numbers::number(row.worst, 2),
-                        limit => numbers::number(row.limit, 2),
-                        passed => row.passed(),
-                    }
-                })
-                .collect();
-            context! { tone => tone, text => text, adapter => adapter, rows => rows }
-        }
-    }
-}
-
 fn unembedded(linked: usize) -> String {
     if linked == 0 {
         return String::new();
@@ -477,25 +439,5 @@ mod tests {
         assert_eq!(headline_error(&rows), Some(&rows[2]));
         assert_eq!(headline_error(&rows[..2]), Some(&rows[1]));
         assert_eq!(headline_error(&rows[..1]), None);
-    }
-
-    #[test]
-    fn the_gpu_line_tells_failure_from_success() {
-        let row = |worst| crate::stages::results::GpuRow {
-            specimen: "a".into(),
-            what: "sphere".into(),
-            values: 1,
-            relative_l2: 0.0,
-            worst,
-            limit: 1e-4,
-        };
-        let text = |rows: Vec<_>| {
-            let adapter = "x".to_string();
-            let view = gpu(&GpuResult::Checked { adapter, rows });
-            view.get_attr("text").unwrap().to_string()
-        };
-        assert_eq!(text(vec![row(1e-5)]), "1 comparison with the CPU within limits");
-        assert_eq!(text(vec![row(1e-5), row(f64::NAN)]), "1 of 2 comparisons with the CPU beyond the limit");
-        assert_eq!(text(vec![]), "nothing compared on x");
     }
 }

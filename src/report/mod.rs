@@ -10,6 +10,7 @@ pub mod study_plots;
 mod embed;
 mod facts;
 mod frames;
+mod gpu_facts;
 mod numbers;
 mod plots;
 mod spectrum_picture;

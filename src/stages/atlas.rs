@@ -18,6 +18,8 @@ pub const INDEX_FILE: &str = "atlas.json";
 pub const LATEST_FILE: &str = "latest";
 /// Files that hold times, and so differ between runs that compute the same.
 pub const TIMED_FILES: [&str; 2] = ["report.html", "report.json"];
+/// End of the names of pictures that show what a GPU did wrong: they depend on the machine.
+pub const DIFFERENCE_SUFFIX: &str = ".gpu.png";
 
 const FIX: &str = "Restore the atlas from a copy, or run the pipeline again to publish a new version.";
 
@@ -89,7 +91,8 @@ impl AtlasIndex {
     /// The index without what may differ between two runs that compute the same.
     pub fn content(&self) -> Self {
         let mut content = Self { index_sha256: String::new(), ..self.clone() };
-        content.files.retain(|file| !TIMED_FILES.contains(&file.path.as_str()));
+        let may_differ = |path: &str| TIMED_FILES.contains(&path) || path.ends_with(DIFFERENCE_SUFFIX);
+        content.files.retain(|file| !may_differ(&file.path));
         content
     }
 

@@ -25,6 +25,8 @@ pub struct RunConfig {
     pub scenes: Vec<Scene>,
     /// Whether tables are checked on a GPU.
     pub gpu: GpuCheck,
+    /// Whether frames are timed on it.
+    pub frame_time: FrameTiming,
     /// What is found out besides.
     pub report: ReportConfig,
     /// The manifest, word for word.
@@ -84,6 +86,18 @@ pub enum GpuCheck {
     Auto,
     /// A machine without one is a failure.
     Required,
+    /// Never.
+    Off,
+}
+
+/// Whether frames are timed on the GPU.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum FrameTiming {
+    /// On hardware; times of a software driver say little.
+    Auto,
+    /// On whatever adapter there is.
+    On,
     /// Never.
     Off,
 }

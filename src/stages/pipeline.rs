@@ -7,18 +7,17 @@ use std::path::Path;
 use std::time::Instant;
 
 use super::atlas::{AtlasIndex, InputRecord};
-use super::config::{GpuCheck, RunConfig, Serve, SpecimenConfig};
+use super::config::{RunConfig, Serve, SpecimenConfig};
 use super::describe::{describe, entry, failed_result, inputs, specimen_file};
 use super::format_md::format_md;
-use super::gpu_check::check_specimen;
+use super::gpu_stage;
 use super::ingest::ingest;
 use super::measure::{self, ErrorDirections};
 use super::progress::Progress;
 use super::publish::{self, Published, Staging};
 use super::reached::reached_picture;
 use super::results::{
-    Failure, GpuResult, GpuRow, HeightMapFile, RESULTS_SCHEMA, RunResults, SpecimenResult, SpectrumFile, StageTime,
-    Statistics,
+    Failure, GpuResult, HeightMapFile, RESULTS_SCHEMA, RunResults, SpecimenResult, SpectrumFile, StageTime, Statistics,
 };
 use super::scenes::{SceneWork, render_tables};
 use super::serve::{self, Cost, Source};
@@ -29,7 +28,6 @@ use crate::ground::files;
 use crate::ground::png_image::write_png;
 use crate::height::HeightField;
 use crate::render::cpu;
-use crate::render::gpu::Gpu;
 use crate::scene::model::{Exposure, Light, Scene, Shape};
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
@@ -79,7 +77,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     let started = Instant::now();
     let staging = publish::begin(&config.atlas_root)?;
     let mut results = empty_results(config, helpers);
-    let gpu = open_gpu(config, &mut results)?;
+    let gpu = gpu_stage::open(config, &mut results, helpers.progress)?;
     let mut index = AtlasIndex::new(
         &config.atlas_name,
         &files::sha256_hex(config.manifest_text.as_bytes()),
@@ -92,11 +90,13 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     for (number, specimen) in asked_for.iter().enumerate() {
         let label = format!("[{}/{}] {}", number + 1, asked_for.len(), specimen.name);
         let specimen_started = Instant::now();
-        match run_specimen(config, specimen, &staging, helpers, gpu.as_ref(), &mut results.stages) {
+        match run_specimen(config, specimen, &staging, helpers, &mut results.stages) {
             Ok(done) => {
+                if let Some(gpu) = &gpu {
+                    gpu_stage::check(gpu, config, specimen, staging.path(), &mut results, helpers.progress);
+                }
                 helpers.progress.message(&done_line(&label, &done.result, specimen_started.elapsed().as_secs_f64()));
                 record_unserved(&mut results, &done.result);
-                record_gpu(&mut results, &specimen.name, done.gpu);
                 index.inputs.extend(done.inputs);
                 index.specimens.push(entry(specimen));
                 example.get_or_insert(specimen.name.clone());
@@ -114,6 +114,9 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
             }
         }
     }
+    if let Some(gpu) = &gpu {
+        gpu_stage::time_frames(gpu, config, staging.path(), &mut results, helpers.progress);
+    }
     results.total_wall_s = started.elapsed().as_secs_f64();
     results.peak_memory_mib = peak_memory_mib();
     let Some(example) = example else {
@@ -130,49 +133,6 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     Ok(RunOutcome { results, published: Some(published) })
 }
 
-/// Largest side of the pictures compared on the GPU: every texel look-up is exercised at any size, and a
-/// software driver takes seconds beyond.
-const GPU_SIDE_MAX_PX: usize = 128;
-
-/// The GPU, where one is wanted and there.
-fn open_gpu(config: &RunConfig, results: &mut RunResults) -> Result<Option<Gpu>> {
-    let gpu = match config.gpu {
-        GpuCheck::Off => return Ok(None),
-        GpuCheck::Required => Some(Gpu::require()?),
-        GpuCheck::Auto => Gpu::open()?,
-    };
-    results.gpu = match &gpu {
-        Some(gpu) => GpuResult::Checked { adapter: adapter_text(gpu), rows: Vec::new() },
-        None => GpuResult::Skipped { why: "no adapter: no Vulkan, Metal or DirectX 12 driver was found".into() },
-    };
-    Ok(gpu)
-}
-
-fn adapter_text(gpu: &Gpu) -> String {
-    let info = gpu.info();
-    format!("{} ({}, {})", info.adapter, info.backend, info.driver)
-}
-
-/// Every scene of a specimen on the GPU against the CPU: the largest difference as a share of what
-/// rounding and hardware filtering allow that pixel.
-fn gpu_rows(gpu: &Gpu, name: &str, set: &TableSet, scenes: &[&Scene]) -> Result<Vec<GpuRow>> {
-    let smaller = |scene: &&Scene| Scene { size_px: scene.size_px.min(GPU_SIDE_MAX_PX), ..(*scene).clone() };
-    let scenes: Vec<Scene> = scenes.iter().map(smaller).collect();
-    let checks = check_specimen(gpu, set, &scenes)?;
-    Ok(checks
-        .into_iter()
-        .map(|check| GpuRow {
-            specimen: name.to_owned(),
-            what: format!("{}, share of the difference allowed", check.scene),
-            values: check.samples,
-            relative_l2: check.mean,
-            // A value that is not finite has no share; it must not pass.
-            worst: if check.not_finite == 0 { check.worst_of_tolerance } else { f64::NAN },
-            limit: 1.0,
-        })
-        .collect())
-}
-
 /// Lists pictures that ask for more than the tables serve.
 fn record_unserved(results: &mut RunResults, specimen: &SpecimenResult) {
     for scene in specimen.scenes.iter().filter(|scene| scene.unserved_pixels > 0) {
@@ -187,20 +147,6 @@ fn record_unserved(results: &mut RunResults, specimen: &SpecimenResult) {
     }
 }
 
-/// Adds a specimen's comparisons; those that miss their limit are failures of the run.
-fn record_gpu(results: &mut RunResults, specimen: &str, rows: Vec<GpuRow>) {
-    for row in rows.iter().filter(|row| !row.passed()) {
-        results.failures.push(Failure {
-            specimen: Some(specimen.to_owned()),
-            stage: "check on the GPU".into(),
-            message: format!("{}: {:.2} times what rounding and filtering allow", row.what, row.worst),
-        });
-    }
-    if let GpuResult::Checked { rows: all, .. } = &mut results.gpu {
-        all.extend(rows);
-    }
-}
-
 /// The line that a finished specimen leaves on the screen.
 fn done_line(label: &str, result: &SpecimenResult, seconds: f64) -> String {
     let (tables, size) = result.build.as_ref().map_or((0, 0), |build| (build.tables, build.size));
@@ -210,7 +156,6 @@ fn done_line(label: &str, result: &SpecimenResult, seconds: f64) -> String {
 /// What a finished specimen leaves besides its files.
 struct Done {
     result: SpecimenResult,
-    gpu: Vec<GpuRow>,
     inputs: Vec<InputRecord>,
 }
 
@@ -257,7 +202,6 @@ fn run_specimen(
     specimen: &SpecimenConfig,
     staging: &Staging,
     helpers: &Helpers,
-    gpu: Option<&Gpu>,
     times: &mut Vec<StageTime>,
 ) -> std::result::Result<Done, Failed> {
     let mut clock = Clock { specimen: &specimen.name, times, progress: helpers.progress };
@@ -268,8 +212,7 @@ fn run_specimen(
         ingest(specimen)
     })?;
     let source = Source { fields: &ingested.fields, optics, tables: &config.tables };
-    let wanted =
-        serve::served_scenes(config, &specimen.name).unwrap_or_else(|| serve::scenes_of(config, &specimen.name));
+    let wanted = serve::pictured_scenes(config, &specimen.name);
     let serving = config.serve != Serve::All;
     let domain = match serving {
         false => None,
@@ -286,10 +229,6 @@ fn run_specimen(
     let works = clock.stage("render scenes", 0, || {
         wanted.iter().map(|scene| render_tables(scene, &set)).collect::<Result<Vec<SceneWork>>>()
     })?;
-    let gpu = match gpu {
-        Some(gpu) => clock.stage("check on the GPU", 0, || gpu_rows(gpu, &specimen.name, &set, &wanted))?,
-        None => Vec::new(),
-    };
     let directions = match serving {
         false => ErrorDirections::fixed(),
         true => ErrorDirections::of_scenes(&works),
@@ -352,7 +291,7 @@ fn run_specimen(
             serve::account(&source, &wanted, domain, measured, config.report.savings)
         })?);
     }
-    Ok(Done { result, gpu, inputs: inputs(config, specimen, &ingested) })
+    Ok(Done { result, inputs: inputs(config, specimen, &ingested) })
 }
 
 /// Path of the picture of a specimen in lists: the first of its scenes where tables serve nothing else.

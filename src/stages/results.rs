@@ -5,6 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
+pub use super::gpu_results::{GpuResult, GpuRow};
 use super::serve::Budget;
 use crate::ground::error::{Error, Result};
 pub use crate::height::statistics::{Period, Statistics};
@@ -12,7 +13,7 @@ use crate::optics::config::OpticsConfig;
 use crate::tables::model::{Basis, BuildRecord, Storage};
 
 /// Version of the layout of `report.json`; raised when a field changes its meaning or disappears.
-pub const RESULTS_SCHEMA: u32 = 1;
+pub const RESULTS_SCHEMA: u32 = 2;
 
 /// A whole run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -37,7 +38,7 @@ pub struct RunResults {
     pub specimens: Vec<SpecimenResult>,
     /// Times, in the order the stages ended in.
     pub stages: Vec<StageTime>,
-    /// Outcome of comparing the GPU with the CPU.
+    /// Outcome of the GPU stage.
     pub gpu: GpuResult,
     /// What went wrong, in the order it happened.
     pub failures: Vec<Failure>,
@@ -72,52 +73,6 @@ pub struct Failure {
     pub stage: String,
     /// What happened and what to do about it.
     pub message: String,
-}
-
-/// Outcome of comparing the GPU with the CPU.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "state", rename_all = "snake_case")]
-pub enum GpuResult {
-    /// Switched off in the manifest.
-    Off,
-    /// Wanted where possible, but not possible here.
-    Skipped {
-        /// Why.
-        why: String,
-    },
-    /// Done.
-    Checked {
-        /// The adapter's own name and driver.
-        adapter: String,
-        /// One row per comparison.
-        rows: Vec<GpuRow>,
-    },
-}
-
-/// One comparison of GPU values with CPU values.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct GpuRow {
-    /// The specimen.
-    pub specimen: String,
-    /// What was compared: a scene's name or "directions".
-    pub what: String,
-    /// Number of XYZ values compared.
-    pub values: usize,
-    /// Root of the summed squared differences over the root of the summed squares.
-    #[serde(with = "null_for_nan")]
-    pub relative_l2: f64,
-    /// Largest difference, relative to the larger of the value and the floor of the comparison.
-    #[serde(with = "null_for_nan")]
-    pub worst: f64,
-    /// `worst` must not exceed this.
-    pub limit: f64,
-}
-
-impl GpuRow {
-    /// Whether the GPU met the limit; a comparison without a result did not.
-    pub fn passed(&self) -> bool {
-        self.worst <= self.limit
-    }
 }
 
 /// One specimen, from its scans to its measured errors.
@@ -356,8 +311,9 @@ pub(super) mod null_for_nan {
 mod tests {
     use super::*;
 
-    fn row(worst: f64) -> GpuRow {
-        GpuRow { specimen: "a".into(), what: "sphere".into(), values: 3, relative_l2: 1e-6, worst, limit: 1e-4 }
+    fn row(worst: f64) -> ErrorRow {
+        let (what, region) = ("total".into(), "grazing".into());
+        ErrorRow { what, region, directions: 3, relative_l2: 1e-6, p50: 1e-7, p95: 1e-6, p99: 1e-6, worst }
     }
 
     #[test]
@@ -365,18 +321,11 @@ mod tests {
         for missing in [f64::NAN, f64::INFINITY] {
             let text = serde_json::to_string(&row(missing)).unwrap();
             assert!(text.contains("\"worst\":null"), "{text}");
-            let back: GpuRow = serde_json::from_str(&text).unwrap();
+            let back: ErrorRow = serde_json::from_str(&text).unwrap();
             assert!(back.worst.is_nan());
         }
-        let back: GpuRow = serde_json::from_str(&serde_json::to_string(&row(2e-5)).unwrap()).unwrap();
+        let back: ErrorRow = serde_json::from_str(&serde_json::to_string(&row(2e-5)).unwrap()).unwrap();
         assert_eq!(back, row(2e-5));
-    }
-
-    #[test]
-    fn a_comparison_passes_only_within_its_limit() {
-        assert!(row(1e-4).passed());
-        assert!(!row(1.1e-4).passed());
-        assert!(!row(f64::NAN).passed());
     }
 
     #[test]
@@ -385,7 +334,7 @@ mod tests {
             ("{", "report.json: is not JSON"),
             ("{}", "report.json: has no `schema`"),
             ("{\"schema\": 99}", "report.json: has schema 99"),
-            ("{\"schema\": 1}", "report.json: does not hold"),
+            ("{\"schema\": 2}", "report.json: does not hold"),
         ] {
             let error = from_json(text, "report.json").unwrap_err().to_string();
             assert!(error.starts_with(complaint), "{error}");

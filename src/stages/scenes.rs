@@ -51,12 +51,17 @@ pub fn render_tables(scene: &Scene, set: &TableSet) -> Result<SceneWork> {
     let image = cpu::render(scene, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo))?;
     let seconds = started.elapsed().as_secs_f64();
     let unserved = image.rows().into_iter().filter(|xyz| xyz.iter().any(|value| value.is_nan())).count();
-    let per_pixel = samples_per_pixel(scene).max(1);
-    let side = ((REFERENCE_SAMPLES_MAX / per_pixel) as f64).sqrt().max(1.0);
-    let stride = (scene.size_px as f64 / side).ceil().max(1.0) as usize;
+    let stride = reference_stride(scene);
     let subset = samples_of(scene, 0..scene.size_px, stride)?;
     let exposure = exposure_factor(scene.exposure, &image);
     Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, unserved, stride, subset })
+}
+
+/// Of how many pixels in each direction one has a reference.
+pub fn reference_stride(scene: &Scene) -> usize {
+    let per_pixel = samples_per_pixel(scene).max(1);
+    let side = ((REFERENCE_SAMPLES_MAX / per_pixel) as f64).sqrt().max(1.0);
+    (scene.size_px as f64 / side).ceil().max(1.0) as usize
 }
 
 impl SceneWork {
@@ -164,7 +169,7 @@ fn gather(samples: &ShadingSamples, brdf: &[Xyz]) -> Array3<f32> {
 }
 
 /// Every `stride`-th pixel of an image.
-fn every(image: &Array3<f32>, stride: usize) -> Array3<f32> {
+pub fn every(image: &Array3<f32>, stride: usize) -> Array3<f32> {
     let (rows, columns, _) = image.dim();
     Array3::from_shape_fn((rows.div_ceil(stride), columns.div_ceil(stride), 3), |(row, column, channel)| {
         image[[row * stride, column * stride, channel]]

@@ -39,6 +39,11 @@ pub fn served_scenes<'a>(config: &'a RunConfig, specimen: &str) -> Option<Vec<&'
     }
 }
 
+/// The scenes that are pictured with a specimen's tables: those they serve.
+pub fn pictured_scenes<'a>(config: &'a RunConfig, specimen: &str) -> Vec<&'a Scene> {
+    served_scenes(config, specimen).unwrap_or_else(|| scenes_of(config, specimen))
+}
+
 /// Whether anything is asked of a specimen: always, unless tables serve scenes and none of them shows it.
 pub fn is_asked_for(config: &RunConfig, specimen: &str) -> bool {
     served_scenes(config, specimen).is_none_or(|scenes| !scenes.is_empty())

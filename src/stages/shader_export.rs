@@ -7,6 +7,9 @@ use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use crate::ground::error::{Error, Result};
 use crate::render::wgsl::{SHADE_MATERIAL, material};
 
+/// What an engine needs to know: bindings in every language, inputs and result.
+pub const README: &str = include_str!("shader_readme.md");
+
 /// What the shader is translated into.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShaderLanguage {
@@ -123,7 +126,27 @@ fn to_hlsl(module: &naga::Module, info: &ModuleInfo) -> Result<Vec<u8>> {
     hlsl::Writer::new(&mut text, &options, &pipeline)
         .write(module, info, None)
         .map_err(|error| fault("HLSL", error))?;
-    Ok(text.into_bytes())
+    Ok(with_a_sampler_of_its_own(&text)?.into_bytes())
+}
+
+/// naga takes samplers from a heap, by an index that a buffer holds; engines bind one sampler.
+fn with_a_sampler_of_its_own(text: &str) -> Result<String> {
+    let (mut out, mut heap, mut sampler) = (String::with_capacity(text.len()), 0, 0);
+    for line in text.lines() {
+        if line.starts_with("static const SamplerState bilinear = nagaSamplerHeap[") {
+            out += "SamplerState bilinear : register(s4);\n";
+            sampler += 1;
+        } else if line.contains("nagaSamplerHeap")
+            || line.contains("nagaComparisonSamplerHeap")
+            || line.contains("nagaGroup0SamplerIndexArray")
+        {
+            heap += 1;
+        } else {
+            out += line;
+            out.push('\n');
+        }
+    }
+    if (heap, sampler) == (3, 1) { Ok(out) } else { Err(fault("HLSL", "its samplers are not where they were")) }
 }
 
 fn to_msl(module: &naga::Module, info: &ModuleInfo) -> Result<Vec<u8>> {

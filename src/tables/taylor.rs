@@ -48,7 +48,8 @@ impl SeriesForecast {
     }
 }
 
-fn unit_roundoff(storage: Storage) -> f64 {
+/// Largest relative error of rounding to the nearest stored number.
+pub fn unit_roundoff(storage: Storage) -> f64 {
     match storage {
         Storage::Half => 2f64.powi(-11),
         Storage::Float => 2f64.powi(-24),

@@ -3,7 +3,7 @@
 use diffraction_atlas::ground::colour::xyz_to_linear_srgb;
 use diffraction_atlas::render::gpu::Gpu;
 use diffraction_atlas::render::gpu_bound::bound_image;
-use diffraction_atlas::render::gpu_frame::Frame;
+use diffraction_atlas::render::gpu_frame::{Frame, FramePlan, copy_gb_per_s, time_frames};
 use diffraction_atlas::render::gpu_layout::table_image;
 use diffraction_atlas::render::gpu_tables::{shade, upload};
 use diffraction_atlas::scene::model::{Scene, Shape};
@@ -62,10 +62,25 @@ fn a_frame_shows_the_sphere() {
 fn frame_times_are_measured() {
     let Some(gpu) = gpu("frame time") else { return };
     let tables = upload(gpu, &table_image(full_set()).unwrap()).unwrap();
-    let time = Frame::new(gpu, &tables, &sphere(64), 1.0).unwrap().time(20).unwrap();
-    println!("{time:?} on {:?}", gpu.info());
-    assert!(time.median_ms > 0.0 && time.shortest_ms <= time.median_ms && time.frames == 20);
-    assert_eq!((time.tables, time.light_samples), (full_set().tables.len(), 6));
+    let [small, large] = [32, 256].map(|side| Frame::new(gpu, &tables, &sphere(side), 1.0).unwrap());
+    let plan = FramePlan { warm_up: 2, batches: 5, batch: 4 };
+    let [of_small, of_large] = time_frames([&small, &large], plan).unwrap();
+    println!("{of_small:?} and {of_large:?} on {:?}", gpu.info());
+    for time in [&of_small, &of_large] {
+        assert!(time.median_ms > 0.0 && time.shortest_ms <= time.median_ms && time.frames == 20);
+        assert_eq!((time.tables, time.light_samples), (full_set().tables.len(), 6));
+    }
+    // 64 times as many pixels: a clock that is not the GPU's, or in another unit for one of them, would not see it.
+    assert!(of_large.median_ms > 2.0 * of_small.median_ms, "{of_large:?} {of_small:?}");
+}
+
+#[test]
+fn copying_has_a_bandwidth() {
+    let Some(gpu) = gpu("copy bandwidth") else { return };
+    let copied = copy_gb_per_s(gpu).unwrap();
+    println!("{copied:.1} GB/s");
+    // From the slowest memory of a small board to well above today's fastest.
+    assert!((0.1..1e5).contains(&copied), "{copied}");
 }
 
 #[test]

@@ -2,5 +2,7 @@
 
 mod agreement;
 mod corruption;
+mod exported;
 mod frame;
+mod published;
 mod sets;

@@ -6,7 +6,8 @@ use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
 use crate::ground::error::{Error, Result};
 use crate::ground::files;
-use crate::stages::shader_export::{ShaderLanguage, shader};
+use crate::stages::shader_data::write_shader_data;
+use crate::stages::shader_export::{README, ShaderLanguage, shader};
 use crate::stages::{atlas, specimen};
 use crate::tables::model::Storage;
 use crate::tables::storage::write_tables;
@@ -33,7 +34,7 @@ pub struct ExportArgs {
 pub enum Form {
     /// The same tables as 32-bit floats, scales multiplied in
     FloatTables,
-    /// Code that evaluates the tables, in the shading languages translated from WGSL
+    /// Code that evaluates the tables in several shading languages, with the bytes to upload
     Shaders,
 }
 
@@ -44,18 +45,22 @@ pub enum Form {
 pub fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
     let folder = atlas::resolve(&args.atlas)?;
     let index = atlas::read_index(&folder)?;
-    let written = match args.form {
-        Form::Shaders => export_shaders(&args.out)?,
-        Form::FloatTables => {
-            let all: Vec<String> = index.specimens.iter().map(|entry| entry.name.clone()).collect();
-            let names = if args.specimen.is_empty() { &all } else { &args.specimen };
-            for name in names {
-                export_float(&atlas::specimen_folder(&folder, &index, name)?, &args.out.join(name))?;
-            }
-            names.len()
+    let all: Vec<String> = index.specimens.iter().map(|entry| entry.name.clone()).collect();
+    let names = if args.specimen.is_empty() { &all } else { &args.specimen };
+    let specimens = names.iter().map(|name| Ok((name, atlas::specimen_folder(&folder, &index, name)?)));
+    let specimens = specimens.collect::<Result<Vec<_>>>()?;
+    if args.form == Form::Shaders {
+        export_shaders(&args.out)?;
+    }
+    for (name, from) in &specimens {
+        let to = args.out.join(name);
+        fresh_folder(&to)?;
+        match args.form {
+            Form::FloatTables => export_float(from, &to)?,
+            Form::Shaders => write_shader_data(&to, &specimen::load(from)?.1)?,
         }
-    };
-    output::print(&format!("exported {written} to {}\n", args.out.display()))?;
+    }
+    output::print(&format!("exported {} to {}\n", specimens.len(), args.out.display()))?;
     Ok(Outcome::Done)
 }
 
@@ -67,17 +72,16 @@ fn fresh_folder(folder: &Path) -> Result<()> {
     files::create_folder(folder)
 }
 
-fn export_shaders(out: &Path) -> Result<usize> {
+fn export_shaders(out: &Path) -> Result<()> {
     fresh_folder(out)?;
     for language in ShaderLanguage::ALL {
         let file = format!("tables.{}.{}", language.name(), language.extension());
         files::replace(&out.join(file), &shader(language)?)?;
     }
-    Ok(ShaderLanguage::ALL.len())
+    files::replace(&out.join("README.md"), README.as_bytes())
 }
 
 fn export_float(from: &Path, to: &Path) -> Result<()> {
-    fresh_folder(to)?;
     let (file, set) = specimen::load(from)?;
     let tables = write_tables(to, &set, Storage::Float)?;
     specimen::write(to, &specimen::SpecimenFile { tables, ..file })

@@ -1,0 +1,134 @@
+//! What the GPU stage found out, as plain data.
+
+use serde::{Deserialize, Serialize};
+
+use super::gpu_check::{GpuSceneCheck, ReferenceCheck};
+use crate::render::gpu::GpuInfo;
+use crate::render::gpu_frame::FrameTime;
+
+/// Outcome of the GPU stage.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "state", rename_all = "snake_case")]
+pub enum GpuResult {
+    /// Switched off in the manifest.
+    Off,
+    /// Wanted where possible, but not possible here.
+    Skipped {
+        /// Why.
+        why: String,
+    },
+    /// An adapter is there but cannot be used; also a failure of the run.
+    Unusable {
+        /// Why.
+        why: String,
+    },
+    /// Done, or as far as it came: what stopped it is a failure of the run.
+    Checked {
+        /// The adapter, its driver, limits and features.
+        gpu: Box<GpuInfo>,
+        /// One row per scene of a specimen.
+        rows: Vec<GpuRow>,
+        /// How long a frame takes, where that was measured.
+        frames: Option<Box<FrameComparison>>,
+    },
+}
+
+/// One scene of one specimen on the GPU.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct GpuRow {
+    /// The specimen.
+    pub specimen: String,
+    /// Against the CPU's published picture.
+    pub cpu: GpuSceneCheck,
+    /// Against the published reference picture, where there is one.
+    pub reference: Option<ReferenceCheck>,
+    /// Whether the manifest leaves number of tables and steps to the tolerance; only then must the tables meet it.
+    pub promised: bool,
+    /// Path of the picture of the differences, where a comparison failed.
+    pub difference_png: Option<String>,
+}
+
+impl GpuRow {
+    /// Whether nothing is wrong.
+    pub fn passed(&self) -> bool {
+        let meets = |reference: &ReferenceCheck| reference.passed && (reference.accurate || !self.promised);
+        self.cpu.passed && self.reference.as_ref().is_none_or(meets)
+    }
+
+    /// What is wrong, in words.
+    pub fn complaint(&self) -> Option<String> {
+        let scene = &self.cpu.scene;
+        if !self.cpu.passed {
+            let [row, column] = self.cpu.worst_pixel;
+            return Some(format!(
+                "scene \"{scene}\": row {row}, column {column} differs from the CPU by {} times what rounding and \
+                 filtering allow (worst difference {:.2e} of white, {} values not finite)",
+                times(self.cpu.worst_of_tolerance),
+                self.cpu.worst,
+                self.cpu.not_finite
+            ));
+        }
+        let reference = self.reference.as_ref()?;
+        if !reference.passed {
+            return Some(format!(
+                "scene \"{scene}\": a pixel is {} times as far from the reference as the CPU and the GPU's rounding together",
+                times(reference.worst_of_tolerance)
+            ));
+        }
+        (self.promised && !reference.accurate).then(|| {
+            format!(
+                "scene \"{scene}\": {:.1e} of the light shown differs from the reference beside what look-ups and rounding \
+                 explain; the tolerance promises {:.1e}: the tables are wrong",
+                reference.unexplained, reference.limit
+            )
+        })
+    }
+}
+
+/// A factor, readable whether just above 1 or beyond counting.
+fn times(factor: f64) -> String {
+    if factor < 1e3 { format!("{factor:.3}") } else { format!("{factor:.1e}") }
+}
+
+/// Frame times of the atlas's tables and of the published method's at equal error, from one run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FrameComparison {
+    /// The specimen.
+    pub specimen: String,
+    /// The atlas's tables.
+    pub atlas: MethodFrame,
+    /// The published method's tables; `None` where it is refused.
+    pub taylor: Option<MethodFrame>,
+    /// Why it is refused.
+    pub refused: Option<String>,
+    /// What copying within the GPU's memory reaches, bytes read and written counted.
+    pub copy_gb_per_s: f64,
+}
+
+/// One method's frame.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MethodFrame {
+    /// 95th percentile of the luminance's relative error as the GPU holds the tables, with cubic look-ups: over the
+    /// hemisphere, near the mirror direction, at grazing angles.
+    pub error_p95: [f64; 3],
+    /// The time.
+    pub time: FrameTime,
+}
+
+impl FrameComparison {
+    /// How many times as long a frame takes with the published method.
+    pub fn ratio(&self) -> Option<f64> {
+        self.taylor.as_ref().map(|taylor| taylor.time.median_ms / self.atlas.time.median_ms)
+    }
+
+    /// One line for the screen.
+    pub fn in_words(&self) -> String {
+        let one = |frame: &MethodFrame| format!("{} tables {:.3} ms", frame.time.tables, frame.time.median_ms);
+        let side = self.atlas.time.size_px;
+        let published = match (&self.taylor, self.ratio()) {
+            (Some(taylor), Some(ratio)) => format!("the published method's {}, {ratio:.2} times as long", one(taylor)),
+            _ => "the published method is refused".into(),
+        };
+        format!("{}: a frame of {side}² from {}; {published}", self.specimen, one(&self.atlas))
+    }
+}

@@ -1,0 +1,82 @@
+//! An engine that knows nothing but exported files draws what the CPU computes.
+
+use std::process::Command;
+
+use diffraction_atlas::ground::colour::xyz_to_linear_srgb;
+use diffraction_atlas::ground::direction::{Vec3, dot};
+use diffraction_atlas::render::cpu;
+use diffraction_atlas::render::gpu_bound::bound_image;
+use diffraction_atlas::scene::samples::ShadingSamples;
+use diffraction_atlas::stages::specimen;
+use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
+
+use crate::published::published;
+use crate::sets::gpu;
+
+#[allow(dead_code)]
+#[path = "../../examples/engine.rs"]
+mod engine;
+
+const SIDE: usize = 64;
+
+/// Directions at every pixel's centre, weighed with the cosine of the light.
+fn samples() -> ShadingSamples {
+    let unit = |v: Vec3| v.map(|c| (c / dot(v, v).sqrt()) as f32);
+    let place = |index: usize| 2.0 * (index as f64 + 0.5) / SIDE as f64 - 1.0;
+    let mut samples = ShadingSamples { rows: SIDE, columns: SIDE, first: vec![0], ..Default::default() };
+    for row in 0..SIDE {
+        for column in 0..SIDE {
+            let at = [place(column), -place(row)].map(|x| x * f64::from(engine::HALF_SIDE));
+            let towards = |p: [f32; 3]| unit([f64::from(p[0]) - at[0], f64::from(p[1]) - at[1], f64::from(p[2])]);
+            let wi = towards(engine::LIGHT);
+            samples.wi.push(wi);
+            samples.wo.push(towards(engine::EYE));
+            samples.weight.push(wi[2]);
+            samples.first.push(samples.wi.len() as u32);
+        }
+    }
+    samples
+}
+
+/// Allowed are the check's bound in the output's primaries (the magnitudes of a row sum to 5.3 at most) and what the
+/// interpolated directions are off: about 16 u of the triangle's extent, 4e-6, over which `f` changes by at most its own
+/// size over 1 % of a lobe's width 0.03: 1.3e-2 of the largest value.
+#[test]
+fn exported_files_are_all_that_an_engine_needs() {
+    if gpu("engine").is_none() {
+        return;
+    }
+    let out = tempfile::tempdir().unwrap();
+    let exported = out.path().join("exported");
+    let run = Command::new(env!("CARGO_BIN_EXE_diffraction-atlas"))
+        .args(["export", "--form", "shaders", "--out"])
+        .args([&exported, &published().config.atlas_root])
+        .output()
+        .unwrap();
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    let drawn = engine::draw(&exported, "wave", SIDE as u32).unwrap();
+    let (_, set) = specimen::load(&published().version.join("wave")).unwrap();
+    let samples = samples();
+    let expected = cpu::shade(&samples, &|wi, wo| brdf_xyz(&set, Interpolation::Bilinear, wi, wo));
+    let bound = bound_image(&set, &samples);
+    // The largest share of what is allowed, for a CPU that is off by a factor.
+    let worst = |factor: f64| {
+        let mut worst = 0.0f64;
+        for row in 0..SIDE {
+            for column in 0..SIDE {
+                let xyz = [0, 1, 2].map(|c| factor * f64::from(expected[[row, column, c]]));
+                let allowed: f64 = (0..3).map(|c| f64::from(bound[[row, column, c]])).sum();
+                let largest = xyz.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+                for (c, value) in xyz_to_linear_srgb(xyz).into_iter().enumerate() {
+                    let difference = (f64::from(drawn[[row, column, c]]) - value).abs();
+                    worst = worst.max(difference / (5.3 * allowed + 1.3e-2 * largest + 1e-9));
+                }
+            }
+        }
+        worst
+    };
+    let lit = expected.iter().filter(|v| **v > 1e-3).count();
+    println!("engine: {:.3} of what is allowed, {lit} lit values", worst(1.0));
+    assert!(lit > 1000 && worst(1.0) < 1.0, "{} {lit}", worst(1.0));
+    assert!(worst(1.05) > 1.0, "5 % of brightness must show");
+}
