@@ -9,6 +9,7 @@ use diffraction_atlas::manifest::{
     self, ExposureSection, GpuCheck, HeightSection, HeightUnit, LevelSection, ShapeSection,
 };
 use diffraction_atlas::optics::config::{Edge, Material, Windows};
+use diffraction_atlas::stages::measured::MeasuredConfig;
 use diffraction_atlas::tables::model::{Basis, Prefilter, Storage};
 use manifest_fixture::{GOOD, folder, good_with, parse_in};
 
@@ -98,7 +99,8 @@ fn every_key_of_the_example_arrives() {
     assert_eq!((integers.level, integers.blend_nm), (LevelSection::Quadratic, Some(500.0)));
     assert_eq!(integers.despike.map(|despike| despike.threshold_rms), Some(8.0));
     assert_eq!(integers.max_missing_share, 0.01);
-    assert_eq!(integers.measured, Some(folder.path().join("measured.csv")));
+    let file = folder.path().join("measured.csv");
+    assert_eq!(integers.measured, Some(MeasuredConfig { file, acceptance_deg: 1.5, bandwidth_nm: 2.0 }));
     // Its own sigma and windows, but the edge of `[optics]`.
     let optics = &integers.optics;
     assert_eq!((optics.sigma_nm, optics.edge, optics.windows), (3000.0, Edge::Fade, Windows::Grid));
@@ -156,7 +158,8 @@ fn the_bundled_manifest_is_good() {
     let folder = tempfile::tempdir().unwrap();
     // The names count here, not the scans: empty files stand for them.
     std::fs::create_dir(folder.path().join("specimens")).unwrap();
-    for line in text.lines().filter(|line| line.starts_with("scans = ")) {
+    let names_file = |line: &&str| line.starts_with("scans = ") || line.starts_with("measured = ");
+    for line in text.lines().filter(names_file) {
         let name = line.split('"').nth(1).unwrap();
         std::fs::write(folder.path().join(name), "").unwrap();
     }

@@ -13,6 +13,10 @@ pub const GPU: GpuCheck = GpuCheck::Auto;
 pub const LEVEL: LevelSection = LevelSection::Plane;
 /// `[[specimen]] max_missing_share`.
 pub const MAX_MISSING_SHARE: f64 = 0.05;
+/// `measured.acceptance_deg`: a single direction.
+pub const ACCEPTANCE_DEG: f64 = 0.0;
+/// `measured.bandwidth_nm`: a single wavelength.
+pub const BANDWIDTH_NM: f64 = 0.0;
 /// `height.offset_nm`, beside `nm_per_count`.
 pub const OFFSET_NM: f64 = 0.0;
 /// `[[scene]] size_px`.

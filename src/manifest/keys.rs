@@ -61,6 +61,9 @@ pub const SPECIMEN: Keys = Keys {
     ],
 };
 
+/// Measured reflectance to compare with.
+pub const MEASURED: Keys = Keys { table: "measured", names: &["file", "acceptance_deg", "bandwidth_nm"] };
+
 /// What the stored numbers of a scan mean.
 pub const HEIGHT: Keys = Keys { table: "height", names: &["full_scale_nm", "unit", "nm_per_count", "offset_nm"] };
 
@@ -101,8 +104,8 @@ pub const GPU: Keys = Keys { table: "[gpu]", names: &["check"] };
 
 /// Every table.
 pub const ALL: &[&Keys] = &[
-    &TOP, &ATLAS, &OPTICS, &LINES, &COHERENCE, &MATERIAL, &TABLES, &PREFILTER, &SPECIMEN, &HEIGHT, &DESPIKE, &SCENE,
-    &LIGHT, &EXPOSURE, &GPU,
+    &TOP, &ATLAS, &OPTICS, &LINES, &COHERENCE, &MATERIAL, &TABLES, &PREFILTER, &SPECIMEN, &MEASURED, &HEIGHT, &DESPIKE,
+    &SCENE, &LIGHT, &EXPOSURE, &GPU,
 ];
 
 /// Units that key names end in.

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::optics::config::OpticsConfig;
 pub use crate::stages::config::GpuCheck;
+use crate::stages::measured::MeasuredConfig;
 use crate::tables::model::TablesConfig;
 
 /// A whole manifest.
@@ -63,8 +64,8 @@ pub struct SpecimenSection {
     pub max_missing_share: f64,
     /// The manifest's optics with this specimen's own settings in their place.
     pub optics: OpticsConfig,
-    /// CSV file of measured reflectance to compare with.
-    pub measured: Option<PathBuf>,
+    /// Measured reflectance to compare with.
+    pub measured: Option<MeasuredConfig>,
 }
 
 /// What the stored numbers of a scan mean.

@@ -6,7 +6,7 @@ use crate::ground::error::{Error, Result};
 use crate::report::embed::{Album, EMBEDDED_MAX_BYTES, Picture, missing};
 use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
-use crate::report::{frames, numbers, plots};
+use crate::report::{frames, measured, numbers, plots};
 use crate::stages::results::{ErrorRow, GpuResult, RunResults, SceneResult, SpecimenResult, StageTime};
 
 const TEMPLATE: &str = include_str!("templates/report.html");
@@ -237,6 +237,7 @@ fn specimen_section(
         } else {
             String::new()
         },
+        measured => specimen.measured.as_ref().map(|found| safe(measured::section(found))),
         power_plot => safe(plots::power_plot(&specimen.power_sums)),
         times => safe(plots::time_plot(&by_stage(&own_stages(stages, &specimen.name)))),
         scans_title => plural(specimen.scans.len(), "scan"),

@@ -9,6 +9,7 @@ pub mod study_plots;
 mod embed;
 mod facts;
 mod frames;
+mod measured;
 mod numbers;
 mod plots;
 mod spectrum_picture;

@@ -6,6 +6,7 @@ use crate::height::prepare::PrepareConfig;
 use crate::height::read::ReadConfig;
 use crate::optics::config::OpticsConfig;
 use crate::scene::model::Scene;
+use crate::stages::measured::MeasuredConfig;
 use crate::tables::model::TablesConfig;
 
 /// A whole run.
@@ -45,7 +46,7 @@ pub struct SpecimenConfig {
     /// The optics.
     pub optics: OpticsConfig,
     /// Measured reflectance to compare with.
-    pub measured: Option<PathBuf>,
+    pub measured: Option<MeasuredConfig>,
 }
 
 /// Whether tables are checked on a GPU.

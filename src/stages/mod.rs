@@ -7,6 +7,7 @@ pub mod format_md;
 pub mod gpu_check;
 pub mod ingest;
 pub mod measure;
+pub mod measured;
 pub mod pipeline;
 pub mod progress;
 pub mod publish;

@@ -14,6 +14,7 @@ use super::format_md::format_md;
 use super::gpu_check::check_specimen;
 use super::ingest::{Ingested, ingest};
 use super::measure;
+use super::measured::{self, Measurement};
 use super::progress::Progress;
 use super::publish::{self, Published, Staging};
 use super::results::{
@@ -251,6 +252,10 @@ fn run_specimen(
         files::create_folder(&folder.join("scenes"))?;
         ingest(specimen)
     })?;
+    let measurement = match &specimen.measured {
+        Some(config) => Some(clock.stage("read measured reflectance", 0, || measured::read(config))?),
+        None => None,
+    };
     let plan = clock.stage("plan", 0, || build::plan(&ingested.fields, optics, &config.tables))?;
     let steps = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum::<usize>() * plan.windows.len();
     let (built, record) = clock.stage("build tables", steps as u64, || {
@@ -287,6 +292,12 @@ fn run_specimen(
         }
         Ok(())
     })?;
+    if let Some(measurement) = &measurement {
+        result.measured = Some(clock.stage("compare with measured reflectance", 0, || {
+            let file = relative_name(config, &measurement.config.file);
+            measured::compare(&ingested.fields, optics, measurement, file, plan.spectra.memory_bytes)
+        })?);
+    }
     clock.stage("write pictures", 0, || {
         let mut next = measure::fixed_pairs().len();
         for work in &works {
@@ -308,7 +319,7 @@ fn run_specimen(
         build.build_s = build_s;
         build.stored_bytes = clock.stage("count bytes", 0, || exr_bytes(&folder))?;
     }
-    Ok(Done { result, gpu, inputs: inputs(config, specimen, &ingested) })
+    Ok(Done { result, gpu, inputs: inputs(config, specimen, &ingested, measurement.as_ref()) })
 }
 
 /// Everything about a specimen that is known before its errors are measured.
@@ -350,21 +361,19 @@ fn describe(
         }),
         errors: Vec::new(),
         power_sums: Vec::new(),
+        measured: None,
         scenes: Vec::new(),
         height_map: None,
         spectrum: None,
         preview_png: None,
-        warnings: warnings(specimen, set, plan),
+        warnings: warnings(set, plan),
         failed: None,
     }
 }
 
 /// What a user must know about these tables.
-fn warnings(specimen: &SpecimenConfig, set: &TableSet, plan: &BuildPlan) -> Vec<String> {
+fn warnings(set: &TableSet, plan: &BuildPlan) -> Vec<String> {
     let mut warnings = Vec::new();
-    if specimen.measured.is_some() {
-        warnings.push("`measured` is named, but this version does not compare with measured reflectance yet".into());
-    }
     if set.usable_radius < 2.0 {
         warnings.push(format!(
             "the scan's sampling answers for |(u, v)| up to {:.2} only: beyond, some wavelengths are missing and values are too dark",
@@ -389,10 +398,21 @@ fn entry(specimen: &SpecimenConfig) -> SpecimenEntry {
     SpecimenEntry { name: specimen.name.clone(), species: specimen.species.clone().unwrap_or_default() }
 }
 
-fn inputs(config: &RunConfig, specimen: &SpecimenConfig, ingested: &Ingested) -> Vec<InputRecord> {
-    let name = |path: &Path| path.strip_prefix(&config.base).unwrap_or(path).display().to_string();
+fn inputs(
+    config: &RunConfig,
+    specimen: &SpecimenConfig,
+    ingested: &Ingested,
+    measurement: Option<&Measurement>,
+) -> Vec<InputRecord> {
+    let record = |path: &Path, sha256: &str| InputRecord { path: relative_name(config, path), sha256: sha256.into() };
     let scans = specimen.scans.iter().zip(&ingested.provenance);
-    scans.map(|(path, provenance)| InputRecord { path: name(path), sha256: provenance.sha256.clone() }).collect()
+    let scans = scans.map(|(path, provenance)| record(path, &provenance.sha256));
+    scans.chain(measurement.map(|m| record(&m.config.file, &m.sha256))).collect()
+}
+
+/// An input's path as the atlas records it.
+fn relative_name(config: &RunConfig, path: &Path) -> String {
+    path.strip_prefix(&config.base).unwrap_or(path).display().to_string()
 }
 
 fn to_value(value: &impl serde::Serialize) -> Value {
@@ -490,6 +510,7 @@ fn failed_result(specimen: &SpecimenConfig, error: &Error) -> SpecimenResult {
         lobe: None,
         errors: Vec::new(),
         power_sums: Vec::new(),
+        measured: None,
         scenes: Vec::new(),
         height_map: None,
         spectrum: None,

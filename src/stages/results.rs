@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::ground::error::{Error, Result};
 pub use crate::height::statistics::{Period, Statistics};
 use crate::optics::config::OpticsConfig;
+use crate::stages::measured::MeasuredResult;
 use crate::tables::model::{Basis, BuildRecord, Storage};
 
 /// Version of the layout of `report.json`; raised when a field changes its meaning or disappears.
@@ -145,6 +146,9 @@ pub struct SpecimenResult {
     pub errors: Vec<ErrorRow>,
     /// Sums over the hemisphere of `f cos_theta_o`, for unit Fresnel reflectance.
     pub power_sums: Vec<PowerSum>,
+    /// Comparison with measured reflectance, where the manifest names some.
+    #[serde(default)]
+    pub measured: Option<MeasuredResult>,
     /// The scenes rendered with the tables.
     pub scenes: Vec<SceneResult>,
     /// Picture of the heights.
@@ -327,7 +331,7 @@ pub fn from_json(text: &str, name: &str) -> Result<RunResults> {
 }
 
 /// JSON has no NaN: it is written as `null` and read back as NaN, and infinities likewise.
-mod null_for_nan {
+pub(crate) mod null_for_nan {
     use serde::{Deserialize, Deserializer, Serializer};
 
     pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {

@@ -4,6 +4,7 @@ mod damage;
 mod evaluation;
 mod faults;
 mod interruption;
+mod measured;
 mod place;
 mod real_scans;
 mod scans;

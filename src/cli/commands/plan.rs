@@ -9,6 +9,7 @@ use crate::cli::output::{self, Outcome, bytes_in_words};
 use crate::ground::error::Result;
 use crate::manifest::{self, convert::run_config};
 use crate::stages::ingest::ingest;
+use crate::stages::measured;
 use crate::tables::forecast::{Forecast, forecast};
 
 /// Arguments of `plan`.
@@ -50,8 +51,10 @@ pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     let config = run_config(&manifest, &text);
     let threads = rayon::current_num_threads();
     let specimens = config.specimens.iter().map(|specimen| {
-        let outcome =
-            ingest(specimen).and_then(|ingested| forecast(&ingested.fields, &specimen.optics, &config.tables, threads));
+        let measurement = specimen.measured.as_ref().map(measured::read).transpose();
+        let outcome = measurement
+            .and_then(|_| ingest(specimen))
+            .and_then(|ingested| forecast(&ingested.fields, &specimen.optics, &config.tables, threads));
         let (forecast, failure) = match outcome {
             Ok(forecast) => (Some(forecast), None),
             Err(error) => (None, Some(error.to_string())),
