@@ -56,6 +56,7 @@ fn main() -> Result<()> {
         name: "sphere".into(),
         shape: Shape::Sphere,
         lights: vec![Light { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.0, irradiance: 1.0 }],
+        environment: None,
         size_px,
         exposure: Exposure::Auto,
         specimen: None,

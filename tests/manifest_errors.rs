@@ -164,6 +164,13 @@ const CASES: &[Case] = &[
     ("level = \"plane\"", "measured = { file = \"measured.csv\", bandwidth_um = 0.002 }", "23:37", "bandwidth_um", &["bandwidth_nm = 2"]),
     ("illuminant = \"D65\"", "illuminant = \"nowhere.csv\"", "8:14", "\"nowhere.csv\"", &["`optics.illuminant`", "cannot read"]),
     ("illuminant = \"D65\"", "illuminant = \"snake.tif\"", "8:14", "\"snake.tif\"", &["the first line must be `wavelength_nm,power`"]),
+    ("tilt_deg = 20", "environment = \"nowhere.exr\"", "40:15", "\"nowhere.exr\"", &["`scene[1].environment` cannot light", "cannot read"]),
+    ("tilt_deg = 20", "environment = \"lamp.csv\"", "40:15", "\"lamp.csv\"", &["is no OpenEXR image"]),
+    ("tilt_deg = 20", "environment = { file = \"flat.exr\" }", "40:24", "\"flat.exr\"", &["4 x 4 pixels", "twice as wide"]),
+    ("tilt_deg = 20", "environment = { file = \"night.exr\" }", "40:24", "\"night.exr\"", &["is black"]),
+    ("tilt_deg = 20", "environment = { rotate_deg = 9 }", "40:15", "{ rotate_deg = 9 }", &["`file`"]),
+    ("tilt_deg = 20", "environment = { file = \"sky.exr\", scale = 0 }", "40:43", "0", &["must be above 0"]),
+    ("shape = \"patch\"\ntilt_deg = 20", "shape = \"hemisphere\"\nenvironment = \"sky.exr\"", "40:1", "environment", &["does not apply", "`sphere`"]),
     ("illuminant = \"D65\"", "illuminant = \"dark.csv\"", "9:1", "wavelength_nm", &["no light falls"]),
 ];
 

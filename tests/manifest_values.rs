@@ -113,6 +113,10 @@ fn every_key_of_the_example_arrives() {
 
     let [map, ball, tile, wall] = &all.scenes[..] else { panic!("four scenes") };
     assert_eq!((map.shape, map.size_px, map.exposure), (ShapeSection::Hemisphere, 256, ExposureSection::Auto));
+    let sky = ball.environment.as_ref().unwrap();
+    assert_eq!((sky.file.as_path(), sky.directions.len()), (folder.path().join("sky.exr").as_path(), 64));
+    // 4π of luminance 0.5, halved.
+    assert!((sky.scalar_irradiance - std::f64::consts::PI).abs() < 1e-6, "{}", sky.scalar_irradiance);
     assert_eq!((ball.lights.len(), ball.light_samples, ball.pixel_samples), (2, 64, 4));
     assert_eq!((ball.lights[1].angular_diameter_deg, ball.lights[1].irradiance), (10.0, 0.1));
     assert_eq!((tile.exposure, tile.specimen.as_deref()), (ExposureSection::Ev(-1.5), Some("integers")));

@@ -97,6 +97,7 @@ fn scene(section: &SceneSection) -> Scene {
         name: section.name.clone(),
         shape,
         lights: section.lights.iter().map(light).collect(),
+        environment: section.environment.clone(),
         size_px: section.size_px,
         exposure: match section.exposure {
             ExposureSection::Auto => Exposure::Auto,

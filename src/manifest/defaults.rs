@@ -23,6 +23,12 @@ pub const OFFSET_NM: f64 = 0.0;
 pub const SIZE_PX: usize = 512;
 /// `[[scene]] light_samples`.
 pub const LIGHT_SAMPLES: usize = 16;
+/// `[[scene]] light_samples` where an environment lights the scene: a light from all around needs more.
+pub const ENVIRONMENT_SAMPLES: usize = 512;
+/// `environment.rotate_deg`.
+pub const ENVIRONMENT_ROTATE_DEG: f64 = 0.0;
+/// `environment.scale`.
+pub const ENVIRONMENT_SCALE: f64 = 1.0;
 /// `[[scene]] light`: the sun, high and a little to the right.
 pub const LIGHT: LightSection =
     LightSection { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.53, irradiance: 1.0 };

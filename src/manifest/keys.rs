@@ -78,6 +78,7 @@ pub const SCENE: Keys = Keys {
         "shape",
         "specimen",
         "light",
+        "environment",
         "light_samples",
         "pixel_samples",
         "size_px",
@@ -96,6 +97,9 @@ pub const SCENE: Keys = Keys {
 /// One light of a scene.
 pub const LIGHT: Keys = Keys { table: "light", names: &["direction", "angular_diameter_deg", "irradiance"] };
 
+/// Light from all around.
+pub const ENVIRONMENT: Keys = Keys { table: "environment", names: &["file", "rotate_deg", "scale"] };
+
 /// A fixed exposure.
 pub const EXPOSURE: Keys = Keys { table: "exposure", names: &["ev"] };
 
@@ -104,8 +108,23 @@ pub const GPU: Keys = Keys { table: "[gpu]", names: &["check"] };
 
 /// Every table.
 pub const ALL: &[&Keys] = &[
-    &TOP, &ATLAS, &OPTICS, &LINES, &COHERENCE, &MATERIAL, &TABLES, &PREFILTER, &SPECIMEN, &MEASURED, &HEIGHT, &DESPIKE,
-    &SCENE, &LIGHT, &EXPOSURE, &GPU,
+    &TOP,
+    &ATLAS,
+    &OPTICS,
+    &LINES,
+    &COHERENCE,
+    &MATERIAL,
+    &TABLES,
+    &PREFILTER,
+    &SPECIMEN,
+    &MEASURED,
+    &HEIGHT,
+    &DESPIKE,
+    &SCENE,
+    &LIGHT,
+    &ENVIRONMENT,
+    &EXPOSURE,
+    &GPU,
 ];
 
 /// Units that key names end in.

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use crate::optics::config::OpticsConfig;
+use crate::scene::environment::Environment;
 pub use crate::stages::config::GpuCheck;
 use crate::stages::measured::MeasuredConfig;
 use crate::tables::model::TablesConfig;
@@ -138,6 +139,8 @@ pub struct SceneSection {
     /// The lights; exactly one for a hemisphere, and for a screen, whose beam it stands for (the
     /// shape holds the beam's direction, so this one's is +z).
     pub lights: Vec<LightSection>,
+    /// Light from all around, as the directions that stand for it.
+    pub environment: Option<Environment>,
     /// Width and height of the picture.
     pub size_px: usize,
     /// How luminance becomes brightness.

@@ -1,11 +1,14 @@
 //! The `[[scene]]` tables.
 
+use std::path::Path;
+
 use super::defaults;
 use super::keys;
 use super::model::{ExposureSection, LightSection, SceneSection, ShapeSection};
 use super::name;
 use super::reader::{Item, Section};
 use crate::ground::error::Result;
+use crate::scene::environment::{self, Environment};
 
 /// Width and height of a picture.
 const SIZE_PX: [usize; 2] = [16, 8192];
@@ -33,12 +36,12 @@ struct Kind {
 
 const KINDS: [Kind; 5] = [
     Kind { word: "hemisphere", default: ShapeSection::Hemisphere, own_keys: &["light"], lights_max: 1 },
-    Kind { word: "sphere", default: ShapeSection::Sphere, own_keys: &["light"], lights_max: LIGHTS_MAX },
-    Kind { word: "snake", default: ShapeSection::Snake, own_keys: &["light"], lights_max: LIGHTS_MAX },
+    Kind { word: "sphere", default: ShapeSection::Sphere, own_keys: &["light", "environment"], lights_max: LIGHTS_MAX },
+    Kind { word: "snake", default: ShapeSection::Snake, own_keys: &["light", "environment"], lights_max: LIGHTS_MAX },
     Kind {
         word: "patch",
         default: defaults::PATCH,
-        own_keys: &["light", "width_mm", "distance_mm", "tilt_deg", "turn_deg"],
+        own_keys: &["light", "environment", "width_mm", "distance_mm", "tilt_deg", "turn_deg"],
         lights_max: LIGHTS_MAX,
     },
     Kind {
@@ -60,7 +63,7 @@ const KINDS: [Kind; 5] = [
 const COMMON_KEYS: &[&str] = &["name", "shape", "specimen", "size_px", "exposure", "light_samples", "pixel_samples"];
 
 /// Reads every scene; `specimens` are the names that `specimen` may give.
-pub fn read_all(item: &Item, specimens: &[&str]) -> Result<Vec<SceneSection>> {
+pub fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<SceneSection>> {
     if !item.is_list() {
         return Err(item.error("must be written as [[scene]], with double brackets"));
     }
@@ -70,12 +73,12 @@ pub fn read_all(item: &Item, specimens: &[&str]) -> Result<Vec<SceneSection>> {
         let name_item = section.require("name", "name = \"sphere\"")?;
         let name = name::read(&name_item)?;
         name::refuse_repetition(&name_item, &name, scenes.iter().map(|other| other.name.as_str()))?;
-        scenes.push(read(&section, name, specimens)?);
+        scenes.push(read(&section, name, specimens, base)?);
     }
     Ok(scenes)
 }
 
-fn read(section: &Section, name: String, specimens: &[&str]) -> Result<SceneSection> {
+fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Result<SceneSection> {
     let kind = section.require("shape", "shape = \"sphere\"")?.choice(&KINDS.map(|kind| (kind.word, kind)))?;
     refuse_foreign_keys(section, kind)?;
     let whole = |key: &str, [low, high]: [usize; 2], default: usize| match section.get(key) {
@@ -83,14 +86,19 @@ fn read(section: &Section, name: String, specimens: &[&str]) -> Result<SceneSect
         None => Ok(default),
     };
     let shape = shape(section, kind)?;
+    let samples = if section.has("environment") { defaults::ENVIRONMENT_SAMPLES } else { defaults::LIGHT_SAMPLES };
+    let light_samples = whole("light_samples", [1, SAMPLES_MAX], samples)?;
+    let pixel_samples = whole("pixel_samples", [1, SAMPLES_MAX], defaults::PIXEL_SAMPLES)?;
+    let directions = light_samples.max(pixel_samples);
     Ok(SceneSection {
         name,
         shape,
         lights: lights(section, kind, &shape)?,
         size_px: whole("size_px", SIZE_PX, defaults::SIZE_PX)?,
         exposure: section.get("exposure").map_or(Ok(ExposureSection::Auto), |item| exposure(&item))?,
-        light_samples: whole("light_samples", [1, SAMPLES_MAX], defaults::LIGHT_SAMPLES)?,
-        pixel_samples: whole("pixel_samples", [1, SAMPLES_MAX], defaults::PIXEL_SAMPLES)?,
+        environment: section.get("environment").map(|item| environment(&item, base, directions)).transpose()?,
+        light_samples,
+        pixel_samples,
         specimen: section.get("specimen").map(|item| one_of(&item, specimens)).transpose()?,
     })
 }
@@ -166,6 +174,9 @@ fn lights(section: &Section, kind: Kind, shape: &ShapeSection) -> Result<Vec<Lig
         return Ok(vec![beam(section)?]);
     }
     let Some(item) = section.get("light") else {
+        if section.has("environment") {
+            return Ok(Vec::new());
+        }
         if height_above_horizon(defaults::LIGHT.direction, shape) <= 0.0 {
             let message = "the square is turned away from the default light; add `light`";
             return Err(section.error_at_key("tilt_deg", message));
@@ -201,6 +212,26 @@ fn light(item: &Item, shape: &ShapeSection) -> Result<LightSection> {
         angular_diameter_deg: diameter.transpose()?.unwrap_or(defaults::LIGHT.angular_diameter_deg),
         irradiance: irradiance.transpose()?.unwrap_or(defaults::LIGHT.irradiance),
     })
+}
+
+/// An image of all directions, alone or with how it is turned and scaled.
+fn environment(item: &Item, base: &Path, directions: usize) -> Result<Environment> {
+    let (mut rotate_deg, mut scale) = (defaults::ENVIRONMENT_ROTATE_DEG, defaults::ENVIRONMENT_SCALE);
+    let mut file = item.clone();
+    if item.is_table() {
+        let example = "{ file = \"sky.exr\", rotate_deg = 90 }";
+        let section = item.section(&keys::ENVIRONMENT, example)?;
+        file = section.require("file", example)?;
+        if let Some(item) = section.get("rotate_deg") {
+            rotate_deg = item.number_within(-360.0, 360.0, "degrees")?;
+        }
+        if let Some(item) = section.get("scale") {
+            scale = item.number_above(0.0, 1e6, "")?;
+        }
+    }
+    let path = base.join(file.text_not_empty()?);
+    environment::load(&path, rotate_deg, scale, directions)
+        .map_err(|why| file.error(format!("cannot light a scene: {why}")))
 }
 
 fn direction(item: &Item, shape: &ShapeSection) -> Result<[f64; 3]> {

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::ground::colour::auto_exposure;
 use crate::ground::direction::{Vec3, dot};
 use crate::ground::error::{Error, Result};
+use crate::scene::environment::Environment;
 
 /// Largest picture side that is accepted.
 pub const SIZE_MAX_PX: usize = 16_384;
@@ -96,6 +97,9 @@ pub struct Scene {
     /// irradiance and divergence from it (1 and 0 where there is none) and ignores its direction.
     #[serde(default)]
     pub lights: Vec<Light>,
+    /// Light from all around, besides the lights; not for `Hemisphere` and `Screen`.
+    #[serde(default)]
+    pub environment: Option<Environment>,
     /// Side of the square picture.
     pub size_px: usize,
     /// How values become display values.
@@ -164,7 +168,10 @@ fn check_counts(scene: &Scene) -> Checked {
 
 fn check_lights(scene: &Scene) -> Checked {
     let screen = matches!(scene.shape, Shape::Screen { .. });
-    if scene.lights.is_empty() && !screen {
+    if scene.environment.is_some() && (screen || scene.shape == Shape::Hemisphere) {
+        return Err("environment: this shape has one light and no surroundings".into());
+    }
+    if scene.lights.is_empty() && scene.environment.is_none() && !screen {
         return Err("light: at least one is needed, as [{ direction = [x, y, z] }]".into());
     }
     for light in &scene.lights {
@@ -222,7 +229,8 @@ fn check_shape(shape: &Shape) -> Checked {
 
 fn check_row(scene: &Scene) -> Checked {
     let per_pixel = scene.light_samples.max(scene.pixel_samples);
-    let row = scene.size_px * per_pixel * scene.lights.len().max(1);
+    let lights = scene.lights.len() + usize::from(scene.environment.is_some());
+    let row = scene.size_px * per_pixel * lights.max(1);
     if row > ROW_SAMPLES_MAX {
         return Err(format!(
             "size_px x samples x lights = {row} exceeds {ROW_SAMPLES_MAX}; \

@@ -1,6 +1,6 @@
 //! What a run is told to do: plain data that the manifest is turned into.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::height::prepare::PrepareConfig;
 use crate::height::read::ReadConfig;
@@ -28,6 +28,13 @@ pub struct RunConfig {
     pub manifest_text: String,
     /// Folder that input paths are recorded relative to.
     pub base: PathBuf,
+}
+
+impl RunConfig {
+    /// An input's path as the atlas records it: from the manifest's folder where it lies below it.
+    pub fn relative_name(&self, path: &Path) -> String {
+        path.strip_prefix(&self.base).unwrap_or(path).display().to_string()
+    }
 }
 
 /// One specimen.

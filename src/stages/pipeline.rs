@@ -21,7 +21,7 @@ use super::results::{
     BuildResult, Failure, GpuResult, GpuRow, HeightMapFile, LobeResult, RESULTS_SCHEMA, RunResults, SpecimenResult,
     SpectrumFile, StageTime, Statistics,
 };
-use super::scenes::{SceneWork, render_tables};
+use super::scenes::{self, SceneWork, render_tables};
 use super::specimen::{self, CheckValue, SpecimenFile};
 use super::worked::work_number;
 use crate::ground::direction::{Vec3, from_angles_deg};
@@ -115,6 +115,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
             }
         }
     }
+    index.inputs.extend(scenes::inputs(config));
     results.total_wall_s = started.elapsed().as_secs_f64();
     results.peak_memory_mib = peak_memory_mib();
     let Some(example) = example else {
@@ -132,6 +133,9 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
 /// Largest side of the pictures compared on the GPU: every texel look-up is exercised at any size, and a
 /// software driver takes seconds beyond.
 const GPU_SIDE_MAX_PX: usize = 128;
+
+/// Most samples per light there, likewise.
+const GPU_LIGHT_SAMPLES_MAX: usize = 64;
 
 /// The GPU, where one is wanted and there.
 fn open_gpu(config: &RunConfig, results: &mut RunResults) -> Result<Option<Gpu>> {
@@ -155,7 +159,11 @@ fn adapter_text(gpu: &Gpu) -> String {
 /// Every scene of a specimen on the GPU against the CPU: the largest difference as a share of what
 /// rounding and hardware filtering allow that pixel.
 fn gpu_rows(gpu: &Gpu, name: &str, set: &TableSet, scenes: &[&Scene]) -> Result<Vec<GpuRow>> {
-    let smaller = |scene: &&Scene| Scene { size_px: scene.size_px.min(GPU_SIDE_MAX_PX), ..(*scene).clone() };
+    let smaller = |scene: &&Scene| Scene {
+        size_px: scene.size_px.min(GPU_SIDE_MAX_PX),
+        light_samples: scene.light_samples.min(GPU_LIGHT_SAMPLES_MAX),
+        ..(*scene).clone()
+    };
     let scenes: Vec<Scene> = scenes.iter().map(smaller).collect();
     let checks = check_specimen(gpu, set, &scenes)?;
     Ok(checks
@@ -294,7 +302,7 @@ fn run_specimen(
     })?;
     if let Some(measurement) = &measurement {
         result.measured = Some(clock.stage("compare with measured reflectance", 0, || {
-            let file = relative_name(config, &measurement.config.file);
+            let file = config.relative_name(&measurement.config.file);
             measured::compare(&ingested.fields, optics, measurement, file, plan.spectra.memory_bytes)
         })?);
     }
@@ -404,15 +412,10 @@ fn inputs(
     ingested: &Ingested,
     measurement: Option<&Measurement>,
 ) -> Vec<InputRecord> {
-    let record = |path: &Path, sha256: &str| InputRecord { path: relative_name(config, path), sha256: sha256.into() };
+    let record = |path: &Path, sha256: &str| InputRecord { path: config.relative_name(path), sha256: sha256.into() };
     let scans = specimen.scans.iter().zip(&ingested.provenance);
     let scans = scans.map(|(path, provenance)| record(path, &provenance.sha256));
     scans.chain(measurement.map(|m| record(&m.config.file, &m.sha256))).collect()
-}
-
-/// An input's path as the atlas records it.
-fn relative_name(config: &RunConfig, path: &Path) -> String {
-    path.strip_prefix(&config.base).unwrap_or(path).display().to_string()
 }
 
 fn to_value(value: &impl serde::Serialize) -> Value {
@@ -467,6 +470,7 @@ fn write_preview(set: &TableSet, folder: &Path) -> Result<()> {
         name: "preview".into(),
         shape: Shape::Sphere,
         lights: vec![Light { direction: [0.5, 0.5, 1.0], angular_diameter_deg: 0.53, irradiance: 1.0 }],
+        environment: None,
         size_px: PREVIEW_PX,
         exposure: Exposure::Auto,
         specimen: None,

@@ -6,6 +6,8 @@ use std::time::Instant;
 use ndarray::Array3;
 use serde_json::json;
 
+use super::atlas::InputRecord;
+use super::config::RunConfig;
 use super::results::{SceneError, SceneResult};
 use crate::ground::colour::to_srgb8;
 use crate::ground::direction::{Vec3, Xyz};
@@ -115,6 +117,18 @@ impl SceneWork {
             difference_scale: Some(format!("{} % of white", DIFFERENCE_FULL_SCALE * 100.0)),
         })
     }
+}
+
+/// Files that the scenes of a run use, each once.
+pub fn inputs(config: &RunConfig) -> Vec<InputRecord> {
+    let mut inputs: Vec<InputRecord> = Vec::new();
+    for environment in config.scenes.iter().filter_map(|scene| scene.environment.as_ref()) {
+        let path = config.relative_name(&environment.file);
+        if inputs.iter().all(|input| input.path != path) {
+            inputs.push(InputRecord { path, sha256: environment.sha256.clone() });
+        }
+    }
+    inputs
 }
 
 /// The word the manifest uses for a shape.

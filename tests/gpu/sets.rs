@@ -70,6 +70,7 @@ pub fn sphere(size_px: usize) -> Scene {
         name: "sphere".into(),
         shape: Shape::Sphere,
         lights: vec![light([0.3, 0.2, 1.0], 0.0), light([-0.8, 0.5, 0.4], 8.0)],
+        environment: None,
         size_px,
         exposure: Exposure::Auto,
         specimen: None,

@@ -1,6 +1,7 @@
 //! Scenes and CPU rendering against closed forms, and pictures of a stand-in grating.
 
 mod closed_forms;
+mod environment;
 mod grating;
 mod pictures;
 mod screen;
@@ -14,6 +15,7 @@ fn scene(shape: Shape, direction: Vec3, size_px: usize) -> Scene {
         name: "test".into(),
         shape,
         lights: vec![Light { direction, angular_diameter_deg: 0.0, irradiance: 1.0 }],
+        environment: None,
         size_px,
         exposure: Exposure::Auto,
         specimen: None,
