@@ -171,6 +171,13 @@ const CASES: &[Case] = &[
     ("tilt_deg = 20", "environment = { rotate_deg = 9 }", "40:15", "{ rotate_deg = 9 }", &["`file`"]),
     ("tilt_deg = 20", "environment = { file = \"sky.exr\", scale = 0 }", "40:43", "0", &["must be above 0"]),
     ("shape = \"patch\"\ntilt_deg = 20", "shape = \"hemisphere\"\nenvironment = \"sky.exr\"", "40:1", "environment", &["does not apply", "`sphere`"]),
+    ("tilt_deg = 20", "animate = { frames = 9 }", "40:11", "{ frames = 9 }", &["`kind`"]),
+    ("tilt_deg = 20", "animate = { kind = \"spin\" }", "40:20", "\"spin\"", &["\"turntable\", \"light\""]),
+    ("tilt_deg = 20", "animate = { kind = \"light\", degrees = 0 }", "40:29", "degrees", &["nothing moves"]),
+    ("tilt_deg = 20", "animate = { kind = \"light\", frames = 1 }", "40:38", "1", &["between 2 and 1000"]),
+    ("tilt_deg = 20", "animate = { kind = \"light\", frames = 1000 }", "40:11", "{ kind = \"light\", frames = 1000 }", &["pixels together", "`size_px`"]),
+    ("shape = \"patch\"\ntilt_deg = 20", "shape = \"sphere\"\nanimate = { kind = \"turntable\" }", "40:13", "kind", &["looks the same", "viewing"]),
+    ("shape = \"patch\"\ntilt_deg = 20", "shape = \"screen\"\nanimate = { kind = \"light\" }", "40:13", "kind", &["do not move"]),
     ("illuminant = \"D65\"", "illuminant = \"dark.csv\"", "9:1", "wavelength_nm", &["no light falls"]),
 ];
 

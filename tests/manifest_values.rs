@@ -9,6 +9,7 @@ use diffraction_atlas::manifest::{
     self, ExposureSection, GpuCheck, HeightSection, HeightUnit, LevelSection, ShapeSection,
 };
 use diffraction_atlas::optics::config::{Edge, Material, Windows};
+use diffraction_atlas::scene::animation::{Axis, Moving};
 use diffraction_atlas::stages::measured::MeasuredConfig;
 use diffraction_atlas::tables::model::{Basis, Prefilter, Storage};
 use manifest_fixture::{GOOD, folder, good_with, parse_in};
@@ -113,6 +114,9 @@ fn every_key_of_the_example_arrives() {
 
     let [map, ball, tile, wall] = &all.scenes[..] else { panic!("four scenes") };
     assert_eq!((map.shape, map.size_px, map.exposure), (ShapeSection::Hemisphere, 256, ExposureSection::Auto));
+    let animation = ball.animation.unwrap();
+    assert_eq!((animation.kind, animation.axis), (Moving::Light, Axis::Viewing));
+    assert_eq!((animation.frames, animation.degrees, animation.fps, animation.size_px), (16, 90.0, 10, 128));
     let sky = ball.environment.as_ref().unwrap();
     assert_eq!((sky.file.as_path(), sky.directions.len()), (folder.path().join("sky.exr").as_path(), 64));
     // 4π of luminance 0.5, halved.

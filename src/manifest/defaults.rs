@@ -3,6 +3,7 @@
 use super::model::{GpuCheck, LevelSection, LightSection, ShapeSection};
 use crate::ground::spectrum::Illuminant;
 use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
+use crate::scene::animation::Axis;
 use crate::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
 /// `[atlas] out`.
@@ -29,6 +30,14 @@ pub const ENVIRONMENT_SAMPLES: usize = 512;
 pub const ENVIRONMENT_ROTATE_DEG: f64 = 0.0;
 /// `environment.scale`.
 pub const ENVIRONMENT_SCALE: f64 = 1.0;
+/// `animate.axis`.
+pub const ANIMATE_AXIS: Axis = Axis::Vertical;
+/// `animate.frames`.
+pub const ANIMATE_FRAMES: usize = 24;
+/// `animate.degrees`: once round.
+pub const ANIMATE_DEGREES: f64 = 360.0;
+/// `animate.fps`.
+pub const ANIMATE_FPS: usize = 12;
 /// `[[scene]] light`: the sun, high and a little to the right.
 pub const LIGHT: LightSection =
     LightSection { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.53, irradiance: 1.0 };

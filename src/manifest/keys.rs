@@ -83,6 +83,7 @@ pub const SCENE: Keys = Keys {
         "pixel_samples",
         "size_px",
         "exposure",
+        "animate",
         "width_mm",
         "distance_mm",
         "tilt_deg",
@@ -99,6 +100,9 @@ pub const LIGHT: Keys = Keys { table: "light", names: &["direction", "angular_di
 
 /// Light from all around.
 pub const ENVIRONMENT: Keys = Keys { table: "environment", names: &["file", "rotate_deg", "scale"] };
+
+/// Frames besides the still.
+pub const ANIMATE: Keys = Keys { table: "animate", names: &["kind", "axis", "frames", "degrees", "fps", "size_px"] };
 
 /// A fixed exposure.
 pub const EXPOSURE: Keys = Keys { table: "exposure", names: &["ev"] };
@@ -123,6 +127,7 @@ pub const ALL: &[&Keys] = &[
     &SCENE,
     &LIGHT,
     &ENVIRONMENT,
+    &ANIMATE,
     &EXPOSURE,
     &GPU,
 ];

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use crate::optics::config::OpticsConfig;
+use crate::scene::animation::Animation;
 use crate::scene::environment::Environment;
 pub use crate::stages::config::GpuCheck;
 use crate::stages::measured::MeasuredConfig;
@@ -141,6 +142,8 @@ pub struct SceneSection {
     pub lights: Vec<LightSection>,
     /// Light from all around, as the directions that stand for it.
     pub environment: Option<Environment>,
+    /// Frames besides the still.
+    pub animation: Option<Animation>,
     /// Width and height of the picture.
     pub size_px: usize,
     /// How luminance becomes brightness.

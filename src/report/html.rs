@@ -254,6 +254,7 @@ fn scene_view(scene: &SceneResult, album: &mut Album) -> Result<Value> {
         path.as_ref().map(|path| Ok(safe(album.img(path, alt)?))).transpose()
     };
     let side_by_side = optional(&scene.side_by_side_png, "Tables and reference side by side")?;
+    let animation = optional(&scene.animation_png, "Animation")?;
     let difference = optional(&scene.difference_png, "Difference from the reference")?;
     let table = safe(album.img(&scene.table_png, &format!("Scene {}", scene.name))?);
     let error = scene.error.as_ref();
@@ -272,6 +273,8 @@ fn scene_view(scene: &SceneResult, album: &mut Album) -> Result<Value> {
         table => table,
         side_by_side => side_by_side,
         difference => difference,
+        animation => animation,
+        animation_text => scene.animation.clone().unwrap_or_default(),
         difference_scale => scene.difference_scale.clone().unwrap_or_default(),
         pixels => pixels.clone(),
         cells => vec![

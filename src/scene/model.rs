@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::ground::colour::auto_exposure;
 use crate::ground::direction::{Vec3, dot};
 use crate::ground::error::{Error, Result};
+use crate::scene::animation::{Animation, Axis, Moving, Turn};
 use crate::scene::environment::Environment;
 
 /// Largest picture side that is accepted.
@@ -14,6 +15,9 @@ pub const SIZE_MAX_PX: usize = 16_384;
 pub const SAMPLES_MAX: usize = 65_536;
 /// Largest number of samples in one row of the picture, which is rendered at a time: 117 MB.
 pub const ROW_SAMPLES_MAX: usize = 1 << 22;
+
+/// Most pixels of all frames of an animation: 64 of 1024 x 1024.
+pub const ANIMATION_PIXELS_MAX: usize = 1 << 26;
 
 /// A distant light, seen as a uniform disc.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -100,6 +104,13 @@ pub struct Scene {
     /// Light from all around, besides the lights; not for `Hemisphere` and `Screen`.
     #[serde(default)]
     pub environment: Option<Environment>,
+    /// Turn of the object, besides what its shape says: of `Patch` about either axis, of `Sphere` and `Snake` about
+    /// the viewing axis.
+    #[serde(default)]
+    pub turn: Turn,
+    /// Frames to show besides the picture itself.
+    #[serde(default)]
+    pub animation: Option<Animation>,
     /// Side of the square picture.
     pub size_px: usize,
     /// How values become display values.
@@ -143,6 +154,7 @@ pub fn check(scene: &Scene) -> Result<()> {
     check_counts(scene)
         .and_then(|()| check_lights(scene))
         .and_then(|()| check_shape(&scene.shape))
+        .and_then(|()| check_turns(scene))
         .and_then(|()| check_row(scene))
         .map_err(|message| Error::Call(format!("scene \"{}\": {message}", scene.name)))
 }
@@ -224,6 +236,49 @@ fn check_shape(shape: &Shape) -> Checked {
             }
             Ok(())
         }
+    }
+}
+
+fn check_turns(scene: &Scene) -> Checked {
+    within("turn", scene.turn.angle_deg, -360.0, 360.0)?;
+    if scene.turn.angle_deg != 0.0 {
+        check_turn(&scene.shape, Moving::Turntable, scene.turn.axis)?;
+    }
+    let Some(animation) = &scene.animation else { return Ok(()) };
+    check_turn(&scene.shape, animation.kind, animation.axis)?;
+    within("animate degrees", animation.degrees, -360.0, 360.0)?;
+    if animation.frames == 0 || animation.size_px == 0 || animation.fps == 0 {
+        return Err("animate: frames, size_px and fps must be at least 1".into());
+    }
+    if animation.frames.saturating_mul(animation.size_px.saturating_mul(animation.size_px)) > ANIMATION_PIXELS_MAX {
+        return Err(format!(
+            "animate: {} frames of {} x {} pixels are more than {ANIMATION_PIXELS_MAX} pixels together",
+            animation.frames, animation.size_px, animation.size_px
+        ));
+    }
+    Ok(())
+}
+
+/// Whether a shape can be shown with itself or its lights turned about an axis.
+///
+/// # Errors
+/// Why it cannot, and what can, in words.
+pub fn check_turn(shape: &Shape, kind: Moving, axis: Axis) -> Checked {
+    match (shape, kind, axis) {
+        (Shape::Screen { .. }, ..) => Err("a screen's beam and sample do not move".into()),
+        (Shape::Hemisphere, Moving::Turntable, _) => {
+            Err("a hemisphere has no object to turn; turn its light about the viewing axis".into())
+        }
+        (Shape::Hemisphere, Moving::Light, Axis::Vertical) => {
+            Err("about the vertical the light would set; turn it about the viewing axis, the surface's normal".into())
+        }
+        (Shape::Sphere, Moving::Turntable, Axis::Vertical) => Err("a ball whose structure follows circles of \
+            latitude looks the same after every turn about the vertical; use the viewing axis"
+            .into()),
+        (Shape::Snake, Moving::Turntable, Axis::Vertical) => {
+            Err("a snake is seen from above only; use the viewing axis".into())
+        }
+        _ => Ok(()),
     }
 }
 

@@ -31,6 +31,7 @@ use crate::ground::{files, sampling};
 use crate::height::HeightField;
 use crate::render::cpu;
 use crate::render::gpu::Gpu;
+use crate::scene::animation::Turn;
 use crate::scene::model::{Exposure, Light, Scene, Shape};
 use crate::tables::build::{self, BuildPlan};
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
@@ -280,6 +281,9 @@ fn run_specimen(
     let works = clock.stage("render scenes", 0, || {
         wanted.iter().map(|scene| render_tables(scene, &set)).collect::<Result<Vec<SceneWork>>>()
     })?;
+    if works.iter().any(SceneWork::is_animated) {
+        clock.stage("render animations", 0, || works.iter().try_for_each(|work| work.animate(&set, &folder)))?;
+    }
     let pairs: Vec<(Vec3, Vec3)> =
         measure::fixed_pairs().into_iter().chain(works.iter().flat_map(SceneWork::pairs)).collect();
     let gpu = match gpu {
@@ -471,6 +475,8 @@ fn write_preview(set: &TableSet, folder: &Path) -> Result<()> {
         shape: Shape::Sphere,
         lights: vec![Light { direction: [0.5, 0.5, 1.0], angular_diameter_deg: 0.53, irradiance: 1.0 }],
         environment: None,
+        turn: Turn::default(),
+        animation: None,
         size_px: PREVIEW_PX,
         exposure: Exposure::Auto,
         specimen: None,

@@ -258,6 +258,12 @@ pub struct SceneResult {
     pub difference_png: Option<String>,
     /// What the brightest colour of the difference map stands for, in words.
     pub difference_scale: Option<String>,
+    /// The animation, an animated PNG.
+    #[serde(default)]
+    pub animation_png: Option<String>,
+    /// What moves in it, in words.
+    #[serde(default)]
+    pub animation: Option<String>,
 }
 
 /// Difference of a scene from its reference.

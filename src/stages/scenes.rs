@@ -13,9 +13,11 @@ use crate::ground::colour::to_srgb8;
 use crate::ground::direction::{Vec3, Xyz};
 use crate::ground::error::Result;
 use crate::ground::exr_image::{Precision, write_rgb};
+use crate::ground::files;
 use crate::ground::metrics;
-use crate::ground::png_image::{heat_map, side_by_side, write_png};
+use crate::ground::png_image::{encode_animation, heat_map, side_by_side, write_png};
 use crate::render::cpu;
+use crate::scene::animation::{self, Animation, Axis, Moving};
 use crate::scene::model::{Scene, Shape, exposure_factor};
 use crate::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
@@ -26,6 +28,9 @@ const REFERENCE_SAMPLES_MAX: usize = 40_000;
 
 /// Share of white at which the difference map reaches its brightest colour.
 const DIFFERENCE_FULL_SCALE: f32 = 0.1;
+
+/// End of the name of an animation's file.
+const ANIMATION: &str = ".animated.png";
 
 /// Gap between pictures side by side, and its colour.
 const GAP_PX: usize = 4;
@@ -67,6 +72,29 @@ impl SceneWork {
     /// Number of pairs.
     pub fn pair_count(&self) -> usize {
         self.subset.wi.len()
+    }
+
+    /// Whether the scene moves.
+    pub fn is_animated(&self) -> bool {
+        self.scene.animation.is_some()
+    }
+
+    /// Renders the animation from the tables, if there is one, at the still's exposure, and writes it into the
+    /// specimen's folder.
+    ///
+    /// # Errors
+    /// The disk's.
+    pub fn animate(&self, set: &TableSet, folder: &Path) -> Result<()> {
+        let Some(animation) = &self.scene.animation else {
+            return Ok(());
+        };
+        let picture = |index: usize| -> Result<Array3<u8>> {
+            let scene = animation::frame(&self.scene, animation, index);
+            let image = cpu::render(&scene, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo))?;
+            Ok(to_srgb8(&image, self.exposure))
+        };
+        let bytes = encode_animation(animation.frames, animation.fps, picture)?;
+        files::replace(&folder.join(format!("scenes/{}{ANIMATION}", self.scene.name)), &bytes)
     }
 
     /// Writes the pictures into the specimen's folder and compares them. `reference` holds the BRDF at
@@ -114,9 +142,25 @@ impl SceneWork {
             table_png: file(".png"),
             side_by_side_png: Some(file(".compare.png")),
             difference_png: Some(file(".difference.png")),
+            animation_png: self.scene.animation.map(|_| file(ANIMATION)),
+            animation: self.scene.animation.as_ref().map(animation_text),
             difference_scale: Some(format!("{} % of white", DIFFERENCE_FULL_SCALE * 100.0)),
         })
     }
+}
+
+/// What moves, in words for the report.
+fn animation_text(animation: &Animation) -> String {
+    let what = match animation.kind {
+        Moving::Turntable => "the object turns",
+        Moving::Light => "the light turns",
+    };
+    let axis = match animation.axis {
+        Axis::Vertical => "the vertical",
+        Axis::Viewing => "the viewing axis",
+    };
+    let how = if animation.degrees.abs() >= 360.0 { "once round" } else { "to and fro" };
+    format!("{what} {how} by {}° about {axis}, {} frames", animation.degrees, animation.frames)
 }
 
 /// Files that the scenes of a run use, each once.

@@ -295,6 +295,8 @@ fn scene(name: &str, period: &Period, pictures: &mut BTreeMap<String, Vec<u8>>) 
         side_by_side_png: Some(path(".side_by_side")),
         difference_png: Some(path(".difference")),
         difference_scale: Some("5 % of the reference white".into()),
+        animation_png: None,
+        animation: None,
     }
 }
 
