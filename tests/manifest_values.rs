@@ -172,7 +172,7 @@ fn the_bundled_manifest_is_good() {
         std::fs::write(folder.path().join(name), "").unwrap();
     }
     let manifest = parse_in(folder.path(), &text).unwrap();
-    assert_eq!((manifest.specimens.len(), manifest.scenes.len()), (6, 4));
+    assert_eq!((manifest.specimens.len(), manifest.scenes.len()), (6, 5));
 }
 
 #[test]

@@ -25,7 +25,7 @@ pub const SIZE_PX: usize = 512;
 /// `[[scene]] light_samples`.
 pub const LIGHT_SAMPLES: usize = 16;
 /// `[[scene]] light_samples` where an environment lights the scene: a light from all around needs more.
-pub const ENVIRONMENT_SAMPLES: usize = 512;
+pub const ENVIRONMENT_SAMPLES: usize = 256;
 /// `environment.rotate_deg`.
 pub const ENVIRONMENT_ROTATE_DEG: f64 = 0.0;
 /// `environment.scale`.

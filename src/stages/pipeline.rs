@@ -294,6 +294,7 @@ fn run_specimen(
         measure::yardstick(&ingested.fields, optics, &plan, built.tables.len(), pairs)
     })?;
     let mut result = describe(specimen, &ingested, config, &set, &record, &plan);
+    result.warnings.extend(scenes::warnings(&wanted, optics));
     clock.stage("measure errors", 0, || {
         result.errors = measure::error_rows(&yardstick, &set, &built);
         result.errors.push(measure::direct_row(&ingested.fields, optics, &yardstick)?);

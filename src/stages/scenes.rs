@@ -16,12 +16,14 @@ use crate::ground::exr_image::{Precision, write_rgb};
 use crate::ground::files;
 use crate::ground::metrics;
 use crate::ground::png_image::{encode_animation, heat_map, side_by_side, write_png};
+use crate::optics::config::OpticsConfig;
 use crate::render::cpu;
 use crate::scene::animation::{self, Animation, Axis, Moving};
 use crate::scene::model::{Scene, Shape, exposure_factor};
 use crate::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
 use crate::tables::model::TableSet;
+use crate::tables::plan::lobe_width;
 
 /// Most pairs of directions that one scene may ask of the yardstick: sets the lattice of its picture.
 const REFERENCE_SAMPLES_MAX: usize = 40_000;
@@ -147,6 +149,29 @@ impl SceneWork {
             difference_scale: Some(format!("{} % of white", DIFFERENCE_FULL_SCALE * 100.0)),
         })
     }
+}
+
+/// What a user must know about the pictures of a specimen: an environment's directions further apart than the
+/// coherence lobe is wide at half maximum.
+pub fn warnings(scenes: &[&Scene], optics: &OpticsConfig) -> Vec<String> {
+    let longest_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[1];
+    let width = (8.0 * 2f64.ln()).sqrt() * lobe_width(optics.sigma_nm, longest_nm);
+    let mut warnings = Vec::new();
+    for scene in scenes {
+        let Some(environment) = &scene.environment else { continue };
+        let count = scene.light_samples.max(scene.pixel_samples).min(environment.directions.len());
+        let distance = (4.0 * std::f64::consts::PI / count as f64).sqrt();
+        if distance > width {
+            warnings.push(format!(
+                "scene \"{}\": the {count} directions that stand for its environment are up to {:.0} degrees apart, lobes \
+                 {:.1} degrees wide: a mirror-like surface shows them as dots",
+                scene.name,
+                distance.to_degrees(),
+                width.to_degrees()
+            ));
+        }
+    }
+    warnings
 }
 
 /// What moves, in words for the report.
