@@ -7,10 +7,11 @@ use std::fmt::Write;
 use std::path::Path;
 
 use common::optics_forms::{front, gaussian};
-use common::surfaces::{flat, laser, lobe_deviation, sampled};
+use common::surfaces::{PLACEMENTS, flat, laser, lobe_deviation, random, sampled};
 use diffraction_atlas::ground::direction::{from_angles_deg, wave_vector_change};
 use diffraction_atlas::height::HeightField;
 use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_atlas::optics::reference::brdf_spectrum;
 use diffraction_atlas::stages::measured::{self, CurveResult, MeasuredConfig, MeasuredResult};
 
 const PERIOD_NM: f64 = 1_600.0;
@@ -116,6 +117,40 @@ fn every_kind_meets_the_closed_form() {
     let config = file(folder.path(), "radiance_factor", closed_form);
     let column = &compared(&field, &optics(), &config).columns[0];
     assert!(column.relative_l2 > 2.0 && (column.best_scale * PI - 1.0).abs() < TRANSFORM);
+}
+
+#[test]
+fn a_rough_surface_meets_the_direct_sum_under_every_window() {
+    let fields = [1, 2].map(|seed| random([96, 80], [100.0, 120.0], 400.0, 60.0, seed));
+    let folder = tempfile::tempdir().unwrap();
+    for (edge, windows) in PLACEMENTS {
+        let material = Material::Conductor { n: 0.9, k: 6.2 };
+        let optics = OpticsConfig { material, shadowing: true, ..laser(&[550.0], 1_000.0, edge, windows) };
+        let rows =
+            [([0.0, 0.0, 3.0, 40.0], 400.0), ([30.0, 20.0, 55.0, 170.0], 633.0), ([60.0, 0.0, -10.0, 300.0], 500.0)];
+        let exact = rows.map(|([theta_i, phi_i, theta_r, phi_r], nm)| {
+            let (wi, wo) = (from_angles_deg(theta_i, phi_i), from_angles_deg(theta_r, phi_r));
+            brdf_spectrum(&fields, &optics, wi, wo, &[nm]).unwrap()[0]
+        });
+        let mut text = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,wavelength_nm,brdf_per_sr\n".to_owned();
+        for (([a, b, c, d], nm), value) in rows.iter().zip(exact) {
+            writeln!(text, "{a},{b},{c},{d},{nm},{value:e}").unwrap();
+        }
+        let file = folder.path().join("rough.csv");
+        std::fs::write(&file, text).unwrap();
+        let config = MeasuredConfig { file, acceptance_deg: 0.0, bandwidth_nm: 0.0 };
+        let measurement = measured::read(&config).unwrap();
+        let against = |optics: &OpticsConfig| {
+            let result = measured::compare(&fields, optics, &measurement, String::new(), MEMORY_BYTES).unwrap();
+            result.columns[0].relative_l2
+        };
+        let found = against(&optics);
+        println!("{edge:?} {windows:?}: {found:.1e}");
+        // Single precision of the transforms, and 1e-6 of the amplitude by the kernel between their lines.
+        assert!(found < 1e-5, "{edge:?} {windows:?}: {found}");
+        assert!(against(&OpticsConfig { shadowing: false, ..optics.clone() }) > 1e-3);
+        assert!(against(&OpticsConfig { sigma_nm: 1_010.0, ..optics.clone() }) > 1e-3);
+    }
 }
 
 #[test]

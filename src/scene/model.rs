@@ -183,6 +183,9 @@ fn check_lights(scene: &Scene) -> Checked {
     if scene.environment.is_some() && (screen || scene.shape == Shape::Hemisphere) {
         return Err("environment: this shape has one light and no surroundings".into());
     }
+    if scene.environment.as_ref().is_some_and(|environment| environment.directions.is_empty()) {
+        return Err("environment: it has no directions".into());
+    }
     if scene.lights.is_empty() && scene.environment.is_none() && !screen {
         return Err("light: at least one is needed, as [{ direction = [x, y, z] }]".into());
     }
@@ -278,7 +281,9 @@ pub fn check_turn(shape: &Shape, kind: Moving, axis: Axis) -> Checked {
         (Shape::Snake, Moving::Turntable, Axis::Vertical) => {
             Err("a snake is seen from above only; use the viewing axis".into())
         }
-        _ => Ok(()),
+        (Shape::Sphere | Shape::Snake, Moving::Turntable, Axis::Viewing)
+        | (Shape::Patch { .. }, Moving::Turntable, _)
+        | (_, Moving::Light, _) => Ok(()),
     }
 }
 
