@@ -20,7 +20,7 @@ use crate::optics::config::OpticsConfig;
 /// The file, and what the instrument averaged over.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct MeasuredConfig {
-    /// CSV file; see [`read`].
+    /// CSV file; see [`read()`].
     pub file: PathBuf,
     /// Full angle of the cone that the detector collects, uniformly; 0 for a single direction.
     pub acceptance_deg: f64,
