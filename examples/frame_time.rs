@@ -10,6 +10,7 @@ use diffraction_atlas::render::gpu::Gpu;
 use diffraction_atlas::render::gpu_frame::{Frame, FramePlan, time_frames};
 use diffraction_atlas::render::gpu_layout::table_image;
 use diffraction_atlas::render::gpu_tables::upload;
+use diffraction_atlas::scene::animation::Turn;
 use diffraction_atlas::scene::model::{Exposure, Light, Scene, Shape};
 use diffraction_atlas::tables::model::{Basis, Lobe, TableSet};
 use ndarray::Array3;
@@ -61,6 +62,9 @@ fn main() -> Result<()> {
         name: "sphere".into(),
         shape: Shape::Sphere,
         lights: vec![Light { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.0, irradiance: 1.0 }],
+        environment: None,
+        turn: Turn::default(),
+        animation: None,
         size_px,
         exposure: Exposure::Auto,
         specimen: None,

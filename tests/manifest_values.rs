@@ -9,6 +9,8 @@ use diffraction_atlas::manifest::{
     self, ExposureSection, FrameTiming, GpuCheck, HeightSection, HeightUnit, LevelSection, ShapeSection,
 };
 use diffraction_atlas::optics::config::{Edge, Material, Windows};
+use diffraction_atlas::scene::animation::{Axis, Moving};
+use diffraction_atlas::stages::measured::MeasuredConfig;
 use diffraction_atlas::tables::model::{Basis, Prefilter, Storage};
 use manifest_fixture::{GOOD, folder, good_with, parse_in};
 
@@ -98,7 +100,8 @@ fn every_key_of_the_example_arrives() {
     assert_eq!((integers.level, integers.blend_nm), (LevelSection::Quadratic, Some(500.0)));
     assert_eq!(integers.despike.map(|despike| despike.threshold_rms), Some(8.0));
     assert_eq!(integers.max_missing_share, 0.01);
-    assert_eq!(integers.measured, Some(folder.path().join("measured.csv")));
+    let file = folder.path().join("measured.csv");
+    assert_eq!(integers.measured, Some(MeasuredConfig { file, acceptance_deg: 1.5, bandwidth_nm: 2.0 }));
     // Its own sigma and windows, but the edge of `[optics]`.
     let optics = &integers.optics;
     assert_eq!((optics.sigma_nm, optics.edge, optics.windows), (3000.0, Edge::Fade, Windows::Grid));
@@ -111,6 +114,13 @@ fn every_key_of_the_example_arrives() {
 
     let [map, ball, tile, wall] = &all.scenes[..] else { panic!("four scenes") };
     assert_eq!((map.shape, map.size_px, map.exposure), (ShapeSection::Hemisphere, 256, ExposureSection::Auto));
+    let animation = ball.animation.unwrap();
+    assert_eq!((animation.kind, animation.axis), (Moving::Light, Axis::Viewing));
+    assert_eq!((animation.frames, animation.degrees, animation.fps, animation.size_px), (16, 90.0, 10, 128));
+    let sky = ball.environment.as_ref().unwrap();
+    assert_eq!((sky.file.as_path(), sky.directions.len()), (folder.path().join("sky.exr").as_path(), 64));
+    // 4π of luminance 0.5, halved.
+    assert!((sky.scalar_irradiance - std::f64::consts::PI).abs() < 1e-6, "{}", sky.scalar_irradiance);
     assert_eq!((ball.lights.len(), ball.light_samples, ball.pixel_samples), (2, 64, 4));
     assert_eq!((ball.lights[1].angular_diameter_deg, ball.lights[1].irradiance), (10.0, 0.1));
     assert_eq!((tile.exposure, tile.specimen.as_deref()), (ExposureSection::Ev(-1.5), Some("integers")));
@@ -156,12 +166,13 @@ fn the_bundled_manifest_is_good() {
     let folder = tempfile::tempdir().unwrap();
     // The names count here, not the scans: empty files stand for them.
     std::fs::create_dir(folder.path().join("specimens")).unwrap();
-    for line in text.lines().filter(|line| line.starts_with("scans = ")) {
+    let names_file = |line: &&str| line.starts_with("scans = ") || line.starts_with("measured = ");
+    for line in text.lines().filter(names_file) {
         let name = line.split('"').nth(1).unwrap();
         std::fs::write(folder.path().join(name), "").unwrap();
     }
     let manifest = parse_in(folder.path(), &text).unwrap();
-    assert_eq!((manifest.specimens.len(), manifest.scenes.len()), (6, 4));
+    assert_eq!((manifest.specimens.len(), manifest.scenes.len()), (6, 5));
 }
 
 #[test]

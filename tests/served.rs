@@ -41,6 +41,9 @@ fn scene(shape: Shape, lights: Vec<Light>) -> Scene {
         specimen: None,
         light_samples: 6,
         pixel_samples: 1,
+        environment: None,
+        turn: Default::default(),
+        animation: None,
     }
 }
 

@@ -5,6 +5,7 @@ pub mod cie_data;
 pub mod colour;
 pub mod direction;
 pub mod error;
+pub mod exr_foreign;
 pub mod exr_header;
 pub mod exr_image;
 pub mod fft;

@@ -54,6 +54,48 @@ pub fn encode_png(image: &Array3<u8>) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// Bytes of an animated PNG of `frames` images `[rows, columns, 3]` of one size, shown for ever at `fps` frames per
+/// second; programs that know no animation show the first. `image` gives each in turn, so that one is held at a time.
+///
+/// # Errors
+/// Those of `image`, and images the format has no room for.
+pub fn encode_animation(
+    frames: usize,
+    fps: u16,
+    mut image: impl FnMut(usize) -> Result<Array3<u8>>,
+) -> Result<Vec<u8>> {
+    let first = image(0)?;
+    let (rows, columns, _) = first.dim();
+    let refuse = |why: String| {
+        Error::limit(
+            format!("{frames} frames of {columns} x {rows} pixels cannot be an animated PNG: {why}"),
+            "choose another size_px or number of frames",
+        )
+    };
+    let (Ok(width), Ok(height), Ok(count)) = (u32::try_from(columns), u32::try_from(rows), u32::try_from(frames))
+    else {
+        return Err(refuse("its numbers exceed 32 bits".into()));
+    };
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let failed = |error: png::EncodingError| refuse(error.to_string());
+    encoder.set_animated(count, 0).map_err(failed)?;
+    encoder.set_frame_delay(1, fps).map_err(failed)?;
+    let mut writer = encoder.write_header().map_err(failed)?;
+    let mut next = Some(first);
+    for frame in 0..frames {
+        let picture = next.take().map_or_else(|| image(frame), Ok)?;
+        assert_eq!(picture.dim(), (rows, columns, 3), "all frames have one size");
+        let standard = picture.as_standard_layout();
+        writer.write_image_data(standard.as_slice().expect("standard layout is contiguous")).map_err(failed)?;
+    }
+    writer.finish().map_err(failed)?;
+    Ok(bytes)
+}
+
 /// Writes an image `[rows, columns, 3]` as PNG.
 pub fn write_png(path: &Path, image: &Array3<u8>) -> Result<()> {
     let bytes = encode_png(image)?;
@@ -149,6 +191,24 @@ mod tests {
         let mut image = gradient(5, 9);
         image.swap_axes(0, 1);
         assert_eq!(decode(&encode_png(&image).unwrap()), image);
+    }
+
+    #[test]
+    fn an_animation_decodes_frame_by_frame() {
+        let image = |frame: usize| gradient(5, 9).mapv(|value| value.wrapping_mul(frame as u8 + 1));
+        let bytes = encode_animation(3, 25, |frame| Ok(image(frame))).unwrap();
+        assert_eq!(encode_animation(3, 25, |frame| Ok(image(frame))).unwrap(), bytes);
+        assert_eq!(decode(&bytes), image(0), "what programs without animation show");
+        let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();
+        assert_eq!(reader.info().animation_control().unwrap().num_frames, 3);
+        for frame in 0..3 {
+            let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+            reader.next_frame(&mut pixels).unwrap();
+            assert_eq!(Array3::from_shape_vec((5, 9, 3), pixels).unwrap(), image(frame));
+            let control = reader.info().frame_control().unwrap();
+            assert_eq!((control.delay_num, control.delay_den), (1, 25));
+        }
+        assert!(encode_animation(3, 25, |_| Ok(Array3::zeros((0, 4, 3)))).is_err());
     }
 
     #[test]

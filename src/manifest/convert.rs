@@ -6,6 +6,7 @@ use super::model::{
 };
 use crate::height::prepare::{Despike, Level, PrepareConfig};
 use crate::height::read::{HeightScale, LengthUnit, ReadConfig};
+use crate::scene::animation::Turn;
 use crate::scene::model::{Exposure, Light, Scene, Shape};
 use crate::stages::config::{RunConfig, SpecimenConfig};
 
@@ -79,8 +80,9 @@ fn level(section: LevelSection) -> Level {
     }
 }
 
-fn scene(section: &SceneSection) -> Scene {
-    let shape = match section.shape {
+/// What a scene shows.
+pub fn shape(section: &ShapeSection) -> Shape {
+    match *section {
         ShapeSection::Hemisphere => Shape::Hemisphere,
         ShapeSection::Sphere => Shape::Sphere,
         ShapeSection::Snake => Shape::Snake,
@@ -90,7 +92,10 @@ fn scene(section: &SceneSection) -> Scene {
         ShapeSection::Screen { width_mm, distance_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg } => {
             Shape::Screen { distance_mm, width_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg }
         }
-    };
+    }
+}
+
+fn scene(section: &SceneSection) -> Scene {
     let light = |light: &super::model::LightSection| Light {
         direction: light.direction,
         angular_diameter_deg: light.angular_diameter_deg,
@@ -98,8 +103,11 @@ fn scene(section: &SceneSection) -> Scene {
     };
     Scene {
         name: section.name.clone(),
-        shape,
+        shape: shape(&section.shape),
         lights: section.lights.iter().map(light).collect(),
+        environment: section.environment.clone(),
+        turn: Turn::default(),
+        animation: section.animation,
         size_px: section.size_px,
         exposure: match section.exposure {
             ExposureSection::Auto => Exposure::Auto,

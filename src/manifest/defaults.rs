@@ -3,6 +3,7 @@
 use super::model::{FrameTiming, GpuCheck, GpuSection, LevelSection, LightSection, ShapeSection};
 use crate::ground::spectrum::Illuminant;
 use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
+use crate::scene::animation::Axis;
 use crate::stages::config::ReportConfig;
 use crate::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
@@ -16,12 +17,30 @@ pub const REPORT: ReportConfig = ReportConfig { write: true, reference: true, sa
 pub const LEVEL: LevelSection = LevelSection::Plane;
 /// `[[specimen]] max_missing_share`.
 pub const MAX_MISSING_SHARE: f64 = 0.05;
+/// `measured.acceptance_deg`: a single direction.
+pub const ACCEPTANCE_DEG: f64 = 0.0;
+/// `measured.bandwidth_nm`: a single wavelength.
+pub const BANDWIDTH_NM: f64 = 0.0;
 /// `height.offset_nm`, beside `nm_per_count`.
 pub const OFFSET_NM: f64 = 0.0;
 /// `[[scene]] size_px`.
 pub const SIZE_PX: usize = 512;
 /// `[[scene]] light_samples`.
 pub const LIGHT_SAMPLES: usize = 16;
+/// `[[scene]] light_samples` where an environment lights the scene: a light from all around needs more.
+pub const ENVIRONMENT_SAMPLES: usize = 256;
+/// `environment.rotate_deg`.
+pub const ENVIRONMENT_ROTATE_DEG: f64 = 0.0;
+/// `environment.scale`.
+pub const ENVIRONMENT_SCALE: f64 = 1.0;
+/// `animate.axis`.
+pub const ANIMATE_AXIS: Axis = Axis::Vertical;
+/// `animate.frames`.
+pub const ANIMATE_FRAMES: usize = 24;
+/// `animate.degrees`: once round.
+pub const ANIMATE_DEGREES: f64 = 360.0;
+/// `animate.fps`.
+pub const ANIMATE_FPS: usize = 12;
 /// `[[scene]] light`: the sun, high and a little to the right.
 pub const LIGHT: LightSection =
     LightSection { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.53, irradiance: 1.0 };

@@ -73,6 +73,9 @@ pub const SPECIMEN: Keys = Keys {
     ],
 };
 
+/// Measured reflectance to compare with.
+pub const MEASURED: Keys = Keys { table: "measured", names: &["file", "acceptance_deg", "bandwidth_nm"] };
+
 /// What the stored numbers of a scan mean.
 pub const HEIGHT: Keys = Keys { table: "height", names: &["full_scale_nm", "unit", "nm_per_count", "offset_nm"] };
 
@@ -87,10 +90,12 @@ pub const SCENE: Keys = Keys {
         "shape",
         "specimen",
         "light",
+        "environment",
         "light_samples",
         "pixel_samples",
         "size_px",
         "exposure",
+        "animate",
         "width_mm",
         "distance_mm",
         "tilt_deg",
@@ -105,6 +110,12 @@ pub const SCENE: Keys = Keys {
 /// One light of a scene.
 pub const LIGHT: Keys = Keys { table: "light", names: &["direction", "angular_diameter_deg", "irradiance"] };
 
+/// Light from all around.
+pub const ENVIRONMENT: Keys = Keys { table: "environment", names: &["file", "rotate_deg", "scale"] };
+
+/// Frames besides the still.
+pub const ANIMATE: Keys = Keys { table: "animate", names: &["kind", "axis", "frames", "degrees", "fps", "size_px"] };
+
 /// A fixed exposure.
 pub const EXPOSURE: Keys = Keys { table: "exposure", names: &["ev"] };
 
@@ -116,8 +127,25 @@ pub const REPORT: Keys = Keys { table: "[report]", names: &["write", "reference"
 
 /// Every table.
 pub const ALL: &[&Keys] = &[
-    &TOP, &ATLAS, &OPTICS, &LINES, &COHERENCE, &MATERIAL, &TABLES, &PREFILTER, &SPECIMEN, &HEIGHT, &DESPIKE, &SCENE,
-    &LIGHT, &EXPOSURE, &GPU, &REPORT,
+    &TOP,
+    &ATLAS,
+    &OPTICS,
+    &LINES,
+    &COHERENCE,
+    &MATERIAL,
+    &TABLES,
+    &PREFILTER,
+    &SPECIMEN,
+    &MEASURED,
+    &HEIGHT,
+    &DESPIKE,
+    &SCENE,
+    &LIGHT,
+    &ENVIRONMENT,
+    &ANIMATE,
+    &EXPOSURE,
+    &GPU,
+    &REPORT,
 ];
 
 /// Units that key names end in.

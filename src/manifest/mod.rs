@@ -67,7 +67,8 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Error {
 
 /// Reads a manifest's text; `file_name` is used in messages, and relative paths start at its folder.
 ///
-/// Scans, the illuminant's CSV file, and measured data are looked for; the CSV file is read.
+/// Scans, the illuminant's CSV file, measured data, and environments are looked for; that CSV file and the
+/// environments are read.
 ///
 /// # Errors
 /// [`Error::Manifest`] for the first fault found.
@@ -99,7 +100,7 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
     let specimens = specimen::read_all(&specimens, &optics, base)?;
     let names: Vec<&str> = specimens.iter().map(|specimen| specimen.name.as_str()).collect();
     let scenes = match top.get("scene") {
-        Some(item) => scene::read_all(&item, &names)?,
+        Some(item) => scene::read_all(&item, &names, base)?,
         None => Vec::new(),
     };
     let gpu = match top.get("gpu") {

@@ -5,7 +5,10 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use crate::optics::config::OpticsConfig;
+use crate::scene::animation::Animation;
+use crate::scene::environment::Environment;
 pub use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
+use crate::stages::measured::MeasuredConfig;
 use crate::tables::model::TablesConfig;
 
 /// A whole manifest.
@@ -76,8 +79,8 @@ pub struct SpecimenSection {
     pub max_missing_share: f64,
     /// The manifest's optics with this specimen's own settings in their place.
     pub optics: OpticsConfig,
-    /// CSV file of measured reflectance to compare with.
-    pub measured: Option<PathBuf>,
+    /// Measured reflectance to compare with.
+    pub measured: Option<MeasuredConfig>,
 }
 
 /// What the stored numbers of a scan mean.
@@ -150,6 +153,10 @@ pub struct SceneSection {
     /// The lights; exactly one for a hemisphere, and for a screen, whose beam it stands for (the
     /// shape holds the beam's direction, so this one's is +z).
     pub lights: Vec<LightSection>,
+    /// Light from all around, as the directions that stand for it.
+    pub environment: Option<Environment>,
+    /// Frames besides the still.
+    pub animation: Option<Animation>,
     /// Width and height of the picture.
     pub size_px: usize,
     /// How luminance becomes brightness.

@@ -1,11 +1,17 @@
 //! The `[[scene]]` tables.
 
+use std::path::Path;
+
+use super::convert;
 use super::defaults;
 use super::keys;
 use super::model::{ExposureSection, LightSection, SceneSection, ShapeSection};
 use super::name;
 use super::reader::{Item, Section};
 use crate::ground::error::Result;
+use crate::scene::animation::{Animation, Axis, Moving};
+use crate::scene::environment::{self, Environment};
+use crate::scene::model::{ANIMATION_PIXELS_MAX, check_turn};
 
 /// Width and height of a picture.
 const SIZE_PX: [usize; 2] = [16, 8192];
@@ -18,6 +24,10 @@ const LIGHTS_MAX: usize = 64;
 
 /// Shortest and longest length of a scene in mm.
 const LENGTH_MM: [f64; 2] = [1e-3, 1e6];
+
+/// Most frames of an animation, and frames per second.
+const FRAMES_MAX: usize = 1000;
+const FPS_MAX: usize = 60;
 
 /// Steepest tilt and incidence: at 90 degrees nothing is lit.
 const ANGLE_MAX_DEG: f64 = 89.0;
@@ -33,12 +43,12 @@ struct Kind {
 
 const KINDS: [Kind; 5] = [
     Kind { word: "hemisphere", default: ShapeSection::Hemisphere, own_keys: &["light"], lights_max: 1 },
-    Kind { word: "sphere", default: ShapeSection::Sphere, own_keys: &["light"], lights_max: LIGHTS_MAX },
-    Kind { word: "snake", default: ShapeSection::Snake, own_keys: &["light"], lights_max: LIGHTS_MAX },
+    Kind { word: "sphere", default: ShapeSection::Sphere, own_keys: &["light", "environment"], lights_max: LIGHTS_MAX },
+    Kind { word: "snake", default: ShapeSection::Snake, own_keys: &["light", "environment"], lights_max: LIGHTS_MAX },
     Kind {
         word: "patch",
         default: defaults::PATCH,
-        own_keys: &["light", "width_mm", "distance_mm", "tilt_deg", "turn_deg"],
+        own_keys: &["light", "environment", "width_mm", "distance_mm", "tilt_deg", "turn_deg"],
         lights_max: LIGHTS_MAX,
     },
     Kind {
@@ -57,10 +67,11 @@ const KINDS: [Kind; 5] = [
 ];
 
 /// Keys that every shape takes.
-const COMMON_KEYS: &[&str] = &["name", "shape", "specimen", "size_px", "exposure", "light_samples", "pixel_samples"];
+const COMMON_KEYS: &[&str] =
+    &["name", "shape", "specimen", "size_px", "exposure", "animate", "light_samples", "pixel_samples"];
 
 /// Reads every scene; `specimens` are the names that `specimen` may give.
-pub fn read_all(item: &Item, specimens: &[&str]) -> Result<Vec<SceneSection>> {
+pub fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<SceneSection>> {
     if !item.is_list() {
         return Err(item.error("must be written as [[scene]], with double brackets"));
     }
@@ -70,12 +81,12 @@ pub fn read_all(item: &Item, specimens: &[&str]) -> Result<Vec<SceneSection>> {
         let name_item = section.require("name", "name = \"sphere\"")?;
         let name = name::read(&name_item)?;
         name::refuse_repetition(&name_item, &name, scenes.iter().map(|other| other.name.as_str()))?;
-        scenes.push(read(&section, name, specimens)?);
+        scenes.push(read(&section, name, specimens, base)?);
     }
     Ok(scenes)
 }
 
-fn read(section: &Section, name: String, specimens: &[&str]) -> Result<SceneSection> {
+fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Result<SceneSection> {
     let kind = section.require("shape", "shape = \"sphere\"")?.choice(&KINDS.map(|kind| (kind.word, kind)))?;
     refuse_foreign_keys(section, kind)?;
     let whole = |key: &str, [low, high]: [usize; 2], default: usize| match section.get(key) {
@@ -83,14 +94,21 @@ fn read(section: &Section, name: String, specimens: &[&str]) -> Result<SceneSect
         None => Ok(default),
     };
     let shape = shape(section, kind)?;
+    let samples = if section.has("environment") { defaults::ENVIRONMENT_SAMPLES } else { defaults::LIGHT_SAMPLES };
+    let light_samples = whole("light_samples", [1, SAMPLES_MAX], samples)?;
+    let pixel_samples = whole("pixel_samples", [1, SAMPLES_MAX], defaults::PIXEL_SAMPLES)?;
+    let directions = light_samples.max(pixel_samples);
+    let size_px = whole("size_px", SIZE_PX, defaults::SIZE_PX)?;
     Ok(SceneSection {
         name,
         shape,
         lights: lights(section, kind, &shape)?,
-        size_px: whole("size_px", SIZE_PX, defaults::SIZE_PX)?,
+        animation: section.get("animate").map(|item| animation(&item, kind, size_px)).transpose()?,
+        size_px,
         exposure: section.get("exposure").map_or(Ok(ExposureSection::Auto), |item| exposure(&item))?,
-        light_samples: whole("light_samples", [1, SAMPLES_MAX], defaults::LIGHT_SAMPLES)?,
-        pixel_samples: whole("pixel_samples", [1, SAMPLES_MAX], defaults::PIXEL_SAMPLES)?,
+        environment: section.get("environment").map(|item| environment(&item, base, directions)).transpose()?,
+        light_samples,
+        pixel_samples,
         specimen: section.get("specimen").map(|item| one_of(&item, specimens)).transpose()?,
     })
 }
@@ -166,6 +184,9 @@ fn lights(section: &Section, kind: Kind, shape: &ShapeSection) -> Result<Vec<Lig
         return Ok(vec![beam(section)?]);
     }
     let Some(item) = section.get("light") else {
+        if section.has("environment") {
+            return Ok(Vec::new());
+        }
         if height_above_horizon(defaults::LIGHT.direction, shape) <= 0.0 {
             let message = "the square is turned away from the default light; add `light`";
             return Err(section.error_at_key("tilt_deg", message));
@@ -203,6 +224,26 @@ fn light(item: &Item, shape: &ShapeSection) -> Result<LightSection> {
     })
 }
 
+/// An image of all directions, alone or with how it is turned and scaled.
+fn environment(item: &Item, base: &Path, directions: usize) -> Result<Environment> {
+    let (mut rotate_deg, mut scale) = (defaults::ENVIRONMENT_ROTATE_DEG, defaults::ENVIRONMENT_SCALE);
+    let mut file = item.clone();
+    if item.is_table() {
+        let example = "{ file = \"sky.exr\", rotate_deg = 90 }";
+        let section = item.section(&keys::ENVIRONMENT, example)?;
+        file = section.require("file", example)?;
+        if let Some(item) = section.get("rotate_deg") {
+            rotate_deg = item.number_within(-360.0, 360.0, "degrees")?;
+        }
+        if let Some(item) = section.get("scale") {
+            scale = item.number_above(0.0, 1e6, "")?;
+        }
+    }
+    let path = base.join(file.text_not_empty()?);
+    environment::load(&path, rotate_deg, scale, directions)
+        .map_err(|why| file.error(format!("cannot light a scene: {why}")))
+}
+
 fn direction(item: &Item, shape: &ShapeSection) -> Result<[f64; 3]> {
     let [x, y, z] = item.list_of::<3>("three numbers, towards the light")?;
     // Within these bounds no length overflows or underflows when it is squared.
@@ -229,6 +270,46 @@ fn height_above_horizon([_, y, z]: [f64; 3], shape: &ShapeSection) -> f64 {
     // With its upper edge away from the camera, the surface looks up: its normal leans to +y.
     let (sin, cos) = tilt_deg.to_radians().sin_cos();
     y * sin + z * cos
+}
+
+/// Frames of an object or a light that turns; `size_px` is the still's.
+fn animation(item: &Item, kind: Kind, size_px: usize) -> Result<Animation> {
+    let example = "{ kind = \"light\", frames = 24 }";
+    let section = item.section(&keys::ANIMATE, example)?;
+    let kind_item = section.require("kind", "kind = \"light\"")?;
+    let moving = kind_item.choice(&[("turntable", Moving::Turntable), ("light", Moving::Light)])?;
+    let axis = section.get("axis").map(|item| item.choice(&[("vertical", Axis::Vertical), ("viewing", Axis::Viewing)]));
+    let axis = axis.transpose()?.unwrap_or(defaults::ANIMATE_AXIS);
+    // The shape's own numbers do not matter here.
+    if let Err(why) = check_turn(&convert::shape(&kind.default), moving, axis) {
+        return Err(section.error_at_either("axis", "kind", format!("`{}`: {why}", item.path())));
+    }
+    let whole = |key: &str, [low, high]: [usize; 2], default: usize| match section.get(key) {
+        Some(item) => item.integer_within(low, high, ""),
+        None => Ok(default),
+    };
+    let animation = Animation {
+        kind: moving,
+        axis,
+        frames: whole("frames", [2, FRAMES_MAX], defaults::ANIMATE_FRAMES)?,
+        degrees: match section.get("degrees") {
+            Some(item) => item.number_within(-360.0, 360.0, "degrees")?,
+            None => defaults::ANIMATE_DEGREES,
+        },
+        fps: whole("fps", [1, FPS_MAX], defaults::ANIMATE_FPS)? as u16,
+        size_px: whole("size_px", SIZE_PX, size_px)?,
+    };
+    if animation.degrees == 0.0 {
+        return Err(section.error_at_key("degrees", format!("`{}.degrees`: nothing moves by 0 degrees", item.path())));
+    }
+    if animation.frames * animation.size_px * animation.size_px > ANIMATION_PIXELS_MAX {
+        let (frames, side) = (animation.frames, animation.size_px);
+        return Err(item.error(format!(
+            "asks for {frames} frames of {side} x {side} pixels, more than {ANIMATION_PIXELS_MAX} pixels together; \
+             `size_px` here makes it smaller than the still"
+        )));
+    }
+    Ok(animation)
 }
 
 fn exposure(item: &Item) -> Result<ExposureSection> {

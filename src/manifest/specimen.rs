@@ -11,12 +11,19 @@ use super::optics;
 use super::reader::{Item, Section};
 use crate::ground::error::Result;
 use crate::optics::config::OpticsConfig;
+use crate::stages::measured::MeasuredConfig;
 
 /// Largest lateral length and pitch: 1 mm, beyond any structure that diffracts visibly.
 const LATERAL_MAX_NM: f64 = 1e6;
 
 /// Largest height: 1 mm.
 const HEIGHT_MAX_NM: f64 = 1e6;
+
+/// Widest cone of a detector.
+const ACCEPTANCE_MAX_DEG: f64 = 60.0;
+
+/// Widest slit: half of the shortest wavelength remains at its foot.
+const BANDWIDTH_MAX_NM: f64 = 100.0;
 
 /// Largest page number.
 const PAGE_MAX: usize = 65_535;
@@ -59,7 +66,7 @@ fn read(section: &Section, name: String, mut optics: OpticsConfig, base: &Path) 
         blend_nm: blend.transpose()?,
         max_missing_share: missing.transpose()?.unwrap_or(defaults::MAX_MISSING_SHARE),
         optics,
-        measured: section.get("measured").map(|item| existing(&item, base)).transpose()?,
+        measured: section.get("measured").map(|item| measured(&item, base)).transpose()?,
     })
 }
 
@@ -89,6 +96,29 @@ fn scans(item: &Item, base: &Path) -> Result<Vec<PathBuf>> {
     scans.sort();
     scans.dedup();
     Ok(scans)
+}
+
+/// A CSV file, alone or with what the instrument averages over.
+fn measured(item: &Item, base: &Path) -> Result<MeasuredConfig> {
+    let mut measured = MeasuredConfig {
+        file: PathBuf::new(),
+        acceptance_deg: defaults::ACCEPTANCE_DEG,
+        bandwidth_nm: defaults::BANDWIDTH_NM,
+    };
+    if !item.is_table() {
+        measured.file = existing(item, base)?;
+        return Ok(measured);
+    }
+    let example = "{ file = \"reflectance.csv\", acceptance_deg = 1.0 }";
+    let section = item.section(&keys::MEASURED, example)?;
+    measured.file = existing(&section.require("file", example)?, base)?;
+    if let Some(item) = section.get("acceptance_deg") {
+        measured.acceptance_deg = item.number_within(0.0, ACCEPTANCE_MAX_DEG, "degrees")?;
+    }
+    if let Some(item) = section.get("bandwidth_nm") {
+        measured.bandwidth_nm = item.number_within(0.0, BANDWIDTH_MAX_NM, "nm")?;
+    }
+    Ok(measured)
 }
 
 fn existing(item: &Item, base: &Path) -> Result<PathBuf> {

@@ -99,6 +99,12 @@ impl<'a> Frame<'a> {
                 scene.name, scene.shape, scene.size_px
             )));
         }
+        if scene.turn.angle_deg != 0.0 {
+            return Err(Error::Call(format!(
+                "scene \"{}\": frames are drawn of an object that is not turned",
+                scene.name
+            )));
+        }
         let lights: Vec<FrameLight> = light_samples(scene)
             .iter()
             .map(|light| FrameLight {

@@ -6,7 +6,7 @@ use crate::ground::error::{Error, Result};
 use crate::report::embed::{Album, EMBEDDED_MAX_BYTES, Picture, missing};
 use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
-use crate::report::{budget_facts, frames, gpu_facts, numbers, plots};
+use crate::report::{budget_facts, frames, gpu_facts, measured, numbers, plots};
 use crate::stages::results::{ErrorRow, RunResults, SceneResult, SpecimenResult, StageTime};
 
 const TEMPLATE: &str = include_str!("templates/report.html");
@@ -244,6 +244,7 @@ fn specimen_section(
         } else {
             String::new()
         },
+        measured => specimen.measured.as_ref().map(|found| safe(measured::section(found))),
         power_plot => safe(plots::power_plot(&specimen.power_sums)),
         times => safe(plots::time_plot(&by_stage(&own_stages(stages, &specimen.name)))),
         scans_title => plural(specimen.scans.len(), "scan"),
@@ -260,6 +261,7 @@ fn scene_view(scene: &SceneResult, album: &mut Album) -> Result<Value> {
         path.as_ref().map(|path| Ok(safe(album.img(path, alt)?))).transpose()
     };
     let side_by_side = optional(&scene.side_by_side_png, "Tables and reference side by side")?;
+    let animation = optional(&scene.animation_png, "Animation")?;
     let difference = optional(&scene.difference_png, "Difference from the reference")?;
     let table = safe(album.img(&scene.table_png, &format!("Scene {}", scene.name))?);
     let error = scene.error.as_ref();
@@ -278,6 +280,8 @@ fn scene_view(scene: &SceneResult, album: &mut Album) -> Result<Value> {
         table => table,
         side_by_side => side_by_side,
         difference => difference,
+        animation => animation,
+        animation_text => scene.animation.clone().unwrap_or_default(),
         difference_scale => scene.difference_scale.clone().unwrap_or_default(),
         pixels => pixels.clone(),
         cells => vec![

@@ -11,6 +11,7 @@ mod embed;
 mod facts;
 mod frames;
 mod gpu_facts;
+mod measured;
 mod numbers;
 mod plots;
 mod spectrum_picture;

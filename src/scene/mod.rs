@@ -2,6 +2,8 @@
 //!
 //! World frame of every scene: x to the right of the picture, y up, z towards the camera.
 
+pub mod animation;
+pub mod environment;
 pub mod frame;
 pub mod hemisphere;
 pub mod light;

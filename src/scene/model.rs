@@ -6,6 +6,8 @@ use serde::{Deserialize, Serialize};
 use crate::ground::colour::auto_exposure;
 use crate::ground::direction::{Vec3, dot};
 use crate::ground::error::{Error, Result};
+use crate::scene::animation::{Animation, Axis, Moving, Turn};
+use crate::scene::environment::Environment;
 
 /// Largest picture side that is accepted.
 pub const SIZE_MAX_PX: usize = 16_384;
@@ -13,6 +15,9 @@ pub const SIZE_MAX_PX: usize = 16_384;
 pub const SAMPLES_MAX: usize = 65_536;
 /// Largest number of samples in one row of the picture, which is rendered at a time: 117 MB.
 pub const ROW_SAMPLES_MAX: usize = 1 << 22;
+
+/// Most pixels of all frames of an animation: 64 of 1024 x 1024.
+pub const ANIMATION_PIXELS_MAX: usize = 1 << 26;
 
 /// A distant light, seen as a uniform disc.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -96,6 +101,16 @@ pub struct Scene {
     /// irradiance and divergence from it (1 and 0 where there is none) and ignores its direction.
     #[serde(default)]
     pub lights: Vec<Light>,
+    /// Light from all around, besides the lights; not for `Hemisphere` and `Screen`.
+    #[serde(default)]
+    pub environment: Option<Environment>,
+    /// Turn of the object, besides what its shape says: of `Patch` about either axis, of `Sphere` and `Snake` about
+    /// the viewing axis.
+    #[serde(default)]
+    pub turn: Turn,
+    /// Frames to show besides the picture itself.
+    #[serde(default)]
+    pub animation: Option<Animation>,
     /// Side of the square picture.
     pub size_px: usize,
     /// How values become display values.
@@ -139,6 +154,7 @@ pub fn check(scene: &Scene) -> Result<()> {
     check_counts(scene)
         .and_then(|()| check_lights(scene))
         .and_then(|()| check_shape(&scene.shape))
+        .and_then(|()| check_turns(scene))
         .and_then(|()| check_row(scene))
         .map_err(|message| Error::Call(format!("scene \"{}\": {message}", scene.name)))
 }
@@ -164,7 +180,13 @@ fn check_counts(scene: &Scene) -> Checked {
 
 fn check_lights(scene: &Scene) -> Checked {
     let screen = matches!(scene.shape, Shape::Screen { .. });
-    if scene.lights.is_empty() && !screen {
+    if scene.environment.is_some() && (screen || scene.shape == Shape::Hemisphere) {
+        return Err("environment: this shape has one light and no surroundings".into());
+    }
+    if scene.environment.as_ref().is_some_and(|environment| environment.directions.is_empty()) {
+        return Err("environment: it has no directions".into());
+    }
+    if scene.lights.is_empty() && scene.environment.is_none() && !screen {
         return Err("light: at least one is needed, as [{ direction = [x, y, z] }]".into());
     }
     for light in &scene.lights {
@@ -220,9 +242,55 @@ fn check_shape(shape: &Shape) -> Checked {
     }
 }
 
+fn check_turns(scene: &Scene) -> Checked {
+    within("turn", scene.turn.angle_deg, -360.0, 360.0)?;
+    if scene.turn.angle_deg != 0.0 {
+        check_turn(&scene.shape, Moving::Turntable, scene.turn.axis)?;
+    }
+    let Some(animation) = &scene.animation else { return Ok(()) };
+    check_turn(&scene.shape, animation.kind, animation.axis)?;
+    within("animate degrees", animation.degrees, -360.0, 360.0)?;
+    if animation.frames == 0 || animation.size_px == 0 || animation.fps == 0 {
+        return Err("animate: frames, size_px and fps must be at least 1".into());
+    }
+    if animation.frames.saturating_mul(animation.size_px.saturating_mul(animation.size_px)) > ANIMATION_PIXELS_MAX {
+        return Err(format!(
+            "animate: {} frames of {} x {} pixels are more than {ANIMATION_PIXELS_MAX} pixels together",
+            animation.frames, animation.size_px, animation.size_px
+        ));
+    }
+    Ok(())
+}
+
+/// Whether a shape can be shown with itself or its lights turned about an axis.
+///
+/// # Errors
+/// Why it cannot, and what can, in words.
+pub fn check_turn(shape: &Shape, kind: Moving, axis: Axis) -> Checked {
+    match (shape, kind, axis) {
+        (Shape::Screen { .. }, ..) => Err("a screen's beam and sample do not move".into()),
+        (Shape::Hemisphere, Moving::Turntable, _) => {
+            Err("a hemisphere has no object to turn; turn its light about the viewing axis".into())
+        }
+        (Shape::Hemisphere, Moving::Light, Axis::Vertical) => {
+            Err("about the vertical the light would set; turn it about the viewing axis, the surface's normal".into())
+        }
+        (Shape::Sphere, Moving::Turntable, Axis::Vertical) => Err("a ball whose structure follows circles of \
+            latitude looks the same after every turn about the vertical; use the viewing axis"
+            .into()),
+        (Shape::Snake, Moving::Turntable, Axis::Vertical) => {
+            Err("a snake is seen from above only; use the viewing axis".into())
+        }
+        (Shape::Sphere | Shape::Snake, Moving::Turntable, Axis::Viewing)
+        | (Shape::Patch { .. }, Moving::Turntable, _)
+        | (_, Moving::Light, _) => Ok(()),
+    }
+}
+
 fn check_row(scene: &Scene) -> Checked {
     let per_pixel = scene.light_samples.max(scene.pixel_samples);
-    let row = scene.size_px * per_pixel * scene.lights.len().max(1);
+    let lights = scene.lights.len() + usize::from(scene.environment.is_some());
+    let row = scene.size_px * per_pixel * lights.max(1);
     if row > ROW_SAMPLES_MAX {
         return Err(format!(
             "size_px x samples x lights = {row} exceeds {ROW_SAMPLES_MAX}; \

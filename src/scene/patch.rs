@@ -2,7 +2,8 @@
 
 use crate::ground::direction::{Vec3, dot, normalise};
 
-use super::frame::{Frame, add_scaled, turned};
+use super::animation::{Turn, carried};
+use super::frame::{self, Frame, add_scaled};
 use super::model::Shape;
 use super::samples::Hit;
 
@@ -44,11 +45,16 @@ pub fn view(shape: &Shape) -> PatchView {
         .fold(0.0, f64::max);
     PatchView {
         edges,
-        structure: turned(&edges, turn_deg),
+        structure: frame::turned(&edges, turn_deg),
         half_width_mm,
         distance_mm,
         half_field_mm: MARGIN * largest_mm,
     }
+}
+
+/// The square turned about an axis through its centre; the field of view stays.
+pub fn turned(view: &PatchView, turn: Turn) -> PatchView {
+    PatchView { edges: carried(&view.edges, turn), structure: carried(&view.structure, turn), ..*view }
 }
 
 /// Where the camera ray through picture point `(x, y)` meets the square.

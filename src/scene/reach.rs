@@ -2,7 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::model::{Scene, Shape};
+use super::animation;
+use super::model::{Light, Scene, Shape};
 use super::samples::{ShadingSamples, pixel_range, samples_of, samples_per_pixel};
 use crate::ground::direction::wave_vector_change;
 use crate::ground::error::Result;
@@ -30,23 +31,44 @@ const BAND_SAMPLES: usize = 1 << 18;
 /// # Errors
 /// A scene that cannot be rendered.
 pub fn reach(scene: &Scene, grid: Grid) -> Result<Domain> {
+    let mut reached = reach_of_still(scene, grid)?;
+    if let Some(animation) = &scene.animation {
+        for index in 0..animation.frames {
+            reached = reached.merge(&reach_of_still(&animation::frame(scene, animation, index), grid)?);
+        }
+    }
+    Ok(reached.with_margin())
+}
+
+fn reach_of_still(scene: &Scene, grid: Grid) -> Result<Domain> {
     let mut reached = Domain::new(grid);
     let lights = match scene.shape {
         Shape::Hemisphere | Shape::Screen { .. } => 1,
         _ => scene.lights.len().max(1),
     };
     for light in 0..lights {
-        let alone = Scene { lights: scene.lights.get(light).copied().into_iter().collect(), ..scene.clone() };
-        reached = reached.merge(&reach_of_light(&alone, grid)?);
-        if scene.pixel_samples < PIXEL_SAMPLES {
-            let spread = Scene { pixel_samples: PIXEL_SAMPLES, ..alone };
-            reached = reached.merge(&reach_of_light(&spread, grid)?);
+        let lights: Vec<Light> = scene.lights.get(light).copied().into_iter().collect();
+        if lights.is_empty() && scene.environment.is_some() {
+            continue;
         }
+        reached = reached.merge(&reach_of_light(&Scene { lights, environment: None, ..scene.clone() }, grid)?);
     }
-    Ok(reached.with_margin())
+    if scene.environment.is_some() {
+        // Light from all around: everything between its directions is lit as well.
+        reached = reached.merge(&reach_of_light(&Scene { lights: Vec::new(), ..scene.clone() }, grid)?);
+    }
+    Ok(reached)
 }
 
 fn reach_of_light(scene: &Scene, grid: Grid) -> Result<Domain> {
+    let reached = reach_of_samples(scene, grid)?;
+    if scene.pixel_samples >= PIXEL_SAMPLES {
+        return Ok(reached);
+    }
+    Ok(reached.merge(&reach_of_samples(&Scene { pixel_samples: PIXEL_SAMPLES, ..scene.clone() }, grid)?))
+}
+
+fn reach_of_samples(scene: &Scene, grid: Grid) -> Result<Domain> {
     let side = scene.size_px;
     let band = (BAND_SAMPLES / (samples_per_pixel(scene) * side).max(1)).clamp(1, side);
     let starts: Vec<usize> = (0..side).step_by(band).collect();

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use crate::ground::direction::Vec3;
 use crate::ground::error::{Error, Result};
 
+use super::animation::{Turn, back, carried, turned};
 use super::frame::{Frame, to_local};
 use super::light::{LightSample, light_samples};
 use super::model::{Scene, Shape, check};
@@ -85,18 +86,18 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
         Shape::Sphere => {
             let lights = light_samples(scene);
             gather(scene, &rows, &columns, |xy, out| {
-                gather_surface(&lights, pixel_width(scene), xy, sphere::hit, out);
+                gather_surface(&lights, pixel_width(scene), xy, |xy| in_picture(scene.turn, xy, sphere::hit), out);
             })
         }
         Shape::Snake => {
             let lights = light_samples(scene);
             gather(scene, &rows, &columns, |xy, out| {
-                gather_surface(&lights, pixel_width(scene), xy, snake::hit, out);
+                gather_surface(&lights, pixel_width(scene), xy, |xy| in_picture(scene.turn, xy, snake::hit), out);
             })
         }
         Shape::Patch { .. } => {
             let lights = light_samples(scene);
-            let view = patch::view(&scene.shape);
+            let view = patch::turned(&patch::view(&scene.shape), scene.turn);
             gather(scene, &rows, &columns, |xy, out| {
                 let hit = |xy| patch::hit(&view, xy);
                 gather_surface(&lights, pixel_width(scene), xy, hit, out);
@@ -160,6 +161,14 @@ fn gather_surface(
         let wo = to_local(&hit.frame, hit.to_viewer);
         push(out, wi, wo, light.irradiance * wi[2]);
     }
+}
+
+/// What a camera ray meets of an object turned about the viewing axis: what the ray through the point turned
+/// back meets of the object as it is.
+fn in_picture(turn: Turn, [x, y]: [f64; 2], hit: impl Fn([f64; 2]) -> Option<Hit>) -> Option<Hit> {
+    let [x, y, _] = turned([x, y, 0.0], back(turn));
+    let Hit { frame, to_viewer } = hit([x, y])?;
+    Some(Hit { frame: carried(&frame, turn), to_viewer: turned(to_viewer, turn) })
 }
 
 /// Runs the pixel function over the rows in parallel and joins the results in order.

@@ -1,11 +1,12 @@
 //! What a run is told to do: plain data that the manifest is turned into.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::height::prepare::PrepareConfig;
 use crate::height::read::ReadConfig;
 use crate::optics::config::OpticsConfig;
 use crate::scene::model::Scene;
+use crate::stages::measured::MeasuredConfig;
 use crate::tables::model::TablesConfig;
 
 /// A whole run.
@@ -35,6 +36,13 @@ pub struct RunConfig {
     pub base: PathBuf,
 }
 
+impl RunConfig {
+    /// An input's path as the atlas records it: from the manifest's folder where it lies below it.
+    pub fn relative_name(&self, path: &Path) -> String {
+        path.strip_prefix(&self.base).unwrap_or(path).display().to_string()
+    }
+}
+
 /// One specimen.
 #[derive(Debug, Clone)]
 pub struct SpecimenConfig {
@@ -51,7 +59,7 @@ pub struct SpecimenConfig {
     /// The optics.
     pub optics: OpticsConfig,
     /// Measured reflectance to compare with.
-    pub measured: Option<PathBuf>,
+    pub measured: Option<MeasuredConfig>,
 }
 
 /// Which directions the tables answer for.

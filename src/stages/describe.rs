@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::atlas::{InputRecord, SpecimenEntry};
 use super::config::{RunConfig, SpecimenConfig};
 use super::ingest::Ingested;
+use super::measured::Measurement;
 use super::results::{BuildResult, LobeResult, SpecimenResult};
 use super::specimen::{self, CheckValue, SpecimenFile};
 use crate::ground::direction::{Vec3, angles_deg, from_angles_deg};
@@ -58,23 +59,21 @@ pub(super) fn describe(
         }),
         errors: Vec::new(),
         power_sums: Vec::new(),
+        measured: None,
         scenes: Vec::new(),
         height_map: None,
         spectrum: None,
         preview_png: None,
         reached_png: None,
         budget: None,
-        warnings: warnings(specimen, set, plan),
+        warnings: warnings(set, plan),
         failed: None,
     }
 }
 
 /// What a user must know about these tables.
-fn warnings(specimen: &SpecimenConfig, set: &TableSet, plan: &BuildPlan) -> Vec<String> {
+fn warnings(set: &TableSet, plan: &BuildPlan) -> Vec<String> {
     let mut warnings = Vec::new();
-    if specimen.measured.is_some() {
-        warnings.push("`measured` is named, but this version does not compare with measured reflectance yet".into());
-    }
     if set.usable_radius < 2.0 {
         warnings.push(format!(
             "the scan's sampling answers for |(u, v)| up to {:.2} only: beyond, some wavelengths are missing and values are too dark",
@@ -99,10 +98,16 @@ pub(super) fn entry(specimen: &SpecimenConfig) -> SpecimenEntry {
     SpecimenEntry { name: specimen.name.clone(), species: specimen.species.clone().unwrap_or_default() }
 }
 
-pub(super) fn inputs(config: &RunConfig, specimen: &SpecimenConfig, ingested: &Ingested) -> Vec<InputRecord> {
-    let name = |path: &Path| path.strip_prefix(&config.base).unwrap_or(path).display().to_string();
+pub(super) fn inputs(
+    config: &RunConfig,
+    specimen: &SpecimenConfig,
+    ingested: &Ingested,
+    measurement: Option<&Measurement>,
+) -> Vec<InputRecord> {
+    let record = |path: &Path, sha256: &str| InputRecord { path: config.relative_name(path), sha256: sha256.into() };
     let scans = specimen.scans.iter().zip(&ingested.provenance);
-    scans.map(|(path, provenance)| InputRecord { path: name(path), sha256: provenance.sha256.clone() }).collect()
+    let scans = scans.map(|(path, provenance)| record(path, &provenance.sha256));
+    scans.chain(measurement.map(|m| record(&m.config.file, &m.sha256))).collect()
 }
 
 fn to_value(value: &impl serde::Serialize) -> Value {
@@ -187,6 +192,7 @@ pub(super) fn failed_result(specimen: &SpecimenConfig, error: &Error) -> Specime
         lobe: None,
         errors: Vec::new(),
         power_sums: Vec::new(),
+        measured: None,
         scenes: Vec::new(),
         height_map: None,
         spectrum: None,

@@ -135,6 +135,9 @@ fn time(gpu: &Gpu, atlas: &TableImage, taylor: Option<&TableImage>) -> Result<((
         specimen: None,
         light_samples: 1,
         pixel_samples: 1,
+        environment: None,
+        turn: Default::default(),
+        animation: None,
     };
     let plan = FramePlan::suited_to(gpu);
     let atlas = upload(gpu, atlas)?;

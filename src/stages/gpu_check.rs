@@ -452,6 +452,9 @@ mod tests {
             specimen: None,
             light_samples,
             pixel_samples: 1,
+            environment: None,
+            turn: Default::default(),
+            animation: None,
         };
         for (size_px, light_samples, stride) in [(7, 16, 1), (1000, 4096, 3), (512, 4096, 4), (5, 1, 8)] {
             let bands = bands(&scene(size_px, light_samples), stride);

@@ -11,6 +11,7 @@ pub mod gpu_results;
 pub mod gpu_stage;
 pub mod ingest;
 pub mod measure;
+pub mod measured;
 pub mod pipeline;
 pub mod progress;
 pub mod publish;

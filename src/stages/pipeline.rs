@@ -13,13 +13,14 @@ use super::format_md::format_md;
 use super::gpu_stage;
 use super::ingest::ingest;
 use super::measure::{self, ErrorDirections};
+use super::measured;
 use super::progress::Progress;
 use super::publish::{self, Published, Staging};
 use super::reached::reached_picture;
 use super::results::{
     Failure, GpuResult, HeightMapFile, RESULTS_SCHEMA, RunResults, SpecimenResult, SpectrumFile, StageTime, Statistics,
 };
-use super::scenes::{SceneWork, render_tables};
+use super::scenes::{self, SceneWork, render_tables};
 use super::serve::{self, Cost, Source};
 use super::specimen;
 use super::worked::work_number;
@@ -28,6 +29,7 @@ use crate::ground::files;
 use crate::ground::png_image::write_png;
 use crate::height::HeightField;
 use crate::render::cpu;
+use crate::scene::animation::Turn;
 use crate::scene::model::{Exposure, Light, Scene, Shape};
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
@@ -117,6 +119,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     if let Some(gpu) = &gpu {
         gpu_stage::time_frames(gpu, config, staging.path(), &mut results, helpers.progress);
     }
+    index.inputs.extend(scenes::inputs(config));
     results.total_wall_s = started.elapsed().as_secs_f64();
     results.peak_memory_mib = peak_memory_mib();
     let Some(example) = example else {
@@ -211,6 +214,10 @@ fn run_specimen(
         files::create_folder(&folder.join("scenes"))?;
         ingest(specimen)
     })?;
+    let measurement = match &specimen.measured {
+        Some(config) => Some(clock.stage("read measured reflectance", 0, || measured::read(config))?),
+        None => None,
+    };
     let source = Source { fields: &ingested.fields, optics, tables: &config.tables };
     let wanted = serve::pictured_scenes(config, &specimen.name);
     let serving = config.serve != Serve::All;
@@ -229,6 +236,9 @@ fn run_specimen(
     let works = clock.stage("render scenes", 0, || {
         wanted.iter().map(|scene| render_tables(scene, &set)).collect::<Result<Vec<SceneWork>>>()
     })?;
+    if works.iter().any(SceneWork::is_animated) {
+        clock.stage("render animations", 0, || works.iter().try_for_each(|work| work.animate(&set, &folder)))?;
+    }
     let directions = match serving {
         false => ErrorDirections::fixed(),
         true => ErrorDirections::of_scenes(&works),
@@ -242,6 +252,7 @@ fn run_specimen(
             measure::yardstick(&ingested.fields, optics, &plan, built.tables.len(), directions, pictures)
         })?),
     };
+    result.warnings.extend(scenes::warnings(&wanted, optics));
     clock.stage("measure errors", 0, || {
         if let Some(yardstick) = &yardstick {
             result.errors = measure::error_rows(yardstick, &set, &built);
@@ -254,6 +265,12 @@ fn run_specimen(
         }
         Ok(())
     })?;
+    if let Some(measurement) = &measurement {
+        result.measured = Some(clock.stage("compare with measured reflectance", 0, || {
+            let file = config.relative_name(&measurement.config.file);
+            measured::compare(&ingested.fields, optics, measurement, file, plan.spectra.memory_bytes)
+        })?);
+    }
     clock.stage("write pictures", 0, || {
         let mut next = served.len();
         for work in &works {
@@ -291,7 +308,7 @@ fn run_specimen(
             serve::account(&source, &wanted, domain, measured, config.report.savings)
         })?);
     }
-    Ok(Done { result, inputs: inputs(config, specimen, &ingested) })
+    Ok(Done { result, inputs: inputs(config, specimen, &ingested, measurement.as_ref()) })
 }
 
 /// Path of the picture of a specimen in lists: the first of its scenes where tables serve nothing else.
@@ -309,6 +326,9 @@ fn write_preview(set: &TableSet, folder: &Path) -> Result<()> {
         name: "preview".into(),
         shape: Shape::Sphere,
         lights: vec![Light { direction: [0.5, 0.5, 1.0], angular_diameter_deg: 0.53, irradiance: 1.0 }],
+        environment: None,
+        turn: Turn::default(),
+        animation: None,
         size_px: PREVIEW_PX,
         exposure: Exposure::Auto,
         specimen: None,

@@ -10,6 +10,7 @@ use super::serve::Budget;
 use crate::ground::error::{Error, Result};
 pub use crate::height::statistics::{Period, Statistics};
 use crate::optics::config::OpticsConfig;
+use crate::stages::measured::MeasuredResult;
 use crate::tables::model::{Basis, BuildRecord, Storage};
 
 /// Version of the layout of `report.json`; raised when a field changes its meaning or disappears.
@@ -104,6 +105,9 @@ pub struct SpecimenResult {
     pub errors: Vec<ErrorRow>,
     /// Sums over the hemisphere of `f cos_theta_o`, for unit Fresnel reflectance.
     pub power_sums: Vec<PowerSum>,
+    /// Comparison with measured reflectance, where the manifest names some.
+    #[serde(default)]
+    pub measured: Option<MeasuredResult>,
     /// The scenes rendered with the tables.
     pub scenes: Vec<SceneResult>,
     /// Picture of the heights.
@@ -222,6 +226,12 @@ pub struct SceneResult {
     pub difference_png: Option<String>,
     /// What the brightest colour of the difference map stands for, in words.
     pub difference_scale: Option<String>,
+    /// The animation, an animated PNG.
+    #[serde(default)]
+    pub animation_png: Option<String>,
+    /// What moves in it, in words.
+    #[serde(default)]
+    pub animation: Option<String>,
 }
 
 /// Difference of a scene from its reference.
@@ -295,7 +305,7 @@ pub fn from_json(text: &str, name: &str) -> Result<RunResults> {
 }
 
 /// JSON has no NaN: it is written as `null` and read back as NaN, and infinities likewise.
-pub(super) mod null_for_nan {
+pub(crate) mod null_for_nan {
     use serde::{Deserialize, Deserializer, Serializer};
 
     pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {

@@ -6,24 +6,33 @@ use std::time::Instant;
 use ndarray::Array3;
 use serde_json::json;
 
+use super::atlas::InputRecord;
+use super::config::RunConfig;
 use super::results::{SceneError, SceneResult};
 use crate::ground::colour::to_srgb8;
 use crate::ground::direction::{Vec3, Xyz};
-use crate::ground::error::Result;
+use crate::ground::error::{Error, Result};
 use crate::ground::exr_image::{Precision, write_rgb};
+use crate::ground::files;
 use crate::ground::metrics;
-use crate::ground::png_image::{heat_map, side_by_side, write_png};
+use crate::ground::png_image::{encode_animation, heat_map, side_by_side, write_png};
+use crate::optics::config::OpticsConfig;
 use crate::render::cpu;
+use crate::scene::animation::{self, Animation, Axis, Moving};
 use crate::scene::model::{Scene, Shape, exposure_factor};
 use crate::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
 use crate::tables::model::TableSet;
+use crate::tables::plan::lobe_width;
 
 /// Most pairs of directions that one scene may ask of the yardstick: sets the lattice of its picture.
 const REFERENCE_SAMPLES_MAX: usize = 40_000;
 
 /// Share of white at which the difference map reaches its brightest colour.
 const DIFFERENCE_FULL_SCALE: f32 = 0.1;
+
+/// End of the name of an animation's file.
+const ANIMATION: &str = ".animated.png";
 
 /// Gap between pictures side by side, and its colour.
 const GAP_PX: usize = 4;
@@ -80,6 +89,38 @@ impl SceneWork {
         self.subset.wi.len()
     }
 
+    /// Whether the scene moves.
+    pub fn is_animated(&self) -> bool {
+        self.scene.animation.is_some()
+    }
+
+    /// Renders the animation from the tables, if there is one, at the still's exposure, and writes it into the
+    /// specimen's folder.
+    ///
+    /// # Errors
+    /// The disk's; `Error::Limit` for a frame that asks for directions which the tables do not serve.
+    pub fn animate(&self, set: &TableSet, folder: &Path) -> Result<()> {
+        let Some(animation) = &self.scene.animation else {
+            return Ok(());
+        };
+        let picture = |index: usize| -> Result<Array3<u8>> {
+            let scene = animation::frame(&self.scene, animation, index);
+            let image = cpu::render(&scene, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo))?;
+            if image.iter().any(|value| value.is_nan()) {
+                return Err(Error::limit(
+                    format!(
+                        "frame {index} of scene \"{}\" asks for directions that the tables do not serve",
+                        scene.name
+                    ),
+                    "set tables.serve = \"all\"",
+                ));
+            }
+            Ok(to_srgb8(&image, self.exposure))
+        };
+        let bytes = encode_animation(animation.frames, animation.fps, picture)?;
+        files::replace(&folder.join(format!("scenes/{}{ANIMATION}", self.scene.name)), &bytes)
+    }
+
     /// Writes the pictures into the specimen's folder and, where there is a reference, compares them. `reference` holds
     /// the BRDF at [`Self::pairs`]; `prefix` is the specimen's folder relative to the report.
     ///
@@ -105,6 +146,8 @@ impl SceneWork {
             side_by_side_png: None,
             difference_png: None,
             difference_scale: None,
+            animation_png: self.scene.animation.map(|_| format!("{prefix}/scenes/{name}{ANIMATION}")),
+            animation: self.scene.animation.as_ref().map(animation_text),
         };
         match reference {
             Some(reference) => self.compare(reference, folder, prefix, result),
@@ -147,6 +190,55 @@ impl SceneWork {
             ..result
         })
     }
+}
+
+/// What a user must know about the pictures of a specimen: an environment's directions further apart than the
+/// coherence lobe is wide at half maximum.
+pub fn warnings(scenes: &[&Scene], optics: &OpticsConfig) -> Vec<String> {
+    let longest_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[1];
+    let width = (8.0 * 2f64.ln()).sqrt() * lobe_width(optics.sigma_nm, longest_nm);
+    let mut warnings = Vec::new();
+    for scene in scenes {
+        let Some(environment) = &scene.environment else { continue };
+        let count = scene.light_samples.max(scene.pixel_samples).min(environment.directions.len());
+        let distance = (4.0 * std::f64::consts::PI / count as f64).sqrt();
+        if distance > width {
+            warnings.push(format!(
+                "scene \"{}\": the {count} directions that stand for its environment are up to {:.0} degrees apart, lobes \
+                 {:.1} degrees wide: a mirror-like surface shows them as dots",
+                scene.name,
+                distance.to_degrees(),
+                width.to_degrees()
+            ));
+        }
+    }
+    warnings
+}
+
+/// What moves, in words for the report.
+fn animation_text(animation: &Animation) -> String {
+    let what = match animation.kind {
+        Moving::Turntable => "the object turns",
+        Moving::Light => "the light turns",
+    };
+    let axis = match animation.axis {
+        Axis::Vertical => "the vertical",
+        Axis::Viewing => "the viewing axis",
+    };
+    let how = if animation.degrees.abs() >= 360.0 { "once round" } else { "to and fro" };
+    format!("{what} {how} by {}° about {axis}, {} frames", animation.degrees, animation.frames)
+}
+
+/// Files that the scenes of a run use, each once.
+pub fn inputs(config: &RunConfig) -> Vec<InputRecord> {
+    let mut inputs: Vec<InputRecord> = Vec::new();
+    for environment in config.scenes.iter().filter_map(|scene| scene.environment.as_ref()) {
+        let path = config.relative_name(&environment.file);
+        if inputs.iter().all(|input| input.path != path) {
+            inputs.push(InputRecord { path, sha256: environment.sha256.clone() });
+        }
+    }
+    inputs
 }
 
 /// The word the manifest uses for a shape.

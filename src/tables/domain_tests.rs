@@ -18,7 +18,7 @@ fn a_mark_holds_the_four_texels_of_its_look_up() {
     // Texels lie 0.5 apart: u = 0.3 between columns 4 and 5, v = 0.3 between rows 3 and 4.
     let mut domain = Domain::new(grid(9));
     domain.mark([0.3; 2], [0.3; 2], [0.75; 2]);
-    let found: Vec<_> = domain.iter().map(|(row, column, w)| (row, column, w)).collect();
+    let found: Vec<_> = domain.iter().collect();
     let t = [0.75; 2];
     assert_eq!(found, [(3, 4, t), (3, 5, t), (4, 4, t), (4, 5, t)]);
     assert_eq!(domain.with_margin().texels(), 16);

@@ -6,6 +6,7 @@ use diffraction_atlas::ground::spectrum::Illuminant;
 use diffraction_atlas::height::HeightField;
 use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::render::gpu::Gpu;
+use diffraction_atlas::scene::animation::Turn;
 use diffraction_atlas::scene::model::{Exposure, Light, Scene, Shape};
 use diffraction_atlas::stages::serve::{Source, domain_of, plan_without};
 use diffraction_atlas::tables::build::{build, build_planned};
@@ -91,6 +92,9 @@ pub fn sphere(size_px: usize) -> Scene {
         name: "sphere".into(),
         shape: Shape::Sphere,
         lights: vec![light([0.3, 0.2, 1.0], 0.0), light([-0.8, 0.5, 0.4], 8.0)],
+        environment: None,
+        turn: Turn::default(),
+        animation: None,
         size_px,
         exposure: Exposure::Auto,
         specimen: None,

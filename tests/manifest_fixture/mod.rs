@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use diffraction_atlas::ground::error::Result;
+use diffraction_atlas::ground::exr_image::{Precision, write_rgb};
 use diffraction_atlas::manifest::{self, Manifest};
+use ndarray::Array3;
 
 /// A good manifest. Tables of faults count its lines.
 pub const GOOD: &str = r#"schema = 1
@@ -62,6 +64,12 @@ pub fn folder() -> tempfile::TempDir {
         ("dark.csv", "wavelength_nm,power\n400,0\n700,0\n"),
     ] {
         std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    for (name, [rows, columns], value) in
+        [("sky.exr", [4, 8], 0.5), ("flat.exr", [4, 4], 0.5), ("night.exr", [4, 8], 0.0)]
+    {
+        let image = Array3::from_elem((rows, columns, 3), value);
+        write_rgb(&folder.path().join(name), &image, Precision::Half, &serde_json::json!({})).unwrap();
     }
     folder
 }

@@ -4,6 +4,8 @@ mod damage;
 mod evaluation;
 mod faults;
 mod interruption;
+mod measured;
+mod moving;
 mod place;
 mod real_scans;
 mod scans;

@@ -121,6 +121,7 @@ fn truncated() -> SpecimenResult {
         lobe: None,
         errors: vec![],
         power_sums: vec![],
+        measured: None,
         scenes: vec![],
         height_map: None,
         spectrum: None,
@@ -172,6 +173,7 @@ fn specimen(
         lobe: Some(LobeResult { radius_max: 0.142, cross_tables: 4, power_share: Some(0.37) }),
         errors: errors(),
         power_sums: power_sums(),
+        measured: None,
         scenes: vec![scene(name, &periods[0], pictures)],
         height_map: Some(height_file(name, field, pictures)),
         spectrum: Some(spectrum_file(name, field, &periods, pictures)),
@@ -292,6 +294,8 @@ fn scene(name: &str, period: &Period, pictures: &mut BTreeMap<String, Vec<u8>>) 
         side_by_side_png: Some(path(".side_by_side")),
         difference_png: Some(path(".difference")),
         difference_scale: Some("5 % of the reference white".into()),
+        animation_png: None,
+        animation: None,
     }
 }
 
@@ -421,5 +425,11 @@ fn gpu_row((specimen, added, difference): (&str, f32, Option<&str>)) -> GpuRow {
     let pictures = CpuPictures { published: &by_cpu, linear: &by_cpu, cubic: &by_cpu };
     let mut reference = compare_with_reference(&exact, pictures, &by_gpu, &bound, 1.0, 2.5e-3);
     (cpu.difference, reference.difference) = (None, None);
-    GpuRow { specimen: specimen.into(), cpu, reference, promised: true, difference_png: difference.map(String::from) }
+    GpuRow {
+        specimen: specimen.into(),
+        cpu,
+        reference: Some(reference),
+        promised: true,
+        difference_png: difference.map(String::from),
+    }
 }

@@ -10,6 +10,7 @@ use crate::ground::error::Result;
 use crate::manifest::{self, convert::run_config};
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::ingest::ingest;
+use crate::stages::measured;
 use crate::stages::serve::{self, Budget, Cost, Source};
 use crate::tables::forecast::{Forecast, forecast, forecast_of};
 
@@ -81,6 +82,7 @@ pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
 }
 
 fn plan_specimen(config: &RunConfig, specimen: &SpecimenConfig, threads: usize) -> Result<(Forecast, Option<Budget>)> {
+    specimen.measured.as_ref().map(measured::read).transpose()?;
     let ingested = ingest(specimen)?;
     let source = Source { fields: &ingested.fields, optics: &specimen.optics, tables: &config.tables };
     let Some(scenes) = serve::served_scenes(config, &specimen.name) else {

@@ -1,0 +1,44 @@
+//! Measured reflectance against the model: the file, the model as the instrument sees it, the figures.
+//!
+//! The model is the BRDF at each wavelength straight from the scan, not the tables: those hold XYZ.
+
+pub mod compare;
+pub mod figures;
+pub mod model;
+pub mod peaks;
+pub mod read;
+
+use std::path::PathBuf;
+
+pub use figures::{CurveResult, MeasuredColumn, MeasuredResult, PeakPair};
+pub use read::{Measurement, read};
+
+use crate::ground::error::Result;
+use crate::height::HeightField;
+use crate::optics::config::OpticsConfig;
+
+/// The file, and what the instrument averaged over.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct MeasuredConfig {
+    /// CSV file; see [`read()`].
+    pub file: PathBuf,
+    /// Full angle of the cone that the detector collects, uniformly; 0 for a single direction.
+    pub acceptance_deg: f64,
+    /// Full width at half maximum of the triangular slit function; 0 for a single wavelength.
+    pub bandwidth_nm: f64,
+}
+
+/// Compares a specimen's scans with its measurement; `file` is the name for the report.
+///
+/// # Errors
+/// A scan too small for the window, or more transforms or evaluations than allowed.
+pub fn compare(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    measurement: &Measurement,
+    file: String,
+    memory_bytes: u64,
+) -> Result<MeasuredResult> {
+    let modelled = model::modelled(fields, optics, measurement, memory_bytes)?;
+    Ok(compare::figures(measurement, &modelled, file))
+}

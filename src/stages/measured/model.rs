@@ -1,0 +1,221 @@
+//! The model as an instrument sees it: the BRDF from the scan, averaged over the detector's cone and slit.
+
+use std::f64::consts::{PI, SQRT_2, TAU};
+
+use rayon::prelude::*;
+
+use super::read::Measurement;
+use crate::ground::direction::{Vec3, from_angles_deg, wave_vector_change};
+use crate::ground::error::{Error, Result};
+use crate::height::HeightField;
+use crate::optics::config::OpticsConfig;
+use crate::optics::reference::prefactor;
+use crate::optics::spectra::{self, Spectra, SpectraConfig};
+use crate::optics::window::placements;
+use crate::scene::light::{direction_to, sunflower};
+use crate::scene::model::Light;
+
+/// Amplitude error of the interpolation in depth, relative to the window's whole: weak orders keep their
+/// digits.
+const DEPTH_TOLERANCE: f64 = 1e-7;
+
+/// Fewest and most directions of a cone.
+const DIRECTIONS: [usize; 2] = [64, 1024];
+
+/// Fewest and most wavelengths of a slit.
+const WAVELENGTHS: [usize; 2] = [16, 64];
+
+/// Most values of the BRDF for one specimen: about a minute on one thread.
+const EVALUATIONS_MAX: usize = 1 << 26;
+
+/// What the model says to each row of a measurement.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Modelled {
+    /// `⟨f cos_theta⟩` in 1/sr over cone and slit.
+    pub scatter_per_sr: Vec<f64>,
+    /// `⟨cos_theta⟩` over the cone, above the horizon.
+    pub mean_cosine: Vec<f64>,
+    /// Solid angle of the cone in sr.
+    pub cone_sr: f64,
+    /// Directions and wavelengths averaged in the row that has most.
+    pub samples: [usize; 2],
+    /// What a reader of the figures must know.
+    pub notes: Vec<String>,
+}
+
+/// Directions and wavelengths that stand for cone and slit in one row.
+struct RowSamples {
+    wi: Vec3,
+    wo: Vec<Vec3>,
+    wavelengths_nm: Vec<f64>,
+    wanted: [usize; 2],
+}
+
+/// The model at every row.
+///
+/// # Errors
+/// As the transforms, and [`Error::Limit`] for too many evaluations.
+pub fn modelled(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    measurement: &Measurement,
+    memory_bytes: u64,
+) -> Result<Modelled> {
+    let config = &measurement.config;
+    let rows: Vec<RowSamples> = (0..measurement.wavelength_nm.len())
+        .map(|row| {
+            let place = (measurement.angles_deg[row], measurement.wavelength_nm[row]);
+            row_samples(place, config.acceptance_deg, config.bandwidth_nm, optics.sigma_nm)
+        })
+        .collect();
+    let mut windows = Vec::new();
+    for (scan, field) in fields.iter().enumerate() {
+        windows.extend(placements(field, optics)?.into_iter().map(|placement| (scan, placement)));
+    }
+    check_evaluations(&rows, windows.len())?;
+    let spectra_config = spectra_config(&rows, memory_bytes);
+    let share = 1.0 / windows.len().max(1) as f64;
+    let mut scatter_per_sr = vec![0.0; rows.len()];
+    for (scan, placement) in windows {
+        let spectra = spectra::transform(&fields[scan], placement, optics, &spectra_config)?;
+        scatter_per_sr.par_iter_mut().zip(&rows).for_each(|(sum, row)| *sum += share * scatter(&spectra, optics, row));
+    }
+    let mean_cosine =
+        rows.iter().map(|row| row.wo.iter().map(|wo| wo[2].max(0.0)).sum::<f64>() / row.wo.len() as f64).collect();
+    let most = |of: fn(&RowSamples) -> usize| rows.iter().map(of).max().unwrap_or(1);
+    Ok(Modelled {
+        scatter_per_sr,
+        mean_cosine,
+        cone_sr: TAU * 2.0 * (0.25 * config.acceptance_deg.to_radians()).sin().powi(2),
+        samples: [most(|row| row.wo.len()), most(|row| row.wavelengths_nm.len())],
+        notes: notes(&rows, fields),
+    })
+}
+
+/// `⟨f cos_theta⟩` of one window: f vanishes for directions below the horizon.
+fn scatter(spectra: &Spectra, optics: &OpticsConfig, row: &RowSamples) -> f64 {
+    let mut sum = 0.0;
+    for &wo in &row.wo {
+        let front = prefactor(optics, row.wi, wo) * wo[2];
+        if front == 0.0 {
+            continue;
+        }
+        let q = wave_vector_change(row.wi, wo);
+        let power = row
+            .wavelengths_nm
+            .iter()
+            .map(|nm| spectra.total_power([q[0] / nm, q[1] / nm], TAU / nm * q[2].abs()) / (nm * nm * q[2] * q[2]));
+        sum += front * power.sum::<f64>();
+    }
+    sum / (row.wo.len() * row.wavelengths_nm.len()) as f64
+}
+
+/// The samples of one row: directions evenly over the cone, half a lobe apart; wavelengths at equal
+/// shares of a triangle, half as far apart as a lobe takes to pass.
+fn row_samples((angles_deg, nm): ([f64; 4], f64), acceptance_deg: f64, bandwidth_nm: f64, sigma_nm: f64) -> RowSamples {
+    let [theta_i, phi_i, theta_r, phi_r] = angles_deg;
+    let (wi, axis) = (from_angles_deg(theta_i, phi_i), from_angles_deg(theta_r, phi_r));
+    let q = wave_vector_change(wi, axis);
+    let lobe = nm / (2.0 * SQRT_2 * PI * sigma_nm);
+    let wanted_directions = if acceptance_deg > 0.0 {
+        let radius = (0.5 * acceptance_deg).to_radians();
+        (4.0 * PI * (radius / lobe).powi(2)).ceil() as usize
+    } else {
+        1
+    };
+    let wanted_wavelengths = if bandwidth_nm > 0.0 {
+        // The triangle spans twice its width at half maximum.
+        (4.0 * bandwidth_nm * q[0].hypot(q[1]) / (lobe * nm)).ceil() as usize
+    } else {
+        1
+    };
+    let within = |wanted: usize, [low, high]: [usize; 2], used: bool| if used { wanted.clamp(low, high) } else { 1 };
+    let directions = within(wanted_directions, DIRECTIONS, acceptance_deg > 0.0);
+    let wavelengths = within(wanted_wavelengths, WAVELENGTHS, bandwidth_nm > 0.0);
+    let cone = Light { direction: axis, angular_diameter_deg: acceptance_deg, irradiance: 1.0 };
+    RowSamples {
+        wi,
+        wo: match directions {
+            1 => vec![axis],
+            count => cone_points(count).map(|point| direction_to(&cone, point)).collect(),
+        },
+        wavelengths_nm: (0..wavelengths)
+            .map(|index| nm + bandwidth_nm * triangle_quantile((index as f64 + 0.5) / wavelengths as f64))
+            .collect(),
+        wanted: [wanted_directions, wanted_wavelengths],
+    }
+}
+
+/// An even number of points on a disc, radius squared and angle: a sunflower and its mirror image, so that
+/// their centroid is the centre and a lobe's flank is averaged without bias.
+fn cone_points(count: usize) -> impl Iterator<Item = [f64; 2]> {
+    let half = count.div_ceil(2).max(2);
+    (0..half)
+        .map(move |index| sunflower(index, half))
+        .flat_map(|[radius, angle]| [[radius, angle], [radius, angle + PI]])
+}
+
+/// Where a triangle over [-1, 1] has a share of its area to the left.
+fn triangle_quantile(share: f64) -> f64 {
+    if share < 0.5 { (2.0 * share).sqrt() - 1.0 } else { 1.0 - (2.0 * (1.0 - share)).sqrt() }
+}
+
+/// Transforms that hold every sample.
+fn spectra_config(rows: &[RowSamples], memory_bytes: u64) -> SpectraConfig {
+    let mut config = SpectraConfig { s: [0.0; 2], frequency: [[0.0; 2]; 2], tolerance: DEPTH_TOLERANCE, memory_bytes };
+    for row in rows {
+        let shortest_nm = row.wavelengths_nm.iter().copied().fold(f64::MAX, f64::min);
+        for &wo in &row.wo {
+            let q = wave_vector_change(row.wi, wo);
+            config.s[1] = config.s[1].max(TAU * q[2].abs() / shortest_nm);
+            for (range, component) in config.frequency.iter_mut().zip(q) {
+                let reach = component.abs() / shortest_nm;
+                *range = [range[0].min(-reach), range[1].max(reach)];
+            }
+        }
+    }
+    config
+}
+
+fn check_evaluations(rows: &[RowSamples], windows: usize) -> Result<()> {
+    let per_window: usize = rows.iter().map(|row| row.wo.len() * row.wavelengths_nm.len()).sum();
+    let needed = per_window.saturating_mul(windows);
+    if needed <= EVALUATIONS_MAX {
+        return Ok(());
+    }
+    Err(Error::limit(
+        format!("comparing with `measured` takes {needed} values of the BRDF, more than {EVALUATIONS_MAX}"),
+        "thin out the rows of the file, or lower `acceptance_deg` or `bandwidth_nm` of `measured`",
+    ))
+}
+
+fn notes(rows: &[RowSamples], fields: &[HeightField]) -> Vec<String> {
+    let mut notes = Vec::new();
+    let beyond = |row: &&RowSamples| {
+        let q = wave_vector_change(row.wi, row.wo[0]);
+        let nm = row.wavelengths_nm[0];
+        fields.iter().any(|field| (0..2).any(|axis| q[axis].abs() / nm * field.pitch_nm[axis] > 0.5))
+    };
+    let count = rows.iter().filter(beyond).count();
+    if count > 0 {
+        notes.push(format!(
+            "{count} of {} rows lie beyond what the scan's sampling answers for: the model is 0 there",
+            rows.len()
+        ));
+    }
+    let coarse = |axis: usize, most: usize| rows.iter().any(|row| row.wanted[axis] > most);
+    if coarse(0, DIRECTIONS[1]) {
+        notes.push(format!(
+            "the cone is many coherence lobes wide: its {} directions are further apart than half a lobe, and the \
+             mean over it is uncertain by what falls between them",
+            DIRECTIONS[1]
+        ));
+    }
+    if coarse(1, WAVELENGTHS[1]) {
+        notes.push(format!(
+            "the slit passes many coherence lobes: its {} wavelengths do not resolve them all",
+            WAVELENGTHS[1]
+        ));
+    }
+    notes
+}
