@@ -13,7 +13,7 @@ use crate::ground::error::{Error, Result};
 use super::frame::{Frame, to_local};
 use super::light::{LightSample, light_samples};
 use super::model::{Scene, Shape, check};
-use super::{hemisphere, patch, screen, snake, sphere};
+use super::{hemisphere, mesh, patch, screen, snake, sphere};
 
 /// Most samples one [`ShadingSamples`] may hold: 1.9 GB.
 pub const SAMPLES_TOTAL_MAX: usize = 1 << 26;
@@ -55,6 +55,15 @@ pub struct Hit {
     pub to_viewer: Vec3,
 }
 
+/// What a camera ray meets on a body that may stand in its own light.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LitHit {
+    /// Frame and viewer.
+    pub hit: Hit,
+    /// Where rays to lights start.
+    pub lifted: Vec3,
+}
+
 /// The samples of a whole picture: 28 bytes each. Refuses scenes that fail `model::check` and
 /// pictures beyond [`SAMPLES_TOTAL_MAX`]; `samples_of` takes those in parts.
 pub fn samples(scene: &Scene) -> Result<ShadingSamples> {
@@ -75,7 +84,7 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
             "lower its size_px, light_samples or pixel_samples",
         ));
     }
-    Ok(match scene.shape {
+    Ok(match &scene.shape {
         Shape::Hemisphere => {
             let lights = light_samples(scene);
             gather(scene, &rows, &columns, |xy, out| {
@@ -90,8 +99,20 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
         }
         Shape::Snake => {
             let lights = light_samples(scene);
+            let snake = snake::snake();
             gather(scene, &rows, &columns, |xy, out| {
-                gather_surface(&lights, pixel_width(scene), xy, snake::hit, out);
+                let hit = |xy| snake::hit(snake, xy);
+                let is_lit = |from, direction| snake::is_lit(snake, from, direction);
+                gather_body(&lights, pixel_width(scene), xy, hit, is_lit, out);
+            })
+        }
+        Shape::Mesh(shape) => {
+            let lights = light_samples(scene);
+            let view = mesh::view(shape);
+            gather(scene, &rows, &columns, |xy, out| {
+                let hit = |xy| mesh::hit(&view, xy);
+                let is_lit = |from, direction| mesh::is_lit(&view, from, direction);
+                gather_body(&lights, pixel_width(scene), xy, hit, is_lit, out);
             })
         }
         Shape::Patch { .. } => {
@@ -113,7 +134,7 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
 
 /// Most samples that a pixel can have.
 pub fn samples_per_pixel(scene: &Scene) -> usize {
-    match scene.shape {
+    match &scene.shape {
         Shape::Screen { .. } => screen::sample_count(scene),
         _ => light_samples(scene).len(),
     }
@@ -159,6 +180,35 @@ fn gather_surface(
         let wi = to_local(&hit.frame, light.direction);
         let wo = to_local(&hit.frame, hit.to_viewer);
         push(out, wi, wo, light.irradiance * wi[2]);
+    }
+}
+
+/// As [`gather_surface`], for a body that casts shadows on itself.
+fn gather_body(
+    lights: &[LightSample],
+    pixel_width: f64,
+    [x, y]: [f64; 2],
+    hit: impl Fn([f64; 2]) -> Option<LitHit>,
+    is_lit: impl Fn(Vec3, Vec3) -> bool,
+    out: &mut RowSamples,
+) {
+    // Samples of a light often look through one point of the pixel: what they see is found once.
+    let mut last: Option<([f64; 2], Option<LitHit>)> = None;
+    for light in lights {
+        let at = [x + light.pixel_offset[0] * pixel_width, y + light.pixel_offset[1] * pixel_width];
+        let seen = match last {
+            Some((before, seen)) if before == at => seen,
+            _ => hit(at),
+        };
+        last = Some((at, seen));
+        let Some(LitHit { hit, lifted }) = seen else {
+            continue;
+        };
+        let wi = to_local(&hit.frame, light.direction);
+        let wo = to_local(&hit.frame, hit.to_viewer);
+        if wi[2] > 0.0 && wo[2] > 0.0 && is_lit(lifted, light.direction) {
+            push(out, wi, wo, light.irradiance * wi[2]);
+        }
     }
 }
 

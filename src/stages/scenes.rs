@@ -123,6 +123,7 @@ pub fn shape_name(shape: &Shape) -> &'static str {
         Shape::Hemisphere => "hemisphere",
         Shape::Sphere => "sphere",
         Shape::Snake => "snake",
+        Shape::Mesh(_) => "mesh",
         Shape::Patch { .. } => "patch",
         Shape::Screen { .. } => "screen",
     }
