@@ -87,8 +87,13 @@ pub const SCENE: Keys = Keys {
         "beam_divergence_deg",
         "hole_diameter_mm",
         "incidence_deg",
+        "camera",
+        "materials",
     ],
 };
+
+/// The camera of a scene with a mesh.
+pub const CAMERA: Keys = Keys { table: "camera", names: &["position", "target", "up", "fov_deg", "width"] };
 
 /// One light of a scene.
 pub const LIGHT: Keys = Keys { table: "light", names: &["direction", "angular_diameter_deg", "irradiance"] };
@@ -102,7 +107,7 @@ pub const GPU: Keys = Keys { table: "[gpu]", names: &["check"] };
 /// Every table.
 pub const ALL: &[&Keys] = &[
     &TOP, &ATLAS, &OPTICS, &LINES, &COHERENCE, &MATERIAL, &TABLES, &PREFILTER, &SPECIMEN, &HEIGHT, &DESPIKE, &SCENE,
-    &LIGHT, &EXPOSURE, &GPU,
+    &CAMERA, &LIGHT, &EXPOSURE, &GPU,
 ];
 
 /// Units that key names end in.

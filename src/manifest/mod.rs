@@ -9,6 +9,7 @@ mod defaults;
 mod files;
 mod illuminant;
 pub mod keys;
+mod mesh;
 mod model;
 mod name;
 mod optics;
@@ -99,7 +100,7 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
     let specimens = specimen::read_all(&specimens, &optics, base)?;
     let names: Vec<&str> = specimens.iter().map(|specimen| specimen.name.as_str()).collect();
     let scenes = match top.get("scene") {
-        Some(item) => scene::read_all(&item, &names)?,
+        Some(item) => scene::read_all(&item, &names, base)?,
         None => Vec::new(),
     };
     let gpu = match top.get("gpu") {

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use crate::optics::config::OpticsConfig;
+use crate::scene::mesh::MeshShape;
 pub use crate::stages::config::GpuCheck;
 use crate::tables::model::TablesConfig;
 
@@ -150,15 +151,17 @@ pub struct SceneSection {
 }
 
 /// What a scene shows.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ShapeSection {
     /// The BRDF over all viewing directions.
     Hemisphere,
     /// A ball.
     Sphere,
-    /// A meandering snake's body.
+    /// A coiled snake.
     Snake,
+    /// A mesh file, read and checked.
+    Mesh(MeshShape),
     /// A flat square in perspective.
     Patch {
         /// Side of the square.

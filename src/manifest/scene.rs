@@ -1,7 +1,10 @@
 //! The `[[scene]]` tables.
 
+use std::path::Path;
+
 use super::defaults;
 use super::keys;
+use super::mesh;
 use super::model::{ExposureSection, LightSection, SceneSection, ShapeSection};
 use super::name;
 use super::reader::{Item, Section};
@@ -23,27 +26,24 @@ const LENGTH_MM: [f64; 2] = [1e-3, 1e6];
 const ANGLE_MAX_DEG: f64 = 89.0;
 
 /// What a shape is called, which keys it takes beside those of every scene, and how many lights.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 struct Kind {
     word: &'static str,
-    default: ShapeSection,
     own_keys: &'static [&'static str],
     lights_max: usize,
 }
 
 const KINDS: [Kind; 5] = [
-    Kind { word: "hemisphere", default: ShapeSection::Hemisphere, own_keys: &["light"], lights_max: 1 },
-    Kind { word: "sphere", default: ShapeSection::Sphere, own_keys: &["light"], lights_max: LIGHTS_MAX },
-    Kind { word: "snake", default: ShapeSection::Snake, own_keys: &["light"], lights_max: LIGHTS_MAX },
+    Kind { word: "hemisphere", own_keys: &["light"], lights_max: 1 },
+    Kind { word: "sphere", own_keys: &["light"], lights_max: LIGHTS_MAX },
+    Kind { word: "snake", own_keys: &["light"], lights_max: LIGHTS_MAX },
     Kind {
         word: "patch",
-        default: defaults::PATCH,
         own_keys: &["light", "width_mm", "distance_mm", "tilt_deg", "turn_deg"],
         lights_max: LIGHTS_MAX,
     },
     Kind {
         word: "screen",
-        default: defaults::SCREEN,
         own_keys: &[
             "width_mm",
             "distance_mm",
@@ -56,11 +56,14 @@ const KINDS: [Kind; 5] = [
     },
 ];
 
+/// A mesh file is named in the shape's place.
+const MESH: Kind = Kind { word: "a mesh", own_keys: &["light", "camera", "materials"], lights_max: LIGHTS_MAX };
+
 /// Keys that every shape takes.
 const COMMON_KEYS: &[&str] = &["name", "shape", "specimen", "size_px", "exposure", "light_samples", "pixel_samples"];
 
 /// Reads every scene; `specimens` are the names that `specimen` may give.
-pub fn read_all(item: &Item, specimens: &[&str]) -> Result<Vec<SceneSection>> {
+pub fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<SceneSection>> {
     if !item.is_list() {
         return Err(item.error("must be written as [[scene]], with double brackets"));
     }
@@ -70,23 +73,28 @@ pub fn read_all(item: &Item, specimens: &[&str]) -> Result<Vec<SceneSection>> {
         let name_item = section.require("name", "name = \"sphere\"")?;
         let name = name::read(&name_item)?;
         name::refuse_repetition(&name_item, &name, scenes.iter().map(|other| other.name.as_str()))?;
-        scenes.push(read(&section, name, specimens)?);
+        scenes.push(read(&section, name, specimens, base)?);
     }
     Ok(scenes)
 }
 
-fn read(section: &Section, name: String, specimens: &[&str]) -> Result<SceneSection> {
-    let kind = section.require("shape", "shape = \"sphere\"")?.choice(&KINDS.map(|kind| (kind.word, kind)))?;
+fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Result<SceneSection> {
+    let item = section.require("shape", "shape = \"sphere\"")?;
+    let kind = if mesh::names_a_file(&item) { MESH } else { item.choice(&KINDS.map(|kind| (kind.word, kind)))? };
     refuse_foreign_keys(section, kind)?;
     let whole = |key: &str, [low, high]: [usize; 2], default: usize| match section.get(key) {
         Some(item) => item.integer_within(low, high, ""),
         None => Ok(default),
     };
-    let shape = shape(section, kind)?;
+    let shape = if kind == MESH {
+        ShapeSection::Mesh(mesh::read(section, &item, specimens, base)?)
+    } else {
+        shape(section, kind)?
+    };
     Ok(SceneSection {
         name,
-        shape,
         lights: lights(section, kind, &shape)?,
+        shape,
         size_px: whole("size_px", SIZE_PX, defaults::SIZE_PX)?,
         exposure: section.get("exposure").map_or(Ok(ExposureSection::Auto), |item| exposure(&item))?,
         light_samples: whole("light_samples", [1, SAMPLES_MAX], defaults::LIGHT_SAMPLES)?,
@@ -104,13 +112,14 @@ fn refuse_foreign_keys(section: &Section, kind: Kind) -> Result<()> {
     let Some(key) = foreign else {
         return Ok(());
     };
-    let homes: Vec<&str> = KINDS.iter().filter(|other| other.own_keys.contains(key)).map(|other| other.word).collect();
+    let kinds = KINDS.iter().chain([&MESH]);
+    let homes: Vec<&str> = kinds.filter(|other| other.own_keys.contains(key)).map(|other| other.word).collect();
+    let (word, own_keys) = (kind.word, keys::quoted(kind.own_keys));
+    let this = if kind == MESH { word.to_owned() } else { format!("\"{word}\"") };
     let message = format!(
-        "`{key}` does not apply to the shape \"{}\" but to {}; \"{}\" takes {}",
-        kind.word,
+        "`{key}` does not apply to {} but to {}; {this} takes {own_keys}",
+        if kind == MESH { word.to_owned() } else { format!("the shape \"{word}\"") },
         keys::quoted(&homes),
-        kind.word,
-        keys::quoted(kind.own_keys),
     );
     Err(section.error_at_key(key, message))
 }
@@ -124,9 +133,15 @@ fn shape(section: &Section, kind: Kind) -> Result<ShapeSection> {
         Some(item) => item.number_within(-max, max, "degrees").map(|given| *value = given),
         None => Ok(()),
     };
-    let mut shape = kind.default;
+    let mut shape = match kind.word {
+        "hemisphere" => ShapeSection::Hemisphere,
+        "sphere" => ShapeSection::Sphere,
+        "snake" => ShapeSection::Snake,
+        "patch" => defaults::PATCH,
+        _ => defaults::SCREEN,
+    };
     match &mut shape {
-        ShapeSection::Hemisphere | ShapeSection::Sphere | ShapeSection::Snake => {}
+        ShapeSection::Hemisphere | ShapeSection::Sphere | ShapeSection::Snake | ShapeSection::Mesh(_) => {}
         ShapeSection::Patch { width_mm, distance_mm, tilt_deg, turn_deg } => {
             length("width_mm", width_mm)?;
             length("distance_mm", distance_mm)?;
@@ -222,7 +237,7 @@ fn direction(item: &Item, shape: &ShapeSection) -> Result<[f64; 3]> {
 /// Scalar product with a flat shape's normal; a ball has no horizon.
 fn height_above_horizon([_, y, z]: [f64; 3], shape: &ShapeSection) -> f64 {
     let tilt_deg = match shape {
-        ShapeSection::Sphere | ShapeSection::Snake => return f64::INFINITY,
+        ShapeSection::Sphere | ShapeSection::Snake | ShapeSection::Mesh(_) => return f64::INFINITY,
         ShapeSection::Patch { tilt_deg, .. } => *tilt_deg,
         ShapeSection::Hemisphere | ShapeSection::Screen { .. } => 0.0,
     };
