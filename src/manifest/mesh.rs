@@ -9,9 +9,7 @@ use super::reader::{Item, Section};
 use crate::ground::error::Result;
 use crate::scene::camera::{self, Camera, Field};
 use crate::scene::mesh::{self, COORDINATE_MAX, MeshShape, Model};
-
-/// Folder of the pictures that belong to several specimens, beside the specimens' own folders.
-pub const SHARED_FOLDER: &str = "scenes";
+use crate::stages::shared_scenes::FOLDER as SHARED_FOLDER;
 
 /// Whether a shape is a file rather than a word.
 pub fn names_a_file(item: &Item) -> bool {

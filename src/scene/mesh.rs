@@ -16,6 +16,7 @@ use crate::ground::files;
 
 use super::bvh::{self, Ray};
 use super::camera::{self, Camera, View};
+use super::model::{Scene, Shape};
 use super::samples::{Hit, LitHit};
 use super::tangents::{self, RawMesh};
 use super::triangles::{TriangleMesh, first_hit, is_open, surface};
@@ -197,6 +198,19 @@ pub fn camera_of(shape: &MeshShape) -> Camera {
 /// Where it has not.
 pub fn view(shape: &MeshShape) -> MeshView<'_> {
     MeshView { shape, view: camera::view(&camera_of(shape)).expect("the camera was checked") }
+}
+
+/// The scene in which the specimen of this index alone is bright: its share of the picture. Shares add up to it.
+///
+/// # Panics
+/// For a scene without materials.
+pub fn share(scene: &Scene, index: usize) -> Scene {
+    let mut scene = scene.clone();
+    match &mut scene.shape {
+        Shape::Mesh(mesh) if index < mesh.specimens.len() => mesh.shown = Some(index),
+        _ => panic!("scene \"{}\" has no specimen of index {index}", scene.name),
+    }
+    scene
 }
 
 /// What keeps a mesh from being shown.

@@ -13,6 +13,7 @@ pub mod publish;
 pub mod results;
 pub mod scenes;
 pub mod shader_export;
+pub mod shared_scenes;
 pub mod specimen;
 pub mod stability;
 pub mod study;

@@ -21,6 +21,7 @@ use super::results::{
     SpectrumFile, StageTime, Statistics,
 };
 use super::scenes::{SceneWork, render_tables};
+use super::shared_scenes::{self, Share, SharedScenes};
 use super::specimen::{self, CheckValue, SpecimenFile};
 use super::worked::work_number;
 use crate::ground::direction::{Vec3, from_angles_deg};
@@ -90,6 +91,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
         Vec::new(),
     );
     let mut example = None;
+    let mut shared = SharedScenes::new(&config.scenes);
     for (number, specimen) in config.specimens.iter().enumerate() {
         let label = format!("[{}/{}] {}", number + 1, config.specimens.len(), specimen.name);
         let specimen_started = Instant::now();
@@ -98,6 +100,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
                 helpers.progress.message(&done_line(&label, &done.result, specimen_started.elapsed().as_secs_f64()));
                 record_gpu(&mut results, &specimen.name, done.gpu);
                 index.inputs.extend(done.inputs);
+                shared.add(done.shares);
                 index.specimens.push(entry(specimen));
                 example.get_or_insert(specimen.name.clone());
                 results.specimens.push(done.result);
@@ -114,6 +117,10 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
             }
         }
     }
+    index.inputs.extend(shared_scenes::inputs(&config.scenes, &config.base));
+    let (pictures, failures) = shared.finish(staging.path());
+    results.shared_scenes = pictures;
+    results.failures.extend(failures);
     results.total_wall_s = started.elapsed().as_secs_f64();
     results.peak_memory_mib = peak_memory_mib();
     let Some(example) = example else {
@@ -153,8 +160,8 @@ fn adapter_text(gpu: &Gpu) -> String {
 
 /// Every scene of a specimen on the GPU against the CPU: the largest difference as a share of what
 /// rounding and hardware filtering allow that pixel.
-fn gpu_rows(gpu: &Gpu, name: &str, set: &TableSet, scenes: &[&Scene]) -> Result<Vec<GpuRow>> {
-    let smaller = |scene: &&Scene| Scene { size_px: scene.size_px.min(GPU_SIDE_MAX_PX), ..(*scene).clone() };
+fn gpu_rows(gpu: &Gpu, name: &str, set: &TableSet, scenes: &[Scene]) -> Result<Vec<GpuRow>> {
+    let smaller = |scene: &Scene| Scene { size_px: scene.size_px.min(GPU_SIDE_MAX_PX), ..scene.clone() };
     let scenes: Vec<Scene> = scenes.iter().map(smaller).collect();
     let checks = check_specimen(gpu, set, &scenes)?;
     Ok(checks
@@ -196,6 +203,7 @@ struct Done {
     result: SpecimenResult,
     gpu: Vec<GpuRow>,
     inputs: Vec<InputRecord>,
+    shares: Vec<Share>,
 }
 
 /// Where and why a specimen failed.
@@ -259,11 +267,7 @@ fn run_specimen(
     let build_s = clock.last_s();
     let stored = clock.stage("store tables", 0, || write_tables(&folder, &built, config.tables.storage))?;
     let set = clock.stage("read back", 0, || read_tables(&folder, &stored, optics))?;
-    let wanted: Vec<&Scene> = config
-        .scenes
-        .iter()
-        .filter(|scene| scene.specimen.as_ref().is_none_or(|name| *name == specimen.name))
-        .collect();
+    let wanted = shared_scenes::scenes_for(&config.scenes, &specimen.name);
     let works = clock.stage("render scenes", 0, || {
         wanted.iter().map(|scene| render_tables(scene, &set)).collect::<Result<Vec<SceneWork>>>()
     })?;
@@ -287,12 +291,18 @@ fn run_specimen(
         }
         Ok(())
     })?;
+    let mut shares = Vec::new();
     clock.stage("write pictures", 0, || {
         let mut next = measure::fixed_pairs().len();
-        for work in &works {
+        for work in works {
             let reference = &yardstick.xyz[next..next + work.pair_count()];
             next += work.pair_count();
-            result.scenes.push(work.finish(reference, &folder, &specimen.name)?);
+            if work.is_share() {
+                let expected = work.expected(reference);
+                shares.push(shared_scenes::share(work, expected));
+            } else {
+                result.scenes.push(work.finish(reference, &folder, &specimen.name)?);
+            }
         }
         write_preview(&set, &folder)?;
         result.preview_png = Some(format!("{}/preview.png", specimen.name));
@@ -308,7 +318,7 @@ fn run_specimen(
         build.build_s = build_s;
         build.stored_bytes = clock.stage("count bytes", 0, || exr_bytes(&folder))?;
     }
-    Ok(Done { result, gpu, inputs: inputs(config, specimen, &ingested) })
+    Ok(Done { result, gpu, inputs: inputs(config, specimen, &ingested), shares })
 }
 
 /// Everything about a specimen that is known before its errors are measured.
@@ -510,6 +520,7 @@ fn empty_results(config: &RunConfig, helpers: &Helpers) -> RunResults {
         cpu_count: std::thread::available_parallelism().map_or(1, usize::from),
         manifest_text: config.manifest_text.clone(),
         specimens: Vec::new(),
+        shared_scenes: Vec::new(),
         stages: Vec::new(),
         gpu: GpuResult::Off,
         failures: Vec::new(),

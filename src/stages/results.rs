@@ -34,6 +34,9 @@ pub struct RunResults {
     pub manifest_text: String,
     /// One entry per specimen, in the manifest's order.
     pub specimens: Vec<SpecimenResult>,
+    /// The scenes that several specimens share, in the manifest's order.
+    #[serde(default)]
+    pub shared_scenes: Vec<SharedSceneResult>,
     /// Times, in the order the stages ended in.
     pub stages: Vec<StageTime>,
     /// Outcome of comparing the GPU with the CPU.
@@ -254,6 +257,15 @@ pub struct SceneResult {
     pub difference_png: Option<String>,
     /// What the brightest colour of the difference map stands for, in words.
     pub difference_scale: Option<String>,
+}
+
+/// One rendered scene with several specimens.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SharedSceneResult {
+    /// Names of the specimens, in the manifest's order.
+    pub specimens: Vec<String>,
+    /// The picture.
+    pub picture: SceneResult,
 }
 
 /// Difference of a scene from its reference.

@@ -42,6 +42,7 @@ fn make_sample() -> Sample {
         cpu_count: 16,
         manifest_text: MANIFEST.into(),
         specimens,
+        shared_scenes: Vec::new(),
         stages,
         gpu: GpuResult::Checked {
             adapter: "llvmpipe (LLVM 15.0.6, 256 bits), Vulkan".into(),
