@@ -5,6 +5,7 @@ mod gltf_arrays;
 mod gltf_document;
 mod obj;
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -36,12 +37,20 @@ pub const NO_MATERIAL: &str = "default";
 const EXPORT: &str = "Export it again from the modelling program, as OBJ or glTF, with UVs and normals.";
 
 /// A mesh that has been read.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Clone, PartialEq, Default)]
 pub struct Model {
     /// The triangles.
     pub mesh: TriangleMesh,
     /// Every file that was read, with its SHA-256 in hexadecimal.
     pub files: Vec<(PathBuf, String)>,
+}
+
+/// Without the vertices: scenes are shown in messages.
+impl fmt::Debug for Model {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let triangles = self.mesh.triangles.len();
+        f.debug_struct("Model").field("triangles", &triangles).field("files", &self.files).finish_non_exhaustive()
+    }
 }
 
 /// A mesh in a scene. Lights and camera are in the file's own coordinates.
@@ -122,8 +131,11 @@ struct Reading {
 impl Reading {
     /// A file's bytes, unless there are too many.
     fn read(&mut self, path: &Path) -> Result<Vec<u8>> {
-        let size = path.metadata().map_err(|e| Error::disk(path, "read", e))?.len();
-        self.bytes += size;
+        let metadata = path.metadata().map_err(|e| Error::disk(path, "read", e))?;
+        if !metadata.is_file() {
+            return Err(bad(path, "it is not a file"));
+        }
+        self.bytes += metadata.len();
         if self.bytes > BYTES_MAX {
             let what =
                 format!("{}: with it the mesh takes {} bytes, more than {BYTES_MAX}", path.display(), self.bytes);

@@ -4,6 +4,7 @@ mod damage;
 mod evaluation;
 mod faults;
 mod interruption;
+mod meshes;
 mod place;
 mod real_scans;
 mod scans;

@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod grating;
+mod meshes;
 mod pictures;
 mod screen;
 
