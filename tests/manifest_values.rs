@@ -10,6 +10,7 @@ use diffraction_atlas::manifest::{
 };
 use diffraction_atlas::optics::config::{Edge, Material, Windows};
 use diffraction_atlas::scene::animation::{Axis, Moving};
+use diffraction_atlas::scene::camera::{Camera, Field};
 use diffraction_atlas::stages::measured::MeasuredConfig;
 use diffraction_atlas::tables::model::{Basis, Prefilter, Storage};
 use manifest_fixture::{GOOD, folder, good_with, parse_in};
@@ -112,8 +113,8 @@ fn every_key_of_the_example_arrives() {
     assert_eq!(counts.height, Some(HeightSection::Linear { nm_per_count: 0.01, offset_nm: -20.0 }));
     assert_eq!((counts.level, counts.optics.material), (LevelSection::None, Material::Ideal));
 
-    let [map, ball, tile, wall] = &all.scenes[..] else { panic!("four scenes") };
-    assert_eq!((map.shape, map.size_px, map.exposure), (ShapeSection::Hemisphere, 256, ExposureSection::Auto));
+    let [map, ball, tile, wall, statue] = &all.scenes[..] else { panic!("five scenes") };
+    assert_eq!((&map.shape, map.size_px, map.exposure), (&ShapeSection::Hemisphere, 256, ExposureSection::Auto));
     let animation = ball.animation.unwrap();
     assert_eq!((animation.kind, animation.axis), (Moving::Light, Axis::Viewing));
     assert_eq!((animation.frames, animation.degrees, animation.fps, animation.size_px), (16, 90.0, 10, 128));
@@ -135,7 +136,35 @@ fn every_key_of_the_example_arrives() {
     };
     assert_eq!(wall.shape, screen);
     assert_eq!(wall.lights[0].angular_diameter_deg, 0.1);
+    let ShapeSection::Mesh(mesh) = &statue.shape else { panic!("a mesh") };
+    assert_eq!(mesh.path, folder.path().join("body.obj"));
+    assert_eq!(mesh.model.mesh.triangles.len(), 2);
+    let camera =
+        Camera { position: [0.5, 0.5, 4.0], target: [0.5, 0.5, 0.0], up: [0.0, 1.0, 0.1], field: Field::FovDeg(30.0) };
+    assert_eq!(mesh.camera, Some(camera));
+    // In the order of the specimens, whatever that of the materials.
+    assert_eq!(mesh.specimens, ["integers", "floats"]);
+    assert_eq!(mesh.specimen_of_material, [1, 0]);
     assert_eq!((all.gpu.check, all.gpu.frame_time), (GpuCheck::Off, FrameTiming::Off));
+}
+
+#[test]
+fn a_mesh_needs_no_more_than_its_name() {
+    let folder = folder();
+    let scene = |more: &str| {
+        let text = good_with("tilt_deg = 20", more).replace("shape = \"patch\"", "shape = \"body.obj\"");
+        parse_in(folder.path(), &text).unwrap().scenes.swap_remove(1)
+    };
+    let plain = scene("");
+    let ShapeSection::Mesh(mesh) = &plain.shape else { panic!("a mesh") };
+    assert!(mesh.camera.is_none() && mesh.specimens.is_empty());
+    let spelled = scene("camera = { position = [0, 0, 5], target = [0, 0, 0], up = [0, 1, 0], fov_deg = 25 }");
+    assert_eq!(spelled, scene("camera = { position = [0, 0, 5], target = [0, 0, 0] }"));
+    let ShapeSection::Mesh(mesh) = scene("camera = { position = [0, 0, 5], target = [0, 0, 0], width = 3 }").shape
+    else {
+        panic!("a mesh")
+    };
+    assert_eq!(mesh.camera.unwrap().field, Field::Width(3.0));
 }
 
 #[test]

@@ -109,7 +109,7 @@ fn pictures_are_the_same_in_every_kind_of_scene() {
                 incidence_deg: 10.0,
             },
         ] {
-            let scene = scene(shape, vec![sun]);
+            let scene = scene(shape.clone(), vec![sun]);
             let (set, domain) = served(&source, &scene);
             let (expected, found) = (picture(&scene, &full), picture(&scene, &set));
             let worst = difference(&expected, &found, scene.exposure);

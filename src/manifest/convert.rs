@@ -82,14 +82,15 @@ fn level(section: LevelSection) -> Level {
 
 /// What a scene shows.
 pub fn shape(section: &ShapeSection) -> Shape {
-    match *section {
+    match section {
         ShapeSection::Hemisphere => Shape::Hemisphere,
         ShapeSection::Sphere => Shape::Sphere,
         ShapeSection::Snake => Shape::Snake,
-        ShapeSection::Patch { width_mm, distance_mm, tilt_deg, turn_deg } => {
+        ShapeSection::Mesh(mesh) => Shape::Mesh(mesh.clone()),
+        &ShapeSection::Patch { width_mm, distance_mm, tilt_deg, turn_deg } => {
             Shape::Patch { width_mm, distance_mm, tilt_deg, turn_deg }
         }
-        ShapeSection::Screen { width_mm, distance_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg } => {
+        &ShapeSection::Screen { width_mm, distance_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg } => {
             Shape::Screen { distance_mm, width_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg }
         }
     }

@@ -48,6 +48,10 @@ pub const LIGHT: LightSection =
 pub const PIXEL_SAMPLES: usize = 1;
 /// Patch.
 pub const PATCH: ShapeSection = ShapeSection::Patch { width_mm: 20.0, distance_mm: 60.0, tilt_deg: 0.0, turn_deg: 0.0 };
+/// Camera of a mesh: what points up in the picture.
+pub const CAMERA_UP: [f64; 3] = [0.0, 1.0, 0.0];
+/// Camera of a mesh: `fov_deg`.
+pub const CAMERA_FOV_DEG: f64 = 25.0;
 /// Screen: about the published set-up.
 pub const SCREEN: ShapeSection = ShapeSection::Screen {
     width_mm: 200.0,

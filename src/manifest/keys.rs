@@ -104,8 +104,13 @@ pub const SCENE: Keys = Keys {
         "beam_divergence_deg",
         "hole_diameter_mm",
         "incidence_deg",
+        "camera",
+        "materials",
     ],
 };
+
+/// The camera of a scene with a mesh.
+pub const CAMERA: Keys = Keys { table: "camera", names: &["position", "target", "up", "fov_deg", "width"] };
 
 /// One light of a scene.
 pub const LIGHT: Keys = Keys { table: "light", names: &["direction", "angular_diameter_deg", "irradiance"] };
@@ -140,6 +145,7 @@ pub const ALL: &[&Keys] = &[
     &HEIGHT,
     &DESPIKE,
     &SCENE,
+    &CAMERA,
     &LIGHT,
     &ENVIRONMENT,
     &ANIMATE,

@@ -9,6 +9,7 @@ mod defaults;
 mod files;
 mod illuminant;
 pub mod keys;
+mod mesh;
 mod model;
 mod name;
 mod optics;

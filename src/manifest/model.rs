@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::optics::config::OpticsConfig;
 use crate::scene::animation::Animation;
 use crate::scene::environment::Environment;
+use crate::scene::mesh::MeshShape;
 pub use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
 use crate::stages::measured::MeasuredConfig;
 use crate::tables::model::TablesConfig;
@@ -170,15 +171,17 @@ pub struct SceneSection {
 }
 
 /// What a scene shows.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ShapeSection {
     /// The BRDF over all viewing directions.
     Hemisphere,
     /// A ball.
     Sphere,
-    /// A meandering snake's body.
+    /// A coiled snake.
     Snake,
+    /// A mesh file, read and checked.
+    Mesh(MeshShape),
     /// A flat square in perspective.
     Patch {
         /// Side of the square.

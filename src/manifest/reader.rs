@@ -225,6 +225,21 @@ impl<'s> Item<'s> {
         Section::checked(self.source, table, self.span.clone(), self.path.clone(), keys)
     }
 
+    /// The names and values of a table whose names are the user's own, in their order in the text; `example` shows one.
+    pub fn named_values(&self, example: &str) -> Result<Vec<(String, Item<'s>)>> {
+        let DeValue::Table(table) = self.value else {
+            return Err(self.expected(&format!("a table such as `{example}`")));
+        };
+        let mut entries: Vec<_> = table.iter().collect();
+        entries.sort_by_key(|(name, _)| name.span().start);
+        let item = |(name, value): (&Spanned<_>, &'s Spanned<DeValue<'s>>)| {
+            let name: &std::borrow::Cow<str> = name.get_ref();
+            let path = format!("{}.{name}", self.path);
+            (name.to_string(), Item { source: self.source, value: value.get_ref(), span: value.span(), path })
+        };
+        Ok(entries.into_iter().map(item).collect())
+    }
+
     /// One of a few words.
     pub fn choice<T: Copy>(&self, options: &[(&str, T)]) -> Result<T> {
         let words: Vec<&str> = options.iter().map(|(word, _)| *word).collect();

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::convert;
 use super::defaults;
 use super::keys;
+use super::mesh;
 use super::model::{ExposureSection, LightSection, SceneSection, ShapeSection};
 use super::name;
 use super::reader::{Item, Section};
@@ -33,27 +34,24 @@ const FPS_MAX: usize = 60;
 const ANGLE_MAX_DEG: f64 = 89.0;
 
 /// What a shape is called, which keys it takes beside those of every scene, and how many lights.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 struct Kind {
     word: &'static str,
-    default: ShapeSection,
     own_keys: &'static [&'static str],
     lights_max: usize,
 }
 
 const KINDS: [Kind; 5] = [
-    Kind { word: "hemisphere", default: ShapeSection::Hemisphere, own_keys: &["light"], lights_max: 1 },
-    Kind { word: "sphere", default: ShapeSection::Sphere, own_keys: &["light", "environment"], lights_max: LIGHTS_MAX },
-    Kind { word: "snake", default: ShapeSection::Snake, own_keys: &["light", "environment"], lights_max: LIGHTS_MAX },
+    Kind { word: "hemisphere", own_keys: &["light"], lights_max: 1 },
+    Kind { word: "sphere", own_keys: &["light", "environment"], lights_max: LIGHTS_MAX },
+    Kind { word: "snake", own_keys: &["light", "environment"], lights_max: LIGHTS_MAX },
     Kind {
         word: "patch",
-        default: defaults::PATCH,
         own_keys: &["light", "environment", "width_mm", "distance_mm", "tilt_deg", "turn_deg"],
         lights_max: LIGHTS_MAX,
     },
     Kind {
         word: "screen",
-        default: defaults::SCREEN,
         own_keys: &[
             "width_mm",
             "distance_mm",
@@ -65,6 +63,10 @@ const KINDS: [Kind; 5] = [
         lights_max: 0,
     },
 ];
+
+/// A mesh file is named in the shape's place.
+const MESH: Kind =
+    Kind { word: "a mesh", own_keys: &["light", "environment", "camera", "materials"], lights_max: LIGHTS_MAX };
 
 /// Keys that every shape takes.
 const COMMON_KEYS: &[&str] =
@@ -87,13 +89,18 @@ pub fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<Scen
 }
 
 fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Result<SceneSection> {
-    let kind = section.require("shape", "shape = \"sphere\"")?.choice(&KINDS.map(|kind| (kind.word, kind)))?;
+    let item = section.require("shape", "shape = \"sphere\"")?;
+    let kind = if mesh::names_a_file(&item) { MESH } else { item.choice(&KINDS.map(|kind| (kind.word, kind)))? };
     refuse_foreign_keys(section, kind)?;
     let whole = |key: &str, [low, high]: [usize; 2], default: usize| match section.get(key) {
         Some(item) => item.integer_within(low, high, ""),
         None => Ok(default),
     };
-    let shape = shape(section, kind)?;
+    let shape = if kind == MESH {
+        ShapeSection::Mesh(mesh::read(section, &item, specimens, base)?)
+    } else {
+        shape(section, kind)?
+    };
     let samples = if section.has("environment") { defaults::ENVIRONMENT_SAMPLES } else { defaults::LIGHT_SAMPLES };
     let light_samples = whole("light_samples", [1, SAMPLES_MAX], samples)?;
     let pixel_samples = whole("pixel_samples", [1, SAMPLES_MAX], defaults::PIXEL_SAMPLES)?;
@@ -101,9 +108,9 @@ fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Res
     let size_px = whole("size_px", SIZE_PX, defaults::SIZE_PX)?;
     Ok(SceneSection {
         name,
-        shape,
         lights: lights(section, kind, &shape)?,
-        animation: section.get("animate").map(|item| animation(&item, kind, size_px)).transpose()?,
+        animation: section.get("animate").map(|item| animation(&item, &shape, size_px)).transpose()?,
+        shape,
         size_px,
         exposure: section.get("exposure").map_or(Ok(ExposureSection::Auto), |item| exposure(&item))?,
         environment: section.get("environment").map(|item| environment(&item, base, directions)).transpose()?,
@@ -122,13 +129,14 @@ fn refuse_foreign_keys(section: &Section, kind: Kind) -> Result<()> {
     let Some(key) = foreign else {
         return Ok(());
     };
-    let homes: Vec<&str> = KINDS.iter().filter(|other| other.own_keys.contains(key)).map(|other| other.word).collect();
+    let kinds = KINDS.iter().chain([&MESH]);
+    let homes: Vec<&str> = kinds.filter(|other| other.own_keys.contains(key)).map(|other| other.word).collect();
+    let (word, own_keys) = (kind.word, keys::quoted(kind.own_keys));
+    let this = if kind == MESH { word.to_owned() } else { format!("\"{word}\"") };
     let message = format!(
-        "`{key}` does not apply to the shape \"{}\" but to {}; \"{}\" takes {}",
-        kind.word,
+        "`{key}` does not apply to {} but to {}; {this} takes {own_keys}",
+        if kind == MESH { word.to_owned() } else { format!("the shape \"{word}\"") },
         keys::quoted(&homes),
-        kind.word,
-        keys::quoted(kind.own_keys),
     );
     Err(section.error_at_key(key, message))
 }
@@ -142,9 +150,15 @@ fn shape(section: &Section, kind: Kind) -> Result<ShapeSection> {
         Some(item) => item.number_within(-max, max, "degrees").map(|given| *value = given),
         None => Ok(()),
     };
-    let mut shape = kind.default;
+    let mut shape = match kind.word {
+        "hemisphere" => ShapeSection::Hemisphere,
+        "sphere" => ShapeSection::Sphere,
+        "snake" => ShapeSection::Snake,
+        "patch" => defaults::PATCH,
+        _ => defaults::SCREEN,
+    };
     match &mut shape {
-        ShapeSection::Hemisphere | ShapeSection::Sphere | ShapeSection::Snake => {}
+        ShapeSection::Hemisphere | ShapeSection::Sphere | ShapeSection::Snake | ShapeSection::Mesh(_) => {}
         ShapeSection::Patch { width_mm, distance_mm, tilt_deg, turn_deg } => {
             length("width_mm", width_mm)?;
             length("distance_mm", distance_mm)?;
@@ -263,7 +277,7 @@ fn direction(item: &Item, shape: &ShapeSection) -> Result<[f64; 3]> {
 /// Scalar product with a flat shape's normal; a ball has no horizon.
 fn height_above_horizon([_, y, z]: [f64; 3], shape: &ShapeSection) -> f64 {
     let tilt_deg = match shape {
-        ShapeSection::Sphere | ShapeSection::Snake => return f64::INFINITY,
+        ShapeSection::Sphere | ShapeSection::Snake | ShapeSection::Mesh(_) => return f64::INFINITY,
         ShapeSection::Patch { tilt_deg, .. } => *tilt_deg,
         ShapeSection::Hemisphere | ShapeSection::Screen { .. } => 0.0,
     };
@@ -273,15 +287,14 @@ fn height_above_horizon([_, y, z]: [f64; 3], shape: &ShapeSection) -> f64 {
 }
 
 /// Frames of an object or a light that turns; `size_px` is the still's.
-fn animation(item: &Item, kind: Kind, size_px: usize) -> Result<Animation> {
+fn animation(item: &Item, shape: &ShapeSection, size_px: usize) -> Result<Animation> {
     let example = "{ kind = \"light\", frames = 24 }";
     let section = item.section(&keys::ANIMATE, example)?;
     let kind_item = section.require("kind", "kind = \"light\"")?;
     let moving = kind_item.choice(&[("turntable", Moving::Turntable), ("light", Moving::Light)])?;
     let axis = section.get("axis").map(|item| item.choice(&[("vertical", Axis::Vertical), ("viewing", Axis::Viewing)]));
     let axis = axis.transpose()?.unwrap_or(defaults::ANIMATE_AXIS);
-    // The shape's own numbers do not matter here.
-    if let Err(why) = check_turn(&convert::shape(&kind.default), moving, axis) {
+    if let Err(why) = check_turn(&convert::shape(shape), moving, axis) {
         return Err(section.error_at_either("axis", "kind", format!("`{}`: {why}", item.path())));
     }
     let whole = |key: &str, [low, high]: [usize; 2], default: usize| match section.get(key) {

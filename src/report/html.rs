@@ -7,7 +7,7 @@ use crate::report::embed::{Album, EMBEDDED_MAX_BYTES, Picture, missing};
 use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
 use crate::report::{budget_facts, frames, gpu_facts, measured, numbers, plots};
-use crate::stages::results::{ErrorRow, RunResults, SceneResult, SpecimenResult, StageTime};
+use crate::stages::results::{ErrorRow, RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
 
 const TEMPLATE: &str = include_str!("templates/report.html");
 
@@ -41,6 +41,8 @@ fn render_within(
         specimens.push(specimen_section(number, specimen, preview.as_ref(), &results.stages, &mut album)?);
     }
     let gpu = gpu_facts::section(&results.gpu, &mut album)?;
+    let shared =
+        results.shared_scenes.iter().map(|scene| shared_view(scene, &mut album)).collect::<Result<Vec<_>>>()?;
     let all: Vec<&StageTime> = results.stages.iter().collect();
     let cpu_s: Option<f64> = all.iter().map(|stage| stage.cpu_s).sum();
     let page = context! {
@@ -60,6 +62,7 @@ fn render_within(
         stills => safe(stills.definitions()),
         summary => summary,
         specimens => specimens,
+        shared => shared,
         times => safe(plots::time_plot(&by_stage(&all))),
         times_cpu => cpu_s.map(numbers::seconds),
         manifest => &results.manifest_text,
@@ -293,6 +296,10 @@ fn scene_view(scene: &SceneResult, album: &mut Album) -> Result<Value> {
             numbers::seconds(scene.seconds),
         ],
     })
+}
+
+fn shared_view(shared: &SharedSceneResult, album: &mut Album) -> Result<Value> {
+    Ok(context! { specimens => shared.specimens.join(", "), scene => scene_view(&shared.picture, album)? })
 }
 
 /// A table row; only the first of a cause names it.

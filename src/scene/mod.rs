@@ -3,14 +3,20 @@
 //! World frame of every scene: x to the right of the picture, y up, z towards the camera.
 
 pub mod animation;
+pub mod bvh;
+pub mod camera;
 pub mod environment;
 pub mod frame;
 pub mod hemisphere;
 pub mod light;
+pub mod mesh;
 pub mod model;
 pub mod patch;
 pub mod reach;
 pub mod samples;
+pub mod scales;
 pub mod screen;
 pub mod snake;
 pub mod sphere;
+pub mod tangents;
+pub mod triangles;

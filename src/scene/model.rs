@@ -9,6 +9,8 @@ use crate::ground::error::{Error, Result};
 use crate::scene::animation::{Animation, Axis, Moving, Turn};
 use crate::scene::environment::Environment;
 
+use super::mesh::{self, MeshShape};
+
 /// Largest picture side that is accepted.
 pub const SIZE_MAX_PX: usize = 16_384;
 /// Largest number of samples per pixel and light.
@@ -34,7 +36,7 @@ pub struct Light {
 }
 
 /// What the picture shows.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase", deny_unknown_fields)]
 pub enum Shape {
     /// Map of the BRDF itself in 1/sr (no cosine, no irradiance): the light direction is that of the
@@ -43,8 +45,10 @@ pub enum Shape {
     Hemisphere,
     /// A sphere seen from afar; the structure's x axis runs along the circles of latitude.
     Sphere,
-    /// A meandering snake's body seen from above; the structure's x axis runs along the body.
+    /// A coiled snake with scales; the structure's x axis runs along the body, from head to tail, on every scale.
     Snake,
+    /// The triangles of a file; the structure's x axis runs along the texture coordinate u.
+    Mesh(MeshShape),
     /// A flat square seen in perspective by a camera in front of its centre.
     Patch {
         /// Side of the square.
@@ -210,6 +214,7 @@ fn check_lights(scene: &Scene) -> Checked {
 fn check_shape(shape: &Shape) -> Checked {
     match *shape {
         Shape::Hemisphere | Shape::Sphere | Shape::Snake => Ok(()),
+        Shape::Mesh(ref shape) => mesh::check(shape),
         Shape::Patch { width_mm, distance_mm, tilt_deg, turn_deg } => {
             within("width_mm", width_mm, 1e-3, 1e6)?;
             within("distance_mm", distance_mm, 1e-3, 1e9)?;
@@ -280,6 +285,9 @@ pub fn check_turn(shape: &Shape, kind: Moving, axis: Axis) -> Checked {
             .into()),
         (Shape::Snake, Moving::Turntable, Axis::Vertical) => {
             Err("a snake is seen from above only; use the viewing axis".into())
+        }
+        (Shape::Mesh(_), Moving::Turntable, _) => {
+            Err("a mesh does not turn yet; move its light, or turn it in the file".into())
         }
         (Shape::Sphere | Shape::Snake, Moving::Turntable, Axis::Viewing)
         | (Shape::Patch { .. }, Moving::Turntable, _)

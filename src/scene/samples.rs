@@ -14,7 +14,7 @@ use super::animation::{Turn, back, carried, turned};
 use super::frame::{Frame, to_local};
 use super::light::{LightSample, light_samples};
 use super::model::{Scene, Shape, check};
-use super::{hemisphere, patch, screen, snake, sphere};
+use super::{hemisphere, mesh, patch, screen, snake, sphere};
 
 /// Most samples one [`ShadingSamples`] may hold: 1.9 GB.
 pub const SAMPLES_TOTAL_MAX: usize = 1 << 26;
@@ -56,6 +56,15 @@ pub struct Hit {
     pub to_viewer: Vec3,
 }
 
+/// What a camera ray meets on a body that may stand in its own light.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LitHit {
+    /// Frame and viewer.
+    pub hit: Hit,
+    /// Where rays to lights start.
+    pub lifted: Vec3,
+}
+
 /// The samples of a whole picture: 28 bytes each. Refuses scenes that fail `model::check` and
 /// pictures beyond [`SAMPLES_TOTAL_MAX`]; `samples_of` takes those in parts.
 pub fn samples(scene: &Scene) -> Result<ShadingSamples> {
@@ -76,7 +85,7 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
             "lower its size_px, light_samples or pixel_samples",
         ));
     }
-    Ok(match scene.shape {
+    Ok(match &scene.shape {
         Shape::Hemisphere => {
             let lights = light_samples(scene);
             gather(scene, &rows, &columns, |xy, out| {
@@ -91,8 +100,23 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
         }
         Shape::Snake => {
             let lights = light_samples(scene);
+            let snake = snake::snake();
             gather(scene, &rows, &columns, |xy, out| {
-                gather_surface(&lights, pixel_width(scene), xy, |xy| in_picture(scene.turn, xy, snake::hit), out);
+                let hit = |xy| turned_in_picture(scene.turn, xy, |xy| snake::hit(snake, xy));
+                let is_lit = |from, direction| {
+                    let [from, direction] = [from, direction].map(|v| turned(v, back(scene.turn)));
+                    snake::is_lit(snake, from, direction)
+                };
+                gather_body(&lights, pixel_width(scene), xy, hit, is_lit, out);
+            })
+        }
+        Shape::Mesh(shape) => {
+            let lights = light_samples(scene);
+            let view = mesh::view(shape);
+            gather(scene, &rows, &columns, |xy, out| {
+                let hit = |xy| mesh::hit(&view, xy);
+                let is_lit = |from, direction| mesh::is_lit(&view, from, direction);
+                gather_body(&lights, pixel_width(scene), xy, hit, is_lit, out);
             })
         }
         Shape::Patch { .. } => {
@@ -114,7 +138,7 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
 
 /// Most samples that a pixel can have.
 pub fn samples_per_pixel(scene: &Scene) -> usize {
-    match scene.shape {
+    match &scene.shape {
         Shape::Screen { .. } => screen::sample_count(scene),
         _ => light_samples(scene).len(),
     }
@@ -165,10 +189,46 @@ fn gather_surface(
 
 /// What a camera ray meets of an object turned about the viewing axis: what the ray through the point turned
 /// back meets of the object as it is.
-fn in_picture(turn: Turn, [x, y]: [f64; 2], hit: impl Fn([f64; 2]) -> Option<Hit>) -> Option<Hit> {
+fn in_picture(turn: Turn, xy: [f64; 2], hit: impl Fn([f64; 2]) -> Option<Hit>) -> Option<Hit> {
+    let lifted = [0.0; 3];
+    Some(turned_in_picture(turn, xy, |xy| Some(LitHit { hit: hit(xy)?, lifted }))?.hit)
+}
+
+/// The same for a body that casts shadows on itself.
+fn turned_in_picture(turn: Turn, [x, y]: [f64; 2], hit: impl Fn([f64; 2]) -> Option<LitHit>) -> Option<LitHit> {
     let [x, y, _] = turned([x, y, 0.0], back(turn));
-    let Hit { frame, to_viewer } = hit([x, y])?;
-    Some(Hit { frame: carried(&frame, turn), to_viewer: turned(to_viewer, turn) })
+    let LitHit { hit: Hit { frame, to_viewer }, lifted } = hit([x, y])?;
+    let hit = Hit { frame: carried(&frame, turn), to_viewer: turned(to_viewer, turn) };
+    Some(LitHit { hit, lifted: turned(lifted, turn) })
+}
+
+/// As [`gather_surface`], for a body that casts shadows on itself.
+fn gather_body(
+    lights: &[LightSample],
+    pixel_width: f64,
+    [x, y]: [f64; 2],
+    hit: impl Fn([f64; 2]) -> Option<LitHit>,
+    is_lit: impl Fn(Vec3, Vec3) -> bool,
+    out: &mut RowSamples,
+) {
+    // Samples of a light often look through one point of the pixel: what they see is found once.
+    let mut last: Option<([f64; 2], Option<LitHit>)> = None;
+    for light in lights {
+        let at = [x + light.pixel_offset[0] * pixel_width, y + light.pixel_offset[1] * pixel_width];
+        let seen = match last {
+            Some((before, seen)) if before == at => seen,
+            _ => hit(at),
+        };
+        last = Some((at, seen));
+        let Some(LitHit { hit, lifted }) = seen else {
+            continue;
+        };
+        let wi = to_local(&hit.frame, light.direction);
+        let wo = to_local(&hit.frame, hit.to_viewer);
+        if wi[2] > 0.0 && wo[2] > 0.0 && is_lit(lifted, light.direction) {
+            push(out, wi, wo, light.irradiance * wi[2]);
+        }
+    }
 }
 
 /// Runs the pixel function over the rows in parallel and joins the results in order.

@@ -18,6 +18,7 @@ use super::progress::Progress;
 use super::results::{Failure, RunResults, StageTime};
 use super::scenes::reference_stride;
 use super::serve;
+use super::shared_scenes::specimens_of;
 use super::specimen;
 use crate::ground::error::{Error, Result};
 use crate::ground::exr_image::read_rgb;
@@ -107,7 +108,9 @@ pub fn check(
     let name = &specimen.name;
     progress.stage(&format!("{name}: {STAGE}"), 0);
     let started = Instant::now();
-    let scenes = serve::pictured_scenes(config, name);
+    // Shares of a scene have no picture of their own.
+    let pictured = serve::pictured_scenes(config, name);
+    let scenes: Vec<&Scene> = pictured.iter().filter(|scene| specimens_of(scene).is_empty()).collect();
     let reference = config.report.reference;
     let checked = check_files(stage, &version_folder.join(name), name, &scenes, &config.tables, reference);
     progress.finish();

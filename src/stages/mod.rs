@@ -21,6 +21,7 @@ pub mod scenes;
 pub mod serve;
 pub mod shader_data;
 pub mod shader_export;
+pub mod shared_scenes;
 pub mod specimen;
 pub mod stability;
 pub mod study;

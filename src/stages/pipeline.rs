@@ -22,6 +22,7 @@ use super::results::{
 };
 use super::scenes::{self, SceneWork, render_tables};
 use super::serve::{self, Cost, Source};
+use super::shared_scenes::{self, Share, SharedScenes};
 use super::specimen;
 use super::worked::work_number;
 use crate::ground::error::{Error, Result};
@@ -87,6 +88,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
         Vec::new(),
     );
     let mut example = None;
+    let mut shared = SharedScenes::new(&config.scenes);
     let asked_for: Vec<&SpecimenConfig> =
         config.specimens.iter().filter(|specimen| serve::is_asked_for(config, &specimen.name)).collect();
     for (number, specimen) in asked_for.iter().enumerate() {
@@ -100,6 +102,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
                 helpers.progress.message(&done_line(&label, &done.result, specimen_started.elapsed().as_secs_f64()));
                 record_unserved(&mut results, &done.result);
                 index.inputs.extend(done.inputs);
+                shared.add(done.shares);
                 index.specimens.push(entry(specimen));
                 example.get_or_insert(specimen.name.clone());
                 results.specimens.push(done.result);
@@ -120,6 +123,10 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
         gpu_stage::time_frames(gpu, config, staging.path(), &mut results, helpers.progress);
     }
     index.inputs.extend(scenes::inputs(config));
+    index.inputs.extend(shared_scenes::inputs(&config.scenes, &config.base));
+    let (pictures, failures) = shared.finish(staging.path());
+    results.shared_scenes = pictures;
+    results.failures.extend(failures);
     results.total_wall_s = started.elapsed().as_secs_f64();
     results.peak_memory_mib = peak_memory_mib();
     let Some(example) = example else {
@@ -160,6 +167,7 @@ fn done_line(label: &str, result: &SpecimenResult, seconds: f64) -> String {
 struct Done {
     result: SpecimenResult,
     inputs: Vec<InputRecord>,
+    shares: Vec<Share>,
 }
 
 /// Where and why a specimen failed.
@@ -219,7 +227,8 @@ fn run_specimen(
         None => None,
     };
     let source = Source { fields: &ingested.fields, optics, tables: &config.tables };
-    let wanted = serve::pictured_scenes(config, &specimen.name);
+    let pictured = serve::pictured_scenes(config, &specimen.name);
+    let wanted: Vec<&Scene> = pictured.iter().collect();
     let serving = config.serve != Serve::All;
     let domain = match serving {
         false => None,
@@ -271,13 +280,19 @@ fn run_specimen(
             measured::compare(&ingested.fields, optics, measurement, file, plan.spectra.memory_bytes)
         })?);
     }
+    let mut shares = Vec::new();
     clock.stage("write pictures", 0, || {
         let mut next = served.len();
-        for work in &works {
+        for work in works {
             let own = next..next + work.pair_count();
             next = own.end;
             let reference = yardstick.as_ref().map(|yardstick| &yardstick.xyz[own]);
-            result.scenes.push(work.finish(reference, &folder, &specimen.name)?);
+            if work.is_share() {
+                let expected = reference.map(|reference| work.expected(reference));
+                shares.push(shared_scenes::share(work, expected));
+            } else {
+                result.scenes.push(work.finish(reference, &folder, &specimen.name)?);
+            }
         }
         result.preview_png = preview(&set, &result, &folder)?;
         if let Some(picture) = reached_picture(&set) {
@@ -308,7 +323,7 @@ fn run_specimen(
             serve::account(&source, &wanted, domain, measured, config.report.savings)
         })?);
     }
-    Ok(Done { result, inputs: inputs(config, specimen, &ingested, measurement.as_ref()) })
+    Ok(Done { result, inputs: inputs(config, specimen, &ingested, measurement.as_ref()), shares })
 }
 
 /// Path of the picture of a specimen in lists: the first of its scenes where tables serve nothing else.
@@ -361,6 +376,7 @@ fn empty_results(config: &RunConfig, helpers: &Helpers) -> RunResults {
         cpu_count: std::thread::available_parallelism().map_or(1, usize::from),
         manifest_text: config.manifest_text.clone(),
         specimens: Vec::new(),
+        shared_scenes: Vec::new(),
         stages: Vec::new(),
         gpu: GpuResult::Off,
         failures: Vec::new(),

@@ -37,6 +37,9 @@ pub struct RunResults {
     pub manifest_text: String,
     /// One entry per specimen, in the manifest's order.
     pub specimens: Vec<SpecimenResult>,
+    /// The scenes that several specimens share, in the manifest's order.
+    #[serde(default)]
+    pub shared_scenes: Vec<SharedSceneResult>,
     /// Times, in the order the stages ended in.
     pub stages: Vec<StageTime>,
     /// Outcome of the GPU stage.
@@ -232,6 +235,15 @@ pub struct SceneResult {
     /// What moves in it, in words.
     #[serde(default)]
     pub animation: Option<String>,
+}
+
+/// One rendered scene with several specimens.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SharedSceneResult {
+    /// Names of the specimens, in the manifest's order.
+    pub specimens: Vec<String>,
+    /// The picture.
+    pub picture: SceneResult,
 }
 
 /// Difference of a scene from its reference.

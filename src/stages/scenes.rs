@@ -121,19 +121,53 @@ impl SceneWork {
         files::replace(&folder.join(format!("scenes/{}{ANIMATION}", self.scene.name)), &bytes)
     }
 
+    /// Whether this is one specimen's share of a scene that several appear in.
+    pub fn is_share(&self) -> bool {
+        matches!(&self.scene.shape, Shape::Mesh(mesh) if mesh.shown.is_some())
+    }
+
+    /// The reference picture, from the BRDF at [`Self::pairs`].
+    pub fn expected(&self, reference: &[Xyz]) -> Array3<f32> {
+        gather(&self.subset, reference)
+    }
+
+    /// Both shares of a scene together.
+    pub fn plus(mut self, other: &Self) -> Self {
+        self.image += &other.image;
+        self.seconds += other.seconds;
+        self.unserved += other.unserved;
+        self
+    }
+
+    /// All shares together as the scene's own picture.
+    pub fn whole(self, scene: &Scene) -> Self {
+        Self { exposure: exposure_factor(scene.exposure, &self.image), scene: scene.clone(), ..self }
+    }
+
     /// Writes the pictures into the specimen's folder and, where there is a reference, compares them. `reference` holds
     /// the BRDF at [`Self::pairs`]; `prefix` is the specimen's folder relative to the report.
     ///
     /// # Errors
     /// The disk's.
     pub fn finish(&self, reference: Option<&[Xyz]>, folder: &Path, prefix: &str) -> Result<SceneResult> {
+        let expected = reference.map(|reference| self.expected(reference));
+        self.write(expected.as_ref(), &folder.join("scenes"), &format!("{prefix}/scenes"))
+    }
+
+    /// Writes the pictures into a folder and, where there is a reference picture, compares them; `prefix` is that folder
+    /// relative to the report.
+    ///
+    /// # Errors
+    /// The disk's.
+    pub fn write(&self, expected: Option<&Array3<f32>>, folder: &Path, prefix: &str) -> Result<SceneResult> {
         let name = &self.scene.name;
-        let path = |ending: &str| folder.join(format!("scenes/{name}{ending}"));
+        let path = |ending: &str| folder.join(format!("{name}{ending}"));
         let attributes = json!({ "kind": "tables", "scene": name, "exposure": f64::from(self.exposure) });
         // Pixels without an answer are black in numbers, and carry the marker's colour where people look.
         let numbers = self.image.mapv(|value| if value.is_nan() { 0.0 } else { value });
         write_rgb(&path(".exr"), &numbers, Precision::Float, &attributes)?;
         write_png(&path(".png"), &to_srgb8(&self.image, self.exposure))?;
+        let file = |ending: &str| format!("{prefix}/{name}{ending}");
         let result = SceneResult {
             name: name.clone(),
             shape: shape_name(&self.scene.shape).into(),
@@ -142,44 +176,42 @@ impl SceneWork {
             seconds: self.seconds,
             error: None,
             unserved_pixels: self.unserved,
-            table_png: format!("{prefix}/scenes/{name}.png"),
+            table_png: file(".png"),
             side_by_side_png: None,
             difference_png: None,
             difference_scale: None,
-            animation_png: self.scene.animation.map(|_| format!("{prefix}/scenes/{name}{ANIMATION}")),
+            animation_png: self.scene.animation.map(|_| file(ANIMATION)),
             animation: self.scene.animation.as_ref().map(animation_text),
         };
-        match reference {
-            Some(reference) => self.compare(reference, folder, prefix, result),
+        match expected {
+            Some(expected) => self.compare(expected, folder, prefix, result),
             None => Ok(result),
         }
     }
 
-    fn compare(&self, reference: &[Xyz], folder: &Path, prefix: &str, result: SceneResult) -> Result<SceneResult> {
+    fn compare(&self, expected: &Array3<f32>, folder: &Path, prefix: &str, result: SceneResult) -> Result<SceneResult> {
         let name = &self.scene.name;
-        let expected = gather(&self.subset, reference);
         let ours = every(&self.image, self.stride);
         let white = 1.0 / f64::from(self.exposure);
-        let path = |ending: &str| folder.join(format!("scenes/{name}{ending}"));
-        let difference = &ours - &expected;
-        for (image, ending, kind) in
-            [(&expected, ".reference", "reference"), (&difference, ".difference", "difference")]
+        let path = |ending: &str| folder.join(format!("{name}{ending}"));
+        let difference = &ours - expected;
+        for (image, ending, kind) in [(expected, ".reference", "reference"), (&difference, ".difference", "difference")]
         {
             let attributes = json!({ "kind": kind, "scene": name, "exposure": f64::from(self.exposure) });
             write_rgb(&path(&format!("{ending}.exr")), image, Precision::Float, &attributes)?;
         }
         let enlarge = |image: &Array3<u8>| enlarged(image, self.stride);
-        let pair = [&ours, &expected].map(|image| enlarge(&to_srgb8(image, self.exposure)));
+        let pair = [&ours, expected].map(|image| enlarge(&to_srgb8(image, self.exposure)));
         write_png(&path(".compare.png"), &side_by_side(&[&pair[0], &pair[1]], GAP_PX, GAP_RGB))?;
-        let map = metrics::difference_to_white_map(&expected, &ours, white);
+        let map = metrics::difference_to_white_map(expected, &ours, white);
         write_png(&path(".difference.png"), &enlarge(&heat_map(&map, DIFFERENCE_FULL_SCALE)))?;
-        let colour = metrics::ciede2000(&expected, &ours, white);
+        let colour = metrics::ciede2000(expected, &ours, white);
         let flat = |image: &Array3<f32>| image.iter().map(|&v| f64::from(v)).collect::<Vec<_>>();
-        let file = |ending: &str| format!("{prefix}/scenes/{name}{ending}");
+        let file = |ending: &str| format!("{prefix}/{name}{ending}");
         Ok(SceneResult {
             error: Some(SceneError {
                 pixels: ours.len() / 3,
-                relative_l2: metrics::relative_l2(&flat(&expected), &flat(&ours)),
+                relative_l2: metrics::relative_l2(&flat(expected), &flat(&ours)),
                 ciede2000_mean: colour.mean,
                 ciede2000_p95: colour.p95,
                 ciede2000_max: colour.max,
@@ -247,6 +279,7 @@ pub fn shape_name(shape: &Shape) -> &'static str {
         Shape::Hemisphere => "hemisphere",
         Shape::Sphere => "sphere",
         Shape::Snake => "snake",
+        Shape::Mesh(_) => "mesh",
         Shape::Patch { .. } => "patch",
         Shape::Screen { .. } => "screen",
     }

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::config::{GpuCheck, RunConfig, Serve};
 use super::results::null_for_nan;
+use super::shared_scenes::scenes_for;
 use super::study::memory;
 use crate::ground::error::{Error, Result};
 use crate::ground::files;
@@ -24,14 +25,9 @@ use crate::tables::forecast::{Forecast, forecast_of};
 use crate::tables::model::TablesConfig;
 use crate::tables::storage::write_tables;
 
-/// The scenes that show a specimen, in order.
-pub fn scenes_of<'a>(config: &'a RunConfig, specimen: &str) -> Vec<&'a Scene> {
-    config.scenes.iter().filter(|scene| scene.specimen.as_ref().is_none_or(|name| name == specimen)).collect()
-}
-
-/// Those of them that its tables must serve; `None` where they serve every direction.
-pub fn served_scenes<'a>(config: &'a RunConfig, specimen: &str) -> Option<Vec<&'a Scene>> {
-    let shown = scenes_of(config, specimen);
+/// The scenes that a specimen's tables must serve, or its shares of them; `None` where they serve every direction.
+pub fn served_scenes(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
+    let shown = scenes_for(&config.scenes, specimen);
     match &config.serve {
         Serve::All => None,
         Serve::Scenes => Some(shown),
@@ -40,8 +36,8 @@ pub fn served_scenes<'a>(config: &'a RunConfig, specimen: &str) -> Option<Vec<&'
 }
 
 /// The scenes that are pictured with a specimen's tables: those they serve.
-pub fn pictured_scenes<'a>(config: &'a RunConfig, specimen: &str) -> Vec<&'a Scene> {
-    served_scenes(config, specimen).unwrap_or_else(|| scenes_of(config, specimen))
+pub fn pictured_scenes(config: &RunConfig, specimen: &str) -> Vec<Scene> {
+    served_scenes(config, specimen).unwrap_or_else(|| scenes_for(&config.scenes, specimen))
 }
 
 /// Whether anything is asked of a specimen: always, unless tables serve scenes and none of them shows it.

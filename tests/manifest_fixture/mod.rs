@@ -53,6 +53,10 @@ tilt_deg = 20
 check = "auto"
 "#;
 
+/// A square of two materials.
+pub const BODY: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n\
+                        usemtl back\nf 1/1 2/2 3/3\nusemtl belly\nf 1/1 3/3 4/4\n";
+
 /// A folder with the files that `GOOD` names.
 pub fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
@@ -62,6 +66,8 @@ pub fn folder() -> tempfile::TempDir {
         ("measured.csv", ""),
         ("lamp.csv", "wavelength_nm,power\n400,1\n700,2\n"),
         ("dark.csv", "wavelength_nm,power\n400,0\n700,0\n"),
+        ("body.obj", BODY),
+        ("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
     ] {
         std::fs::write(folder.path().join(name), text).unwrap();
     }

@@ -5,6 +5,7 @@ mod evaluation;
 mod faults;
 mod interruption;
 mod measured;
+mod meshes;
 mod moving;
 mod place;
 mod real_scans;

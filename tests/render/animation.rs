@@ -36,8 +36,8 @@ fn a_quarter_turn_in_the_picture_is_the_picture_turned() {
     let quarter = Turn { axis: Axis::Viewing, angle_deg: 90.0 };
     for shape in [Shape::Sphere, Shape::Snake, PATCH] {
         let direction = [0.5, 0.3, 1.0];
-        let turned_object = Scene { turn: quarter, ..scene(shape, direction, 33) };
-        let still = scene(shape, turned(direction, back(quarter)), 33);
+        let turned_object = Scene { turn: quarter, ..scene(shape.clone(), direction, 33) };
+        let still = scene(shape.clone(), turned(direction, back(quarter)), 33);
         // Directions are rounded to f32 before shading: 1e-7 times slopes of 9 and weights of 1.
         let error = worst(&picture(&turned_object), &rotated(&picture(&still)));
         assert!(error < 1e-5, "{shape:?}: {error}");
@@ -45,14 +45,17 @@ fn a_quarter_turn_in_the_picture_is_the_picture_turned() {
         let wrong = Scene { turn: back(quarter), ..turned_object.clone() };
         assert!(worst(&picture(&wrong), &rotated(&picture(&still))) > 0.1, "{shape:?}");
         // And the structure has turned with the object.
-        assert!(worst(&picture(&turned_object), &picture(&scene(shape, direction, 33))) > 0.1, "{shape:?}");
+        assert!(worst(&picture(&turned_object), &picture(&scene(shape.clone(), direction, 33))) > 0.1, "{shape:?}");
     }
 }
 
 #[test]
 fn a_square_on_a_turntable_shows_its_side() {
     let square = Shape::Patch { width_mm: 20.0, distance_mm: 1000.0, tilt_deg: 0.0, turn_deg: 0.0 };
-    let at = |angle_deg| Scene { turn: Turn { axis: Axis::Vertical, angle_deg }, ..scene(square, [0.0, 0.0, 1.0], 33) };
+    let at = |angle_deg| Scene {
+        turn: Turn { axis: Axis::Vertical, angle_deg },
+        ..scene(square.clone(), [0.0, 0.0, 1.0], 33)
+    };
     // In the middle the camera and the light look along +z: locally both are (-sin, 0, cos) of the turn.
     let image = cpu::render(&at(30.0), &|_, wo| wo.map(|c| c + 2.0)).unwrap();
     let cosine = 30f64.to_radians().cos();

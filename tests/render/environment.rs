@@ -41,7 +41,7 @@ fn glossy(wi: Vec3, wo: Vec3) -> Xyz {
 /// The picture with `parts`² points in every texel as lights of their own: midpoints in the sine of latitude and
 /// in longitude, each with its luminance times its solid angle.
 fn every_texel(
-    shape: Shape,
+    shape: &Shape,
     map: &Array2<f32>,
     parts: usize,
     brdf: &(dyn Fn(Vec3, Vec3) -> Xyz + Sync),
@@ -57,7 +57,7 @@ fn every_texel(
             let longitude = 2.0 * PI * ((column as f64 + share(part % parts)) / columns as f64 - 0.5);
             let level = (1.0 - y * y).sqrt();
             let direction = [-level * longitude.sin(), y, level * longitude.cos()];
-            let mut one = scene(shape, direction, 16);
+            let mut one = scene(shape.clone(), direction, 16);
             one.lights[0].irradiance = f64::from(luminance) * solid_angle;
             sum += &cpu::render(&one, brdf).unwrap().mapv(f64::from);
         }
@@ -76,9 +76,9 @@ fn sampled_light_is_that_of_every_texel() {
     let patch = Shape::Patch { width_mm: 20.0, distance_mm: 60.0, tilt_deg: 25.0, turn_deg: 10.0 };
     for shape in [Shape::Sphere, patch] {
         // 64 points per texel of 22 degrees: midpoints 2.8 degrees apart under a lobe of 14 err by (2.8/14)²/24.
-        let brute = every_texel(shape, &map(), 8, &glossy);
-        let errors =
-            [64, 512, 4096].map(|count| worst(&brute, &cpu::render(&lit(shape, &map(), count), &glossy).unwrap()));
+        let brute = every_texel(&shape, &map(), 8, &glossy);
+        let errors = [64, 512, 4096]
+            .map(|count| worst(&brute, &cpu::render(&lit(shape.clone(), &map(), count), &glossy).unwrap()));
         println!("{shape:?}: {errors:.4?}");
         // A low-discrepancy set errs by its discrepancy, some 2 ln(n)/n, times the integrand's variation: here the
         // lobe's rise and fall and the window's four edges, about 6 of the brightest pixel.
@@ -89,7 +89,7 @@ fn sampled_light_is_that_of_every_texel() {
         let turned = Array2::from_shape_fn((8, 16), |(row, column)| map()[[row, (column + 1) % 16]]);
         let flipped = Array2::from_shape_fn((8, 16), |(row, column)| map()[[7 - row, column]]);
         for other in [turned, flipped] {
-            let error = worst(&brute, &cpu::render(&lit(shape, &other, 4096), &glossy).unwrap());
+            let error = worst(&brute, &cpu::render(&lit(shape.clone(), &other, 4096), &glossy).unwrap());
             assert!(error > 5.0 * errors[2] && error > 0.05, "{error}");
         }
     }
@@ -104,7 +104,7 @@ fn a_uniform_sky_gives_the_power_sum_times_its_radiance() {
     let patch = Shape::Patch { width_mm: 1.0, distance_mm: 1000.0, tilt_deg: 0.0, turn_deg: 0.0 };
     // A white furnace: a Lambertian looks like the sky itself. Of n samples, those above the horizon carry
     // n/2 ∓ ln(n) cosines.
-    let white = cpu::render(&lit(patch, &sky, 4096), &|_, _| [FRAC_1_PI; 3]).unwrap();
+    let white = cpu::render(&lit(patch.clone(), &sky, 4096), &|_, _| [FRAC_1_PI; 3]).unwrap();
     let middle = f64::from(white[[8, 8, 1]]);
     assert!((middle / RADIANCE - 1.0).abs() < 5e-3, "{middle}");
     // A mirror seen through a coherence window of 0.8 µm at 550 nm: f = (G/w²) exp(-(u² + v²)/2s²)/(2πs²), s = 0.077,
@@ -120,7 +120,7 @@ fn a_uniform_sky_gives_the_power_sum_times_its_radiance() {
     let power: f64 =
         lattice.map(|[x, y]| mirror([x, y, (1.0 - x * x - y * y).sqrt()], [0.0, 0.0, 1.0])[0] * cell * cell).sum();
     assert!((power - 1.0).abs() < 0.02, "{power}");
-    let found = cpu::render(&lit(patch, &sky, 4096), &mirror).unwrap();
+    let found = cpu::render(&lit(patch.clone(), &sky, 4096), &mirror).unwrap();
     let mean =
         (7..9).flat_map(|r| (7..9).map(move |c| (r, c))).map(|(r, c)| f64::from(found[[r, c, 1]])).sum::<f64>() / 4.0;
     println!("white {middle:.5}, mirror {:.5} against {power:.5}", mean / RADIANCE);
@@ -128,7 +128,7 @@ fn a_uniform_sky_gives_the_power_sum_times_its_radiance() {
     // ratio; what is left is its unevenness, a few of the 40 points under the lobe.
     assert!((mean / (RADIANCE * power) - 1.0).abs() < 0.06, "{mean}");
     // With too few the lobe falls between them.
-    let few = cpu::render(&lit(patch, &sky, 64), &mirror).unwrap();
+    let few = cpu::render(&lit(patch.clone(), &sky, 64), &mirror).unwrap();
     assert!((f64::from(few[[8, 8, 1]]) / (RADIANCE * power) - 1.0).abs() > 0.2);
 }
 

@@ -46,6 +46,7 @@ fn make_sample() -> Sample {
         cpu_count: 16,
         manifest_text: MANIFEST.into(),
         specimens,
+        shared_scenes: Vec::new(),
         stages,
         gpu: gpu_result(),
         left_out: Vec::new(),

@@ -8,6 +8,7 @@ use crate::cli::Global;
 use crate::cli::output::{self, Outcome, bytes_in_words};
 use crate::ground::error::Result;
 use crate::manifest::{self, convert::run_config};
+use crate::scene::model::Scene;
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::ingest::ingest;
 use crate::stages::measured;
@@ -88,6 +89,7 @@ fn plan_specimen(config: &RunConfig, specimen: &SpecimenConfig, threads: usize) 
     let Some(scenes) = serve::served_scenes(config, &specimen.name) else {
         return Ok((forecast(source.fields, source.optics, source.tables, threads)?, None));
     };
+    let scenes: Vec<&Scene> = scenes.iter().collect();
     let domain = serve::domain_of(&source, &scenes)?;
     let plan = serve::plan_without(None, &source, &domain)?;
     let forecast = forecast_of(source.fields, source.optics, source.tables, &plan, threads);

@@ -246,7 +246,7 @@ fn hemisphere_groups(args: &VerifyArgs) -> Vec<Group> {
 fn scene_groups(args: &VerifyArgs, manifest: &Manifest, specimen: &str) -> Result<Vec<Group>> {
     let config = run_config(manifest, "");
     let scenes = serve::served_scenes(&config, specimen).unwrap_or_default();
-    let group = |scene: &&Scene| {
+    let group = |scene: &Scene| {
         let samples = samples(scene)?;
         let count = samples.weight.len();
         let drawn = (0..args.samples.min(count)).map(|index| {
