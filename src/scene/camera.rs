@@ -73,7 +73,9 @@ pub fn view(camera: &Camera) -> Option<View> {
     let up = normalise(camera.up);
     let sideways = cross(forward, up);
     // The cross product's square is 1 - cosine²; not above it where anything is zero or not a number.
-    if !(dot(sideways, sideways) > UP_DEFECT_MIN) {
+    // A NaN is no more than that either.
+    let apart = dot(sideways, sideways) > UP_DEFECT_MIN;
+    if !apart {
         return None;
     }
     let right = normalise(sideways);

@@ -148,7 +148,8 @@ pub fn surface(mesh: &TriangleMesh, hit: &TriangleHit) -> SurfacePoint {
     };
     let facet = facet_normal(mesh, hit.triangle);
     let mut normal = mix(&mesh.normals);
-    if !(dot(normal, facet) > 0.0) {
+    let agree = dot(normal, facet) > 0.0;
+    if !agree {
         // Vertex normals that cancel or turn inside say nothing.
         normal = facet;
     }
