@@ -96,7 +96,8 @@ fn a_wrong_range_or_window() {
         let layer = layer(image, set.tables.len());
         layer.iter_mut().for_each(|texel| *texel = change(*texel));
     };
-    let tampers: [(&str, &dyn Fn(&mut TableImage)); 5] = [
+    type Tamper<'a> = &'a dyn Fn(&mut TableImage);
+    let tampers: [(&str, Tamper); 5] = [
         ("lowest depth 5 % down", &|image| {
             range(image, &|[low, high, there, x]| [low * f16::from_f32(0.95), high, there, x])
         }),
