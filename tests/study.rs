@@ -8,6 +8,7 @@ use diffraction_atlas::ground::spectrum::Illuminant;
 use diffraction_atlas::height::HeightField;
 use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::report::study_page::{study_files, write_study};
+use diffraction_atlas::scene::model::{Exposure, Light, Scene, Shape};
 use diffraction_atlas::stages::progress::Silent;
 use diffraction_atlas::stages::study::{MethodRow, SpecimenStudy, Study, StudyConfig, StudySpecimen, run_study};
 use ndarray::Array2;
@@ -37,6 +38,20 @@ fn specimen(depth_nm: f64) -> StudySpecimen {
             material: Material::Ideal,
             shadowing: false,
         },
+        scenes: vec![ball()],
+    }
+}
+
+fn ball() -> Scene {
+    Scene {
+        name: "ball".into(),
+        shape: Shape::Sphere,
+        lights: vec![Light { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.0, irradiance: 1.0 }],
+        size_px: 24,
+        exposure: Exposure::Auto,
+        specimen: None,
+        light_samples: 1,
+        pixel_samples: 1,
     }
 }
 
@@ -50,6 +65,11 @@ fn config() -> StudyConfig {
         harmonics: vec![4],
         wavelength_steps_nm: vec![40.0, 5.0],
         sizes: vec![41, 141],
+        equal_size: 101,
+        tolerances: vec![1e-2],
+        size_max: 201,
+        picture_samples: 1_000,
+        gpu: false,
         memory_mib: 512,
     }
 }
@@ -148,7 +168,7 @@ fn real_scans() {
             let (low, high) = field.heights_nm.iter().fold((f64::MAX, f64::MIN), |(l, h), &x| (l.min(x), h.max(x)));
             field.heights_nm -= 0.5 * (low + high);
             let optics = common::reference_optics(16_250.0, Edge::Tile);
-            StudySpecimen { name: name.into(), fields: vec![field], optics }
+            StudySpecimen { name: name.into(), fields: vec![field], optics, scenes: vec![ball()] }
         })
         .collect();
     let started = std::time::Instant::now();

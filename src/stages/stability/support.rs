@@ -11,6 +11,7 @@ use crate::ground::spectrum::Illuminant;
 use crate::height::HeightField;
 use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
 use crate::optics::reference::brdf_xyz_batch;
+pub use crate::stages::study::pair_of;
 use crate::tables::build::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
 use crate::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
@@ -74,15 +75,6 @@ pub fn config(basis: Basis) -> TablesConfig {
 /// Tables of one scan.
 pub fn tables(field: &HeightField, optics: &OpticsConfig, config: &TablesConfig) -> Result<TableSet> {
     Ok(build(std::slice::from_ref(field), optics, config, &|_| ())?.0)
-}
-
-/// Directions with a given `q`: both half a `|w|` high, turned about `q` by the horizontal normal to it.
-pub fn pair_of(u: f64, v: f64, w: f64) -> (Vec3, Vec3) {
-    let rho = u.hypot(v);
-    let turn = (1.0 - 0.25 * (rho * rho + w * w)).max(0.0).sqrt();
-    let across = if rho > 0.0 { [-v / rho, u / rho] } else { [1.0, 0.0] };
-    let tilted = |sign: f64| [-0.5 * u + sign * turn * across[0], -0.5 * v + sign * turn * across[1], 0.5 * w];
-    (tilted(1.0), tilted(-1.0))
 }
 
 /// Directions on texels, `t` between the two limits, so that no interpolation on the grid enters.

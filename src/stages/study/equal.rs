@@ -1,0 +1,165 @@
+//! Half-float Chebyshev tables against the published method in floats, at equal error: bytes and time.
+//!
+//! Settings follow from measured errors: of each method the fewest tables that reach an error. It is the 95th
+//! percentile at texels outside the mirror lobe, so that the grid, the same for both, hides neither. Light, windows
+//! and prefilter are the specimen's own.
+
+use serde::{Deserialize, Serialize};
+
+use super::batch::{PackedTables, Pair, stored};
+use super::methods::Context;
+use super::sample::{floor_per_sr, luminances};
+use super::texels::Texels;
+use super::{Refusal, StudyConfig, StudySpecimen};
+use crate::ground::direction::Xyz;
+use crate::ground::error::Result;
+use crate::ground::metrics::relative_error_quantiles;
+use crate::tables::build;
+use crate::tables::evaluate::Interpolation;
+use crate::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+
+/// Errors at which the methods are compared.
+const TARGETS: [f64; 5] = [1e-1, 3e-2, 1e-2, 3e-3, 1e-3];
+
+/// The published method's best is the least number of tables within this factor of its smallest error.
+const BEST_WITHIN: f64 = 1.05;
+
+/// Both methods at one error.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EqualError {
+    /// 95th percentile that both reach.
+    pub target: f64,
+    /// Whether it is the smallest error the published method reaches at all.
+    pub taylors_best: bool,
+    /// Half-float Chebyshev tables; `None` where no number that was tried reaches it.
+    pub chebyshev: Option<Contender>,
+    /// The published method in floats; likewise.
+    pub taylor: Option<Contender>,
+}
+
+/// The fewest tables of one method that reach an error.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Contender {
+    /// Tables.
+    pub tables: usize,
+    /// 95th percentile of the relative error of Y on texels.
+    pub error: f64,
+    /// Bytes a renderer holds.
+    pub bytes: u64,
+    /// Seconds per direction on one thread, cubic look-ups.
+    pub cubic_s: f64,
+    /// The same with linear look-ups.
+    pub bilinear_s: f64,
+    /// Seconds per direction on the GPU, whose textures hold halves either way.
+    pub gpu_s: Option<f64>,
+}
+
+impl EqualError {
+    /// How many times smaller and faster the Chebyshev tables are: bytes, cubic and linear look-ups, GPU.
+    pub fn ratios(&self) -> Option<[Option<f64>; 4]> {
+        let (ours, theirs) = (self.chebyshev.as_ref()?, self.taylor.as_ref()?);
+        let gpu = theirs.gpu_s.zip(ours.gpu_s).map(|(theirs, ours)| theirs / ours);
+        let bytes = theirs.bytes as f64 / ours.bytes as f64;
+        Some([Some(bytes), Some(theirs.cubic_s / ours.cubic_s), Some(theirs.bilinear_s / ours.bilinear_s), gpu])
+    }
+}
+
+/// A set cut to a number of tables, with its error.
+struct Candidate<'a> {
+    set: &'a TableSet,
+    tables: usize,
+    storage: Storage,
+    error: f64,
+}
+
+/// What settings are tried.
+struct Trials {
+    chebyshev: Vec<TableSet>,
+    /// The longest series; a shorter one is it cut off, for its terms do not depend on how many there are.
+    taylor: Option<TableSet>,
+}
+
+/// Steps of progress.
+pub fn count(config: &StudyConfig) -> u64 {
+    config.chebyshev.len() as u64 + 1
+}
+
+/// Compares at every target, and at the published method's best, under the specimen's own light and windows.
+pub fn rows(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refusal>) -> Result<Vec<EqualError>> {
+    let trials = build_trials(specimen, context, refusals)?;
+    let Some(first) = trials.chebyshev.first() else { return Ok(Vec::new()) };
+    let plan = build::plan(&specimen.fields, &specimen.optics, &config_of(context, Basis::Chebyshev, 1))?;
+    let texels = Texels::of(first, plan.filter);
+    let reference = texels.reference(&specimen.fields, &specimen.optics, &plan)?;
+    let floor = floor_per_sr(&specimen.optics);
+    let candidate = |set, tables, storage| {
+        let packed = PackedTables::new(set, tables, storage);
+        let batch = |pairs: &[Pair], out: &mut [Xyz]| packed.evaluate(Interpolation::Cubic, pairs, out);
+        let found = luminances(&batch, &texels.centres);
+        Candidate { set, tables, storage, error: relative_error_quantiles(&reference, &found, floor).p95 }
+    };
+    let ours: Vec<Candidate> =
+        trials.chebyshev.iter().map(|set| candidate(set, set.tables.len(), Storage::Half)).collect();
+    let theirs: Vec<Candidate> = match &trials.taylor {
+        Some(set) => (1..=set.tables.len()).map(|tables| candidate(set, tables, Storage::Float)).collect(),
+        None => Vec::new(),
+    };
+    let best = theirs.iter().map(|c| c.error).fold(f64::INFINITY, f64::min) * BEST_WITHIN;
+    let mut targets: Vec<(f64, bool)> = TARGETS.map(|target| (target, false)).into();
+    if best.is_finite() {
+        targets.push((best, true));
+    }
+    let mut found = Vec::new();
+    for (target, taylors_best) in targets {
+        let first = |list: &[Candidate]| -> Result<Option<Contender>> {
+            list.iter().find(|c| c.error <= target).map(|c| measured(context, c)).transpose()
+        };
+        found.push(EqualError { target, taylors_best, chebyshev: first(&ours)?, taylor: first(&theirs)? });
+    }
+    Ok(found)
+}
+
+fn config_of(context: &Context, basis: Basis, count: usize) -> TablesConfig {
+    let size = Some(context.config.equal_size);
+    TablesConfig { size, count: Some(count), prefilter: Prefilter::Auto, ..context.tables_config(basis) }
+}
+
+fn build_trials(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refusal>) -> Result<Trials> {
+    let made = |basis, count| {
+        let built = build::build(&specimen.fields, &specimen.optics, &config_of(context, basis, count), &|_| ());
+        context.progress.advance(1);
+        built.map(|(set, _)| set)
+    };
+    let counts = context.config.chebyshev.iter();
+    let chebyshev = counts.map(|&count| made(Basis::Chebyshev, count)).collect::<Result<_>>()?;
+    let longest = context.config.taylor.iter().copied().max().unwrap_or(0);
+    let taylor = match made(Basis::Taylor, longest) {
+        Ok(set) => Some(set),
+        Err(error) => {
+            let what = format!("taylor, float, {longest} tables at equal error");
+            refusals.push(Refusal { what, message: error.to_string() });
+            None
+        }
+    };
+    Ok(Trials { chebyshev, taylor })
+}
+
+fn measured(context: &Context, candidate: &Candidate) -> Result<Contender> {
+    let &Candidate { set, tables, storage, error } = candidate;
+    let packed = PackedTables::new(set, tables, storage);
+    let pairs = context.timed_pairs();
+    let time = |interpolation| {
+        let batch = |pairs: &[Pair], out: &mut [Xyz]| packed.evaluate(interpolation, pairs, out);
+        context.clock.on_one_thread(&batch, &pairs)
+    };
+    let cut = TableSet { tables: set.tables[..tables].to_vec(), ..set.clone() };
+    let gpu_s = context.gpu.map(|gpu| gpu.seconds_per_direction(&stored(&cut, Storage::Half))).transpose()?;
+    Ok(Contender {
+        tables,
+        error,
+        bytes: packed.bytes(),
+        cubic_s: time(Interpolation::Cubic),
+        bilinear_s: time(Interpolation::Bilinear),
+        gpu_s,
+    })
+}
