@@ -10,6 +10,7 @@ use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::report::study_page::{study_files, write_study};
 use diffraction_atlas::scene::model::{Exposure, Light, Scene, Shape};
 use diffraction_atlas::stages::progress::Silent;
+use diffraction_atlas::stages::stability::{Guard, Stability, StabilityCase};
 use diffraction_atlas::stages::study::{MethodRow, SpecimenStudy, Study, StudyConfig, StudySpecimen, run_study};
 use ndarray::Array2;
 
@@ -116,6 +117,24 @@ fn methods_rank_as_theory_says() {
     assert_eq!(knob("storage", "float").worst, 0.0);
 }
 
+/// One case and one row of each kind: the suite itself has its own tests.
+fn stability() -> Stability {
+    let guard = Guard { what: "a <guard>".into(), without: f64::INFINITY };
+    Stability {
+        cases: vec![StabilityCase {
+            name: "a <case>".into(),
+            note: "what".into(),
+            measured: 1e-3,
+            bound: 1e-2,
+            guard: Some(guard),
+            half: Some(0.5),
+        }],
+        depths: Vec::new(),
+        series: Vec::new(),
+        grazing: Vec::new(),
+    }
+}
+
 #[test]
 fn the_page_holds_every_row_and_needs_nothing_else() {
     let config = StudyConfig {
@@ -131,7 +150,7 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
     let mut named = specimen(100.0);
     named.name = "<b>bold</b> & co".into();
     let study = run_study(&[named], &config, &Silent);
-    let files = study_files(&study).unwrap();
+    let files = study_files(&study, &stability()).unwrap();
     let text = |name: &str| String::from_utf8(files.iter().find(|f| f.0 == name).unwrap().1.clone()).unwrap();
     let html = text("study.html");
     assert!(html.contains("&lt;b&gt;bold") && !html.contains("<b>bold"), "names are escaped");
@@ -142,11 +161,17 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
     let again: Study = serde_json::from_str(&text("study.json")).unwrap();
     assert_eq!(again.specimens[0].methods.len(), study.specimens[0].methods.len());
     let svg: Vec<_> = files.iter().filter(|f| f.0.ends_with(".svg")).collect();
-    assert_eq!(svg.len(), 5, "three costs, the basis, and the grid");
-    for (name, bytes) in svg {
-        let svg = std::str::from_utf8(bytes).unwrap();
-        assert!(roxmltree::Document::parse(svg).is_ok() && svg.contains("<circle") && !svg.contains("NaN"), "{name}");
+    let named = |part: &str| svg.iter().any(|(name, _)| name.ends_with(&format!("{part}.svg")));
+    for part in ["cost", "cost-on-texels", "tables", "tolerance", "basis", "grid", "storage", "stability.series"] {
+        assert!(named(part), "{part} in {:?}", svg.iter().map(|f| &f.0).collect::<Vec<_>>());
     }
+    for (name, bytes) in svg {
+        let text = std::str::from_utf8(bytes).unwrap();
+        assert!(roxmltree::Document::parse(text).is_ok() && !text.contains("NaN"), "{name}");
+        assert!(text.contains("<polygon") || name.starts_with("stability"), "{name} shows points");
+    }
+    assert!(html.contains("a &lt;case&gt;") && html.contains("a &lt;guard&gt;"), "the suite is on the page");
+    assert!(html.contains("data:image/png;base64,"), "pictures are in the page");
 }
 
 /// `cargo test --release --test study -- --ignored --nocapture`: the figures of docs/accuracy.md, written to
@@ -176,7 +201,7 @@ fn real_scans() {
     let study = run_study(&specimens, &config, &Silent);
     println!("{:?}", started.elapsed());
     assert!(study.failures.is_empty(), "{:?}", study.failures);
-    write_study(&Path::new(env!("CARGO_MANIFEST_DIR")).join("target/study"), &study).unwrap();
+    write_study(&Path::new(env!("CARGO_MANIFEST_DIR")).join("target/study"), &study, &stability()).unwrap();
 }
 
 #[test]

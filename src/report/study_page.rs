@@ -6,10 +6,11 @@ use minijinja::{Environment, Value, context};
 
 use super::embed::base64;
 use super::study_plots::{
-    Figure, cost_figure, cost_figure_on_texels, knob_figure, svg, tables_figure, tolerance_figure,
+    Figure, cost_figure, cost_figure_on_texels, knob_figure, stability_figures, svg, tables_figure, tolerance_figure,
 };
 use crate::ground::error::{Error, Result};
 use crate::ground::png_image::encode_png;
+use crate::stages::stability::{Stability, StabilityCase, Verdict};
 use crate::stages::study::{SpecimenStudy, Study};
 
 /// Knobs whose settings are numbers: file key, rows drawn together, axis.
@@ -32,7 +33,7 @@ pub type File = (String, Vec<u8>);
 ///
 /// # Errors
 /// `Error::Call` if a plot or the page cannot be made: a defect of the program.
-pub fn study_files(study: &Study) -> Result<Vec<File>> {
+pub fn study_files(study: &Study, stability: &Stability) -> Result<Vec<File>> {
     let mut pictures: Vec<File> = Vec::new();
     let (mut of_specimens, mut strips) = (Vec::new(), Vec::new());
     for specimen in &study.specimens {
@@ -45,12 +46,23 @@ pub fn study_files(study: &Study) -> Result<Vec<File>> {
         of_specimens.push(svgs.map(|(_, svg)| String::from_utf8_lossy(svg).into_owned()).collect());
         strips.push(strip(specimen)?);
     }
+    let mut of_stability = Vec::new();
+    for (key, figure) in stability_figures(stability) {
+        let picture = svg(&figure)?;
+        of_stability.push(picture.clone());
+        pictures.push((format!("stability.{key}.svg"), picture.into_bytes()));
+    }
     let failed = |what: &str, error: &dyn std::fmt::Display| Error::Call(format!("writing {what} failed: {error}"));
     let json = serde_json::to_vec_pretty(study).map_err(|e| failed("study.json", &e))?;
     let data = serde_json::to_value(study).map_err(|e| failed("study.json", &e))?;
     let strips = serde_json::to_value(&strips).map_err(|e| failed("study.html", &e))?;
-    let html = page(&data, of_specimens, &strips).map_err(|e| failed("study.html", &e))?;
+    let stability_json = serde_json::to_vec_pretty(stability).map_err(|e| failed("stability.json", &e))?;
+    let cases = case_rows(stability);
+    let cases = serde_json::to_value(&cases).map_err(|e| failed("study.html", &e))?;
+    let parts = Parts { study: &data, pictures: of_specimens, strips: &strips, cases: &cases, of_stability };
+    let html = page(parts).map_err(|e| failed("study.html", &e))?;
     let mut files = vec![("study.html".to_owned(), html.into_bytes()), ("study.json".to_owned(), json)];
+    files.push(("stability.json".to_owned(), stability_json));
     files.extend(pictures);
     Ok(files)
 }
@@ -100,8 +112,8 @@ fn strip(specimen: &SpecimenStudy) -> Result<Vec<Shown>> {
 ///
 /// # Errors
 /// Those of [`study_files`], and `Error::Disk`.
-pub fn write_study(folder: &Path, study: &Study) -> Result<()> {
-    let files = study_files(study)?;
+pub fn write_study(folder: &Path, study: &Study, stability: &Stability) -> Result<()> {
+    let files = study_files(study, stability)?;
     std::fs::create_dir_all(folder).map_err(|source| Error::disk(folder, "create the folder", source))?;
     for (name, bytes) in files {
         let path = folder.join(name);
@@ -110,22 +122,60 @@ pub fn write_study(folder: &Path, study: &Study) -> Result<()> {
     Ok(())
 }
 
-fn page(
-    study: &serde_json::Value,
+/// One line of the table of stability cases.
+#[derive(serde::Serialize)]
+struct CaseRow<'a> {
+    name: &'a str,
+    note: &'a str,
+    measured: f64,
+    bound: f64,
+    guard: Option<&'a str>,
+    without: Option<String>,
+    half: Option<f64>,
+    kept: bool,
+}
+
+fn case_rows(stability: &Stability) -> Vec<CaseRow<'_>> {
+    fn row(case: &StabilityCase) -> CaseRow<'_> {
+        let StabilityCase { name, note, measured, bound, guard, half } = case;
+        CaseRow {
+            name,
+            note,
+            measured: *measured,
+            bound: *bound,
+            guard: guard.as_ref().map(|guard| guard.what.as_str()),
+            // JSON has no infinity.
+            without: guard.as_ref().map(|guard| number(Some(guard.without))),
+            half: *half,
+            kept: case.verdict() == Verdict::Kept,
+        }
+    }
+    stability.cases.iter().map(row).collect()
+}
+
+/// What the page is made of.
+struct Parts<'a> {
+    study: &'a serde_json::Value,
     pictures: Vec<Vec<String>>,
-    strips: &serde_json::Value,
-) -> std::result::Result<String, minijinja::Error> {
+    strips: &'a serde_json::Value,
+    cases: &'a serde_json::Value,
+    of_stability: Vec<String>,
+}
+
+fn page(parts: Parts) -> std::result::Result<String, minijinja::Error> {
     let mut environment = Environment::new();
     environment.add_filter("number", number);
     environment.add_filter("bytes", |value: Option<u64>| value.map_or("–".to_owned(), bytes));
     environment.add_filter("kept", kept);
+    environment.add_filter("measure", measure);
     environment.add_template("study.html", include_str!("templates/study.html"))?;
-    let pictures: Vec<Vec<Value>> =
-        pictures.into_iter().map(|svgs| svgs.into_iter().map(Value::from_safe_string).collect()).collect();
+    let safe = |svgs: Vec<String>| -> Vec<Value> { svgs.into_iter().map(Value::from_safe_string).collect() };
     environment.get_template("study.html")?.render(context! {
-        study => template_value(study),
-        pictures,
-        strips => template_value(strips),
+        study => template_value(parts.study),
+        pictures => parts.pictures.into_iter().map(safe).collect::<Vec<_>>(),
+        strips => template_value(parts.strips),
+        cases => template_value(parts.cases),
+        of_stability => safe(parts.of_stability),
     })
 }
 
@@ -153,6 +203,15 @@ fn number(value: Option<f64>) -> String {
             format!("{v:.decimals$}")
         }
         Some(v) => format!("{v:.1e}"),
+    }
+}
+
+/// Which error is made equal.
+fn measure(key: &str) -> &'static str {
+    match key {
+        "p95" => "95 %, hemisphere",
+        "steep" => "95 %, within 30°",
+        _ => "worst, hemisphere",
     }
 }
 

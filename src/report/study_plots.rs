@@ -5,11 +5,12 @@ use plotters::prelude::*;
 
 use crate::ground::error::{Error, Result};
 use crate::ground::sampling::Region;
+use crate::stages::stability::{DepthRow, GrazingRow, Stability};
 use crate::stages::study::{MethodRow, SpecimenStudy};
 
 /// Pixels of one panel, and of the column that names the lines.
 const PANEL_PX: (u32, u32) = (470, 400);
-const LEGEND_PX: u32 = 190;
+const LEGEND_PX: u32 = 250;
 
 /// Factor kept free around the data on logarithmic axes.
 const MARGIN: f64 = 1.6;
@@ -168,6 +169,69 @@ pub fn tolerance_figure(study: &SpecimenStudy) -> Option<Figure> {
             panel("size (bytes)", vec![line("automatic settings", &|i| rows[i].stored_bytes as f64)]),
         ],
     })
+}
+
+/// Depth, the published series in each number format, and grazing directions.
+pub fn stability_figures(stability: &Stability) -> Vec<(&'static str, Figure)> {
+    let line = |name: &str, points: Vec<(f64, f64)>| Series { name: name.into(), points };
+    let panel =
+        |x_label: &str, y_label: &str, series| Panel { x_label: x_label.into(), y_label: y_label.into(), series };
+    let error = "95th percentile of |ΔY| / Y";
+    let depth = "peak to valley (nm)";
+    let depths = |name: &str, y: &dyn Fn(&DepthRow) -> f64| {
+        line(name, stability.depths.iter().map(|row| (row.depth_nm, y(row))).collect())
+    };
+    let counts = vec![depths("tables", &|r| r.tables as f64), depths("transforms", &|r| r.transforms as f64)];
+    let errors = vec![
+        depths("as many tables as the depth asks for", &|r| r.error),
+        depths("four tables", &|r| r.four_tables),
+        depths("tolerance", &|_| 1e-2),
+    ];
+    // What is beyond 1e3 is beyond any use: it would only flatten the rest.
+    let cap = |y: f64| if y.is_nan() { 1e3 } else { y.min(1e3) };
+    let formats = ["half", "float", "double"].iter().enumerate();
+    let series = formats
+        .clone()
+        .map(|(i, name)| line(name, stability.series.iter().map(|row| (row.depth_nm, cap(row.errors[i]))).collect()));
+    let limits = formats.map(|(i, name)| {
+        line(
+            &format!("{name}, forecast"),
+            stability.series.iter().map(|row| (row.depth_nm, cap(row.predicted[i]))).collect(),
+        )
+    });
+    let terms = line("terms", stability.series.iter().map(|row| (row.depth_nm, row.terms as f64)).collect());
+    let grazing = |name: &str, y: &dyn Fn(&GrazingRow) -> f64| {
+        line(name, stability.grazing.iter().map(|row| (row.t, y(row))).collect())
+    };
+    vec![
+        (
+            "depth",
+            Figure {
+                title: "Depth, one laser line at 400 nm".into(),
+                panels: vec![panel(depth, "number", counts), panel(depth, error, errors)],
+            },
+        ),
+        (
+            "series",
+            Figure {
+                title:
+                    "The published power series: where each number format fails (400 nm, errors above 1e3 drawn there)"
+                        .into(),
+                panels: vec![panel(depth, error, series.chain(limits).collect()), panel(depth, "terms", vec![terms])],
+            },
+        ),
+        (
+            "grazing",
+            Figure {
+                title: "Towards grazing: no pole shows".into(),
+                panels: vec![panel(
+                    "|w| / sqrt(4 - u² - v²)",
+                    error,
+                    vec![grazing("divided by w², as stored", &|r| r.divided), grazing("undivided", &|r| cap(r.whole))],
+                )],
+            },
+        ),
+    ]
 }
 
 fn drawable(&(x, y): &(f64, f64)) -> bool {

@@ -16,7 +16,7 @@ mod timing;
 mod tolerance;
 
 pub use batch::stored;
-pub use equal::{Contender, EqualError};
+pub use equal::{Contender, EqualError, Measure};
 pub use sample::pair_of;
 pub use tolerance::{Kept, TOLERANCES, ToleranceRow};
 
@@ -109,7 +109,7 @@ impl StudyConfig {
             equal_size: 301,
             tolerances: TOLERANCES.to_vec(),
             size_max: AUTOMATIC_SIZE_MAX,
-            picture_samples: 6_000,
+            picture_samples: 4_000,
             gpu: true,
             memory_mib: 2048,
         }
@@ -119,14 +119,14 @@ impl StudyConfig {
     pub fn thorough() -> Self {
         Self {
             directions: 400,
-            timed_directions: 200_000,
+            timed_directions: 400_000,
             size: 501,
             chebyshev: vec![1, 2, 3, 4, 5, 6, 7, 8, 10],
             taylor: vec![4, 8, 12, 16, 20, 24, 32, 40],
             harmonics: vec![2, 4, 6, 8, 10],
             wavelength_steps_nm: vec![20.0, 10.0, 5.0, 2.5, 1.25],
             sizes: vec![63, 125, 251, 501],
-            equal_size: 501,
+            equal_size: 1001,
             tolerances: TOLERANCES.to_vec(),
             size_max: 2001,
             picture_samples: 20_000,

@@ -6,7 +6,6 @@ use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
 use crate::ground::error::Result;
-use crate::ground::json;
 use crate::manifest::{self, convert::run_config, convert::specimen_config};
 use crate::report::study_page::write_study;
 use crate::scene::model::Scene;
@@ -62,11 +61,9 @@ pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
     let config = if args.thorough { StudyConfig::thorough() } else { StudyConfig::quick() };
     let study = run_study(&specimens, &config, progress.as_ref());
     failures.extend(study.failures.iter().map(|refusal| format!("{}: {}", refusal.what, refusal.message)));
-    write_study(&args.out, &study)?;
-    progress.stage("stability suite", 0);
-    let cases = run_stability();
-    progress.finish();
-    json::write(&args.out.join("stability.json"), &cases)?;
+    let stability = run_stability(args.thorough, progress.as_ref());
+    write_study(&args.out, &study, &stability)?;
+    let cases = &stability.cases;
     failures.extend(cases.iter().filter(|case| case.verdict() == Verdict::Broken).map(broken));
     output::print(&format!(
         "studied {} specimen(s), {} of {} stability cases kept their bound\nstudy     {}\n",

@@ -12,7 +12,7 @@ use super::texels::Texels;
 use super::{StudyConfig, StudySpecimen};
 use crate::ground::error::Result;
 use crate::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
-use crate::ground::sampling::Region;
+use crate::ground::sampling::{Region, direction_pairs};
 use crate::stages::measure;
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
@@ -21,6 +21,9 @@ use crate::tables::plan::resolving_size;
 
 /// Tolerances asked for.
 pub const TOLERANCES: [f64; 3] = [1e-2, 1e-3, 1e-4];
+
+/// Directions drawn, of which the first that meet usable texels are taken.
+const DRAWN: usize = 512;
 
 /// Tolerance below which halves are no choice: they round by up to 2^-11 of a number.
 const HALF_MIN: f64 = 5e-4;
@@ -100,7 +103,7 @@ fn row(specimen: &StudySpecimen, config: &StudyConfig, tolerance: f64) -> Result
     let build_s = started.elapsed().as_secs_f64();
     let read = stored(&built, storage);
     let plan = build::plan(fields, optics, &tables)?;
-    let texels = Texels::of(&built, plan.filter);
+    let texels = Texels::of(&built, plan.filter, &direction_pairs(Region::Hemisphere, DRAWN));
     let pairs = measure::fixed_pairs().into_iter().chain(texels.pairs.iter().copied()).collect();
     let yardstick = measure::yardstick(fields, optics, &plan, built.tables.len(), pairs)?;
     let fixed = measure::fixed_pairs().len();
