@@ -18,7 +18,7 @@ const KNOB_PLOTS: [(&str, &[&str], &str); 5] = [
     ("basis", &["basis"], "number of tables"),
     ("wavelength-step", &["wavelength step"], "largest wavelength step (nm)"),
     ("grid", &["grid, bilinear", "grid, cubic"], "texels along u and v"),
-    ("storage", &["storage"], "bits of a number's significand"),
+    ("storage", &["storage"], "significant bits of stored numbers"),
     ("windows", &["windows"], "windows averaged"),
 ];
 

@@ -13,7 +13,7 @@ const PANEL_PX: (u32, u32) = (470, 400);
 const LEGEND_PX: u32 = 250;
 
 /// Factor kept free around the data on logarithmic axes.
-const MARGIN: f64 = 1.6;
+const MARGIN: f64 = 1.2;
 
 /// Colours that stay apart for colour-blind readers (Okabe and Ito 2008).
 const COLOURS: [RGBColor; 8] = [
@@ -271,7 +271,7 @@ fn draw<'a>(area: &DrawingArea<SVGBackend<'a>, Shift>, figure: &Figure, names: &
     }
     for (index, name) in names.iter().enumerate() {
         let y = 30 + 22 * index as i32;
-        legend.draw(&mark((14, y), index))?;
+        legend.draw(&mark((14, y), style(name, names)))?;
         legend.draw(&Text::new((*name).to_owned(), (28, y - 7), ("sans-serif", 13)))?;
     }
     area.present()
@@ -279,9 +279,11 @@ fn draw<'a>(area: &DrawingArea<SVGBackend<'a>, Shift>, figure: &Figure, names: &
 
 fn draw_panel<'a>(area: &DrawingArea<SVGBackend<'a>, Shift>, panel: &Panel, names: &[&str]) -> Drawn<'a> {
     let points = || panel.series.iter().flat_map(|s| s.points.iter().copied()).filter(drawable);
+    // Whole decades: every axis then has at least two labels.
     let range = |of: fn((f64, f64)) -> f64| {
         let (low, high) = points().map(of).fold((f64::MAX, 0.0f64), |(low, high), v| (low.min(v), high.max(v)));
-        if low <= high { low / MARGIN..high * MARGIN } else { 0.1..10.0 }
+        let decade = |value: f64, round: fn(f64) -> f64| 10f64.powf(round(value.log10()));
+        if low <= high { decade(low / MARGIN, f64::floor)..decade(high * MARGIN, f64::ceil) } else { 0.1..10.0 }
     };
     let mut chart = ChartBuilder::on(area)
         .margin(8)
@@ -302,12 +304,28 @@ fn draw_panel<'a>(area: &DrawingArea<SVGBackend<'a>, Shift>, panel: &Panel, name
         .axis_desc_style(("sans-serif", 13))
         .draw()?;
     for line in &panel.series {
-        let Some(index) = names.iter().position(|name| *name == line.name) else { continue };
+        let index = style(&line.name, names);
         let points: Vec<(f64, f64)> = line.points.iter().copied().filter(drawable).collect();
         chart.draw_series(LineSeries::new(points.iter().copied(), COLOURS[index % COLOURS.len()].stroke_width(2)))?;
         chart.draw_series(points.iter().map(|&point| EmptyElement::at(point) + mark((0, 0), index)))?;
     }
     Ok(())
+}
+
+/// Methods keep their colour from figure to figure; other lines take them in turn.
+fn style(name: &str, names: &[&str]) -> usize {
+    const METHODS: [&str; 8] = [
+        "chebyshev, half",
+        "taylor, float",
+        "chebyshev, float",
+        "taylor, half",
+        "Stam, random",
+        "Stam, regular",
+        "spherical harmonics",
+        "FFT",
+    ];
+    let known = METHODS.iter().position(|method| *method == name);
+    known.or_else(|| names.iter().position(|other| *other == name)).unwrap_or(0)
 }
 
 /// The mark of a line: colour and shape tell lines apart.

@@ -109,7 +109,7 @@ impl StudyConfig {
             equal_size: 301,
             tolerances: TOLERANCES.to_vec(),
             size_max: AUTOMATIC_SIZE_MAX,
-            picture_samples: 4_000,
+            picture_samples: 6_000,
             gpu: true,
             memory_mib: 2048,
         }

@@ -18,6 +18,9 @@ use ndarray::Array2;
 /// Windows along each axis whose mean is compared; the last that fits is what the others are held against.
 const WINDOWS: [usize; 5] = [1, 2, 3, 5, 7];
 
+/// Significant bits of numbers; halves have 11, floats 24.
+const SIGNIFICANDS: [i32; 5] = [5, 8, 11, 14, 17];
+
 /// Steps of progress.
 pub fn count(config: &StudyConfig) -> u64 {
     (2 + config.chebyshev.len() + config.wavelength_steps_nm.len() + config.sizes.len()) as u64
@@ -61,16 +64,32 @@ pub fn rows(context: &Context) -> Result<Vec<KnobRow>> {
             push(knob, size as f64, format!("{size} texels"), &directions.luminance, &values(&set, interpolation));
         }
     }
-    // The position of a number's last bit: 11 for halves, 24 for floats.
-    for (storage, name, bits) in [(Storage::Half, "half", 11.0), (Storage::Float, "float", 24.0)] {
-        let found = values(&stored(&finest, storage), Interpolation::Cubic);
-        push("storage", bits, name.into(), &fine, &found);
+    for bits in SIGNIFICANDS {
+        let rounded = with_significand(&finest, bits);
+        push("storage", f64::from(bits), format!("{bits} bits"), &fine, &values(&rounded, Interpolation::Cubic));
     }
+    let half = values(&stored(&finest, Storage::Half), Interpolation::Cubic);
+    push("storage, half", 11.0, "half".into(), &fine, &half);
     for (count, found, reference) in windows(context, &directions.pairs)? {
         push("windows", (count * count) as f64, format!("mean of {}", count * count), &reference, &found);
     }
     context.progress.advance(1);
     Ok(rows)
+}
+
+/// A set whose tables are rounded to so many significant bits, the exponent left free.
+fn with_significand(set: &TableSet, bits: i32) -> TableSet {
+    let mut set = set.clone();
+    let round = |value: f32| {
+        if value == 0.0 {
+            return value;
+        }
+        let unit = 2f64.powi(f64::from(value).abs().log2().floor() as i32 + 1 - bits);
+        ((f64::from(value) / unit).round() * unit) as f32
+    };
+    let cross = set.lobe.iter_mut().flat_map(|lobe| &mut lobe.cross);
+    set.tables.iter_mut().chain(cross).for_each(|table| table.mapv_inplace(round));
+    set
 }
 
 /// Y averaged over ever more windows two σ apart in the middle of the scans, and over the most that fit: straight

@@ -15,6 +15,9 @@ use crate::optics::spectral::add_window;
 use crate::scene::model::{Scene, exposure_factor};
 use crate::scene::samples::{ShadingSamples, pixel_range, samples_of, samples_per_pixel};
 
+/// Most samples of a light or pixel: more pixels tell more about colours than smoother ones.
+const LIGHT_SAMPLES_MAX: usize = 4;
+
 /// Scenes of one specimen with their references.
 pub struct Pictures {
     scenes: Vec<Reference>,
@@ -38,6 +41,8 @@ impl Pictures {
         samples_max: usize,
     ) -> Result<Self> {
         let reference = |scene: &Scene| -> Result<Reference> {
+            let scene =
+                &Scene { light_samples: scene.light_samples.min(LIGHT_SAMPLES_MAX), pixel_samples: 1, ..scene.clone() };
             let side = ((samples_max / samples_per_pixel(scene).max(1)) as f64).sqrt().max(8.0);
             let stride = (scene.size_px as f64 / side).ceil().max(1.0) as usize;
             let samples = samples_of(scene, 0..scene.size_px, stride)?;
