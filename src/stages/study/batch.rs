@@ -260,6 +260,7 @@ mod tests {
     use crate::ground::sampling::{Region, direction_pairs};
     use crate::ground::spectrum::Illuminant;
     use crate::optics::config::{Edge, Windows};
+    use crate::optics::reference::prefactor;
     use crate::tables::evaluate::brdf_xyz;
     use crate::tables::model::Lobe;
 
@@ -301,9 +302,12 @@ mod tests {
                     let found = on_all_threads(&batch, &pairs);
                     for (&(wi, wo), found) in pairs.iter().zip(&found) {
                         let one = brdf_xyz(&read, interpolation, wi, wo)[1];
-                        // Positions, weights, and fewer than a hundred products in 24 bits; the texel's position
-                        // carries 2^-24 of 8 texels, over which values change by up to their own size.
-                        assert!((found[1] - one).abs() <= 2e-5 * one.abs(), "{basis:?} {} {one}", found[1]);
+                        // Positions, weights, and fewer than a hundred products in 24 bits, relative to the sum of
+                        // magnitudes: four tables of at most 1.3, over w² in powers of w. A position carries 2^-24 of
+                        // 8 texels, over which values change by up to their own size.
+                        let w2 = (wi[2] + wo[2]).powi(2).min(1.0);
+                        let magnitude = prefactor(&set.optics, wi, wo) * 4.0 * 1.3 * 4.0 / w2;
+                        assert!((found[1] - one).abs() <= 2e-6 * magnitude, "{basis:?} {} {one}", found[1]);
                     }
                     // A single wrong texel shows.
                     let mut wrong = set.clone();
