@@ -219,7 +219,7 @@ fn measure(key: &str) -> &'static str {
 fn kept(verdict: &str) -> &'static str {
     match verdict {
         "everywhere" => "kept in every direction",
-        "on-texels" => "kept on texels; the grid is smaller than asked for",
+        "on-texels" => "kept on texels; the grid adds more",
         "texel-means" => "kept for means over a texel",
         _ => "missed",
     }

@@ -16,7 +16,7 @@ use crate::ground::error::Result;
 use crate::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
 use crate::ground::sampling::{Region, direction_pairs};
 use crate::tables::build;
-use crate::tables::evaluate::Interpolation;
+use crate::tables::evaluate::{Interpolation, brdf_xyz};
 use crate::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 
 /// Errors at which the methods are compared.
@@ -54,9 +54,9 @@ impl Measure {
     }
 }
 
-/// Directions drawn over the hemisphere, and of them those within 30° of the normal: 2.5 % of twenty times as many.
-const DRAWN: usize = 512;
-const STEEP_DRAWN: usize = 10_000;
+/// Directions drawn over the hemisphere, of which the first that meet lit texels are taken; 2.5 % lie within 30° of the
+/// normal.
+const DRAWN: usize = 8_192;
 
 /// Cosine of 30°.
 const STEEP_COS: f64 = 0.866_025_403_784_438_6;
@@ -130,17 +130,18 @@ pub fn count(config: &StudyConfig) -> u64 {
 /// Compares at every target, and at the published method's best, under the specimen's own light and windows.
 pub fn rows(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refusal>) -> Result<Vec<EqualError>> {
     let trials = build_trials(specimen, context, refusals)?;
-    let Some(first) = trials.chebyshev.first() else { return Ok(Vec::new()) };
+    let Some(finest) = trials.chebyshev.last() else { return Ok(Vec::new()) };
     let plan = build::plan(&specimen.fields, &specimen.optics, &config_of(context, Basis::Chebyshev, 1))?;
-    let steep_pairs: Vec<Pair> = direction_pairs(Region::Hemisphere, STEEP_DRAWN).into_iter().filter(steep).collect();
-    let regions = [direction_pairs(Region::Hemisphere, DRAWN), steep_pairs];
+    let drawn = direction_pairs(Region::Hemisphere, DRAWN);
+    let steep_pairs: Vec<Pair> = drawn.iter().copied().filter(steep).collect();
+    let bright = |(wi, wo): &Pair| brdf_xyz(finest, Interpolation::Cubic, *wi, *wo)[1];
+    let floor = floor_per_sr(&specimen.optics, &drawn.iter().map(bright).collect::<Vec<_>>());
     let mut texels = Vec::new();
-    for pairs in regions {
-        let texels_of = Texels::of(first, plan.filter, &pairs);
+    for pairs in [drawn, steep_pairs] {
+        let texels_of = Texels::of(finest, plan.filter, &pairs, floor);
         let reference = texels_of.reference(&specimen.fields, &specimen.optics, &plan)?;
         texels.push((texels_of.centres, reference));
     }
-    let floor = floor_per_sr(&specimen.optics);
     let candidate = |set, tables, storage| {
         let packed = PackedTables::new(set, tables, storage);
         let batch = |pairs: &[Pair], out: &mut [Xyz]| packed.evaluate(Interpolation::Cubic, pairs, out);

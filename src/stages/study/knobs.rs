@@ -70,8 +70,11 @@ pub fn rows(context: &Context) -> Result<Vec<KnobRow>> {
     }
     let half = values(&stored(&finest, Storage::Half), Interpolation::Cubic);
     push("storage, half", 11.0, "half".into(), &fine, &half);
-    for (count, found, reference) in windows(context, &directions.pairs)? {
-        push("windows", (count * count) as f64, format!("mean of {}", count * count), &reference, &found);
+    let mut means = windows(context, &directions.pairs)?;
+    if let Some((_, most)) = means.pop() {
+        for (count, mean) in means {
+            push("windows", count as f64, format!("mean of {count}"), &most, &mean);
+        }
     }
     context.progress.advance(1);
     Ok(rows)
@@ -92,24 +95,23 @@ fn with_significand(set: &TableSet, bits: i32) -> TableSet {
     set
 }
 
-/// Y averaged over ever more windows two σ apart in the middle of the scans, and over the most that fit: straight
-/// from the transforms.
-fn windows(context: &Context, pairs: &[Pair]) -> Result<Vec<(usize, Vec<f64>, Vec<f64>)>> {
+/// Y averaged over ever more windows two σ apart in the middle of the scans, straight from the transforms; with their
+/// number, up to the most that fit.
+fn windows(context: &Context, pairs: &[Pair]) -> Result<Vec<(usize, Vec<f64>)>> {
     let sigma_nm = context.optics.sigma_nm;
     let extents = context.fields.iter().flat_map(HeightField::extent_nm);
     let smallest = extents.fold(f64::MAX, f64::min);
     let optics = OpticsConfig { windows: Windows::Grid, ..context.optics.clone() };
     // Speckle is as large as the signal: a coarse tolerance measures it.
     let coarse = TablesConfig { tolerance: 1e-2, ..context.tables_config(Basis::Chebyshev) };
-    let mut means: Vec<(usize, Vec<f64>)> = Vec::new();
+    let mut means = Vec::new();
     for count in WINDOWS.into_iter().filter(|&count| side_nm(count, sigma_nm) < smallest) {
         let patches: Vec<HeightField> = context.fields.iter().map(|f| patch(f, side_nm(count, sigma_nm))).collect();
         let spectra = plan(&patches, &optics, &coarse)?.spectra;
         let xyz = brdf_xyz_batch(&patches, &optics, &spectra, pairs)?;
-        means.push((count, xyz.iter().map(|xyz| xyz[1]).collect()));
+        means.push((count * count, xyz.iter().map(|xyz| xyz[1]).collect()));
     }
-    let Some((_, most)) = means.pop() else { return Ok(Vec::new()) };
-    Ok(means.into_iter().map(|(count, mean)| (count, mean, most.clone())).collect())
+    Ok(means)
 }
 
 /// Side of a square that holds `count` windows two σ apart along each axis, and no more.

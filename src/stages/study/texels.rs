@@ -2,15 +2,16 @@
 
 use super::batch::Pair;
 use super::sample::{moved_to_texels, pair_of};
-use crate::ground::direction::{Xyz, wave_vector_change};
+use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
 use crate::ground::error::Result;
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
-use crate::optics::reference::{PICTURE_STEP, prefactor};
+use crate::optics::reference::{FULL_STEP, prefactor};
 use crate::optics::spectra::transform;
 use crate::optics::spectral::add_window;
 use crate::tables::accumulate::BoxFilter;
 use crate::tables::build::BuildPlan;
+use crate::tables::evaluate::{Interpolation, brdf_xyz};
 use crate::tables::model::TableSet;
 use crate::tables::plan::lobe_width;
 
@@ -20,7 +21,7 @@ const TEXELS: usize = 128;
 /// Texels, and the directions that average over each as it does.
 pub struct Texels {
     /// One direction per node of the square, those of a texel side by side.
-    pub pairs: Vec<Pair>,
+    pairs: Vec<Pair>,
     /// Shares of the nodes in the mean.
     weights: Vec<f64>,
     /// The texels' own directions.
@@ -28,20 +29,24 @@ pub struct Texels {
 }
 
 impl Texels {
-    /// At most 128 texels nearest to where directions meet the tables: outside the lobe, which has a table of its own, and where the
+    /// At most 128 texels nearest to where directions meet the tables, where these are brighter than the floor: outside the lobe, which has a table of its own, and where the
     /// whole box lies in the disc.
-    pub fn of(set: &TableSet, filter: BoxFilter, near: &[Pair]) -> Self {
+    pub fn of(set: &TableSet, filter: BoxFilter, near: &[Pair], floor_per_sr: f64) -> Self {
         let width = filter.width;
         let nodes = if width > 0.0 { gauss_legendre(box_nodes(set, width)) } else { vec![(0.0, 1.0)] };
         let inner = set.lobe.as_ref().map_or(0.0, |lobe| lobe.radius_max) + width;
         let offset = |(x, _): (f64, f64)| 0.5 * width * x;
+        let lit = |wi: Vec3, wo: Vec3| brdf_xyz(set, Interpolation::Cubic, wi, wo)[1] > floor_per_sr;
         let (mut pairs, mut centres) = (Vec::new(), Vec::new());
         for (wi, wo) in moved_to_texels(near, set.size()) {
+            if centres.len() == TEXELS {
+                break;
+            }
             let [u, v, w] = wave_vector_change(wi, wo);
             let w = w.abs();
             let rho = u.hypot(v);
             let deepest = (4.0 - (rho + width).powi(2)).max(0.0).sqrt();
-            if rho > inner && rho < set.usable_radius - width && w < deepest && centres.len() < TEXELS {
+            if rho > inner && rho < set.usable_radius - width && w < deepest && lit(wi, wo) {
                 centres.push((wi, wo));
                 for &y in &nodes {
                     pairs.extend(nodes.iter().map(|&x| pair_of(u + offset(x), v + offset(y), w)));
@@ -52,8 +57,8 @@ impl Texels {
         Self { pairs, weights, centres }
     }
 
-    /// Y at each texel's own direction for the mean power that it holds; `exact` is the BRDF at [`Self::pairs`].
-    pub fn means(&self, optics: &OpticsConfig, exact: &[Xyz]) -> Vec<f64> {
+    /// Y at each texel's own direction for the mean power that it should hold; `exact` is the BRDF at its pairs.
+    fn means(&self, optics: &OpticsConfig, exact: &[Xyz]) -> Vec<f64> {
         let nodes = self.weights.len();
         let parts = self.pairs.chunks(nodes).zip(exact.chunks(nodes));
         let mean = |(&(wi, wo), (pairs, exact)): (&Pair, (&[Pair], &[Xyz]))| {
@@ -64,12 +69,13 @@ impl Texels {
         self.centres.iter().zip(parts).map(mean).collect()
     }
 
-    /// [`Self::means`] straight from the transforms of all windows.
+    /// Y at each texel's own direction for the mean power that it should hold, straight from the transforms of all
+    /// windows.
     pub fn reference(&self, fields: &[HeightField], optics: &OpticsConfig, plan: &BuildPlan) -> Result<Vec<f64>> {
         let mut xyz = vec![[0.0; 3]; self.pairs.len()];
         for &(scan, placement) in &plan.windows {
             let spectra = transform(&fields[scan], placement, optics, &plan.spectra)?;
-            add_window(&spectra, optics, &self.pairs, PICTURE_STEP, &mut xyz)?;
+            add_window(&spectra, optics, &self.pairs, FULL_STEP, &mut xyz)?;
         }
         xyz.iter_mut().flatten().for_each(|x| *x /= plan.windows.len().max(1) as f64);
         Ok(self.means(optics, &xyz))
