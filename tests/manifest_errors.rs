@@ -151,7 +151,7 @@ const CASES: &[Case] = &[
     ("\"sphere\"\nlight", "\"body.obj\"\ncamera = { position = [0, 0, 5], target = [0, 0, 5] }\nlight", "34:10", "{ position = [0, 0, 5], target = [0, 0, 5] }", &["sees nothing"]),
     ("\"sphere\"\nlight", "\"body.obj\"\ncamera = { position = [0, 0, 5], target = [0, 0, 0], fov_deg = 20, width = 2 }\nlight", "34:68", "width", &["give one"]),
     ("\"sphere\"\nlight", "\"body.obj\"\ncamera = { position = [0, 0, 5], target = [0, 0, 0], fov_deg = 180 }\nlight", "34:64", "180", &["between 0.01 and 170 degrees"]),
-    ("\"sphere\"\nlight", "\"body.obj\"\ntilt_deg = 3\nlight", "34:1", "tilt_deg", &["does not apply to a mesh but to `patch`", "a mesh takes `light`, `camera`, `materials`"]),
+    ("\"sphere\"\nlight", "\"body.obj\"\ntilt_deg = 3\nlight", "34:1", "tilt_deg", &["does not apply to a mesh but to `patch`", "a mesh takes `light`, `environment`, `camera`, `materials`"]),
     ("\"sphere\"\nlight", "\"sphere\"\ncamera = { position = [0, 0, 5], target = [0, 0, 0] }\nlight", "34:1", "camera", &["does not apply to the shape \"sphere\" but to `a mesh`"]),
     // Lights.
     ("[0.3, 0.2, 1.0]", "[0, 0, 0]", "34:24", "[0, 0, 0]", &["must not be zero"]),

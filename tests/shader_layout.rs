@@ -88,14 +88,21 @@ const COUNTERPARTS: [(&str, &[&str]); 7] = [
     (include_str!("../src/ground/chebyshev.rs"), &["shifted_values"]),
     (
         include_str!("../src/tables/evaluate.rs"),
-        &["brdf_xyz", "window_power", "t_of", "lobe_value", "expansion", "sample"],
+        &["brdf_xyz", "window_power", "serves", "share_of_range", "t_of", "lobe_value", "expansion", "sample"],
     ),
     (include_str!("../src/ground/colour.rs"), &["xyz_to_linear_srgb"]),
 ];
 
 /// Functions only a shader needs: complex numbers, the second texture, texture coordinates, powers in registers.
-const SHADER_ONLY: [&str; 6] =
-    ["complex_product", "complex_quotient", "complex_root", "cross_expansion", "texel_centred", "powers"];
+const SHADER_ONLY: [&str; 7] = [
+    "complex_product",
+    "complex_quotient",
+    "complex_root",
+    "cross_expansion",
+    "texel_centred",
+    "table_place",
+    "powers",
+];
 
 #[test]
 fn functions_carry_the_names_and_the_order_of_the_rust_side() {

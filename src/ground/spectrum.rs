@@ -144,6 +144,10 @@ pub fn uniform_wavelengths(illuminant: &Illuminant, range_nm: [f64; 2], step_nm:
 /// steps of 1 and 5 nm.
 const CELL_NM: f64 = 0.125;
 
+/// Fewest cells between two wavelengths: windows of some 50 µm ask for wavelengths closer than [`CELL_NM`], and with
+/// fewer cells than nodes most nodes would go without weight.
+const CELLS_PER_STEP: f64 = 4.0;
+
 /// Product quadrature on `count` uniform wavenumbers (1/λ): the integrand is interpolated by local
 /// polynomials through six nodes and integrated exactly against the illuminant and the observer.
 ///
@@ -163,7 +167,8 @@ pub fn uniform_wavenumbers(illuminant: &Illuminant, range_nm: [f64; 2], count: u
     let wavelengths_nm: Vec<f64> =
         (0..count).map(|j| if j + 1 == count { range_nm[0] } else { 1.0 / (low + j as f64 * step) }).collect();
     let mut weights = vec![[0.0; 3]; count];
-    let cells = ((range_nm[1] - range_nm[0]) / CELL_NM).ceil() as usize;
+    let shortest_step_nm = step * range_nm[0] * range_nm[0];
+    let cells = ((range_nm[1] - range_nm[0]) / CELL_NM.min(shortest_step_nm / CELLS_PER_STEP)).ceil() as usize;
     let cell_nm = (range_nm[1] - range_nm[0]) / cells as f64;
     let points = count.min(6);
     for cell in 0..cells {
@@ -248,6 +253,18 @@ mod tests {
             for c in 0..3 {
                 assert!((coarse[c] - fine[c]).abs() < 1e-3, "{illuminant:?} {coarse:?} {fine:?}");
             }
+        }
+    }
+
+    #[test]
+    fn every_wavelength_has_its_weight_however_many_there_are() {
+        for count in [1_000, 30_000] {
+            let q = uniform_wavenumbers(&Illuminant::E, [380.0, 780.0], count).unwrap();
+            // E and the observer are smooth: neighbours weigh alike, where they weigh at all. Sextic weights of cells that
+            // cover a step four times over ripple by a few per cent, those of too few cells by all they have.
+            let visible = q.weights.windows(2).filter(|pair| pair[0][1] > 1e-3 / count as f64);
+            let ripple = visible.map(|pair| (pair[1][1] / pair[0][1] - 1.0).abs()).fold(0.0, f64::max);
+            assert!(ripple < 0.2, "{count}: {ripple}");
         }
     }
 

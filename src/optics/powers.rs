@@ -66,8 +66,7 @@ pub fn transform_powers(
             "raise tables.memory_mib, or use tables.basis = \"chebyshev\"",
         ));
     }
-    let mid_nm = mid_range_nm(field);
-    let turned = window_heights(field, &plans).mapv(|h| Complex::new(0.0, -(h - mid_nm) / config.scale_nm));
+    let turned = window_heights(field, &plans).mapv(|h| Complex::new(0.0, -h / config.scale_nm));
     let mut power = turned.mapv(|_| Complex::new(1.0, 0.0));
     let values = 2 * config.orders;
     let mut data = vec![0.0; x * y * values];
@@ -107,11 +106,6 @@ pub fn square_series(amplitude: &[f64], out: &mut [f64]) {
         let pairs: f64 = (0..p.div_ceil(2)).map(|n| term(n, p - n)).sum();
         *slot = 2.0 * pairs + if p % 2 == 0 { term(p / 2, p / 2) } else { 0.0 };
     }
-}
-
-fn mid_range_nm(field: &HeightField) -> f64 {
-    let (low, high) = field.heights_nm.iter().fold((f64::MAX, f64::MIN), |(low, high), &h| (low.min(h), high.max(h)));
-    low + 0.5 * (high - low)
 }
 
 #[cfg(test)]

@@ -197,6 +197,10 @@ fn axis_weights(placement: Placement, along: &Along, frequency: f64) -> AxisWeig
             let half = kernel.half_width(1.0 / period, 0.0) * period;
             let centre = frequency * period;
             for line in (centre - half).ceil() as i64..=(centre + half).floor() as i64 {
+                // A single sample is a surface without structure along this axis: its other lines are aliases.
+                if along.count == 1 && line != 0 {
+                    continue;
+                }
                 let at = line as f64 / period;
                 let scale = 1.0 / along.count as f64;
                 let samples = positions.iter().map(|x| Complex::from_polar(scale, TAU * at * x)).collect();

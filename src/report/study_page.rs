@@ -4,16 +4,27 @@ use std::path::Path;
 
 use minijinja::{Environment, Value, context};
 
-use super::study_plots::{Cost, cost_plot, knob_plot};
+use super::embed::base64;
+use super::study_plots::{
+    Figure, cost_figure, cost_figure_on_texels, knob_figure, stability_figures, svg, tables_figure, tolerance_figure,
+};
 use crate::ground::error::{Error, Result};
-use crate::stages::study::Study;
+use crate::ground::png_image::encode_png;
+use crate::stages::stability::{Stability, StabilityCase, Verdict};
+use crate::stages::study::{SpecimenStudy, Study};
 
 /// Knobs whose settings are numbers: file key, rows drawn together, axis.
-const KNOB_PLOTS: [(&str, &[&str], &str); 3] = [
+const KNOB_PLOTS: [(&str, &[&str], &str); 5] = [
     ("basis", &["basis"], "number of tables"),
     ("wavelength-step", &["wavelength step"], "largest wavelength step (nm)"),
     ("grid", &["grid, bilinear", "grid, cubic"], "texels along u and v"),
+    ("storage", &["storage"], "significant bits of stored numbers"),
+    ("windows", &["windows"], "windows averaged"),
 ];
+
+/// Methods whose pictures are shown beside the reference, each by its last setting.
+const SHOWN: [&str; 6] =
+    ["FFT", "chebyshev, half", "taylor, float", "Stam, random", "Stam, regular", "spherical harmonics"];
 
 /// A file's name and its bytes.
 pub type File = (String, Vec<u8>);
@@ -22,38 +33,87 @@ pub type File = (String, Vec<u8>);
 ///
 /// # Errors
 /// `Error::Call` if a plot or the page cannot be made: a defect of the program.
-pub fn study_files(study: &Study) -> Result<Vec<File>> {
+pub fn study_files(study: &Study, stability: &Stability) -> Result<Vec<File>> {
     let mut pictures: Vec<File> = Vec::new();
-    let mut of_specimens = Vec::new();
+    let (mut of_specimens, mut strips) = (Vec::new(), Vec::new());
     for specimen in &study.specimens {
         let first = pictures.len();
         let name = file_name(&specimen.name);
-        for cost in Cost::ALL {
-            pictures.push((format!("{name}.{}.svg", cost.key()), cost_plot(specimen, cost)?.into_bytes()));
-        }
-        for (key, knobs, axis) in KNOB_PLOTS {
-            if let Some(plot) = knob_plot(specimen, knobs, axis)? {
-                pictures.push((format!("{name}.{key}.svg"), plot.into_bytes()));
-            }
+        for (key, figure) in figures(specimen) {
+            pictures.push((format!("{name}.{key}.svg"), svg(&figure)?.into_bytes()));
         }
         let svgs = pictures[first..].iter();
         of_specimens.push(svgs.map(|(_, svg)| String::from_utf8_lossy(svg).into_owned()).collect());
+        strips.push(strip(specimen)?);
+    }
+    let mut of_stability = Vec::new();
+    for (key, figure) in stability_figures(stability) {
+        let picture = svg(&figure)?;
+        of_stability.push(picture.clone());
+        pictures.push((format!("stability.{key}.svg"), picture.into_bytes()));
     }
     let failed = |what: &str, error: &dyn std::fmt::Display| Error::Call(format!("writing {what} failed: {error}"));
     let json = serde_json::to_vec_pretty(study).map_err(|e| failed("study.json", &e))?;
     let data = serde_json::to_value(study).map_err(|e| failed("study.json", &e))?;
-    let html = page(&data, of_specimens).map_err(|e| failed("study.html", &e))?;
+    let strips = serde_json::to_value(&strips).map_err(|e| failed("study.html", &e))?;
+    let stability_json = serde_json::to_vec_pretty(stability).map_err(|e| failed("stability.json", &e))?;
+    let cases = case_rows(stability);
+    let cases = serde_json::to_value(&cases).map_err(|e| failed("study.html", &e))?;
+    let parts = Parts { study: &data, pictures: of_specimens, strips: &strips, cases: &cases, of_stability };
+    let html = page(parts).map_err(|e| failed("study.html", &e))?;
     let mut files = vec![("study.html".to_owned(), html.into_bytes()), ("study.json".to_owned(), json)];
+    files.push(("stability.json".to_owned(), stability_json));
     files.extend(pictures);
     Ok(files)
+}
+
+/// The figures of one specimen by key.
+fn figures(specimen: &SpecimenStudy) -> Vec<(&'static str, Figure)> {
+    let mut figures = vec![
+        ("cost", cost_figure(specimen)),
+        ("cost-on-texels", cost_figure_on_texels(specimen)),
+        ("tables", tables_figure(specimen)),
+    ];
+    figures.extend(tolerance_figure(specimen).map(|figure| ("tolerance", figure)));
+    figures
+        .extend(KNOB_PLOTS.iter().filter_map(|(key, knobs, axis)| Some((*key, knob_figure(specimen, knobs, axis)?))));
+    figures
+}
+
+/// One small picture: what it shows, and its address.
+#[derive(serde::Serialize)]
+struct Shown {
+    caption: String,
+    scene: String,
+    href: String,
+}
+
+/// Pictures of the scenes by the methods worth a look.
+fn strip(specimen: &SpecimenStudy) -> Result<Vec<Shown>> {
+    let mut shown = Vec::new();
+    for method in SHOWN {
+        let Some(row) = specimen.methods.iter().rfind(|row| row.method == method) else { continue };
+        for picture in &row.pictures {
+            let colour = row.colours.iter().find(|colour| colour.scene == picture.scene);
+            let caption = match colour {
+                Some(colour) if method != "FFT" => {
+                    format!("{method}, {}: ΔE {}", row.setting, number(Some(colour.p95)))
+                }
+                _ => "reference".into(),
+            };
+            let href = format!("data:image/png;base64,{}", base64(&encode_png(&picture.rgb)?));
+            shown.push(Shown { caption, scene: picture.scene.clone(), href });
+        }
+    }
+    Ok(shown)
 }
 
 /// Writes all files into a folder, which is made if need be.
 ///
 /// # Errors
 /// Those of [`study_files`], and `Error::Disk`.
-pub fn write_study(folder: &Path, study: &Study) -> Result<()> {
-    let files = study_files(study)?;
+pub fn write_study(folder: &Path, study: &Study, stability: &Stability) -> Result<()> {
+    let files = study_files(study, stability)?;
     std::fs::create_dir_all(folder).map_err(|source| Error::disk(folder, "create the folder", source))?;
     for (name, bytes) in files {
         let path = folder.join(name);
@@ -62,14 +122,61 @@ pub fn write_study(folder: &Path, study: &Study) -> Result<()> {
     Ok(())
 }
 
-fn page(study: &serde_json::Value, pictures: Vec<Vec<String>>) -> std::result::Result<String, minijinja::Error> {
+/// One line of the table of stability cases.
+#[derive(serde::Serialize)]
+struct CaseRow<'a> {
+    name: &'a str,
+    note: &'a str,
+    measured: f64,
+    bound: f64,
+    guard: Option<&'a str>,
+    without: Option<String>,
+    half: Option<f64>,
+    kept: bool,
+}
+
+fn case_rows(stability: &Stability) -> Vec<CaseRow<'_>> {
+    fn row(case: &StabilityCase) -> CaseRow<'_> {
+        let StabilityCase { name, note, measured, bound, guard, half } = case;
+        CaseRow {
+            name,
+            note,
+            measured: *measured,
+            bound: *bound,
+            guard: guard.as_ref().map(|guard| guard.what.as_str()),
+            // JSON has no infinity.
+            without: guard.as_ref().map(|guard| number(Some(guard.without))),
+            half: *half,
+            kept: case.verdict() == Verdict::Kept,
+        }
+    }
+    stability.cases.iter().map(row).collect()
+}
+
+/// What the page is made of.
+struct Parts<'a> {
+    study: &'a serde_json::Value,
+    pictures: Vec<Vec<String>>,
+    strips: &'a serde_json::Value,
+    cases: &'a serde_json::Value,
+    of_stability: Vec<String>,
+}
+
+fn page(parts: Parts) -> std::result::Result<String, minijinja::Error> {
     let mut environment = Environment::new();
     environment.add_filter("number", number);
     environment.add_filter("bytes", |value: Option<u64>| value.map_or("–".to_owned(), bytes));
+    environment.add_filter("kept", kept);
+    environment.add_filter("measure", measure);
     environment.add_template("study.html", include_str!("templates/study.html"))?;
-    let pictures: Vec<Vec<Value>> =
-        pictures.into_iter().map(|svgs| svgs.into_iter().map(Value::from_safe_string).collect()).collect();
-    environment.get_template("study.html")?.render(context! { study => template_value(study), pictures })
+    let safe = |svgs: Vec<String>| -> Vec<Value> { svgs.into_iter().map(Value::from_safe_string).collect() };
+    environment.get_template("study.html")?.render(context! {
+        study => template_value(parts.study),
+        pictures => parts.pictures.into_iter().map(safe).collect::<Vec<_>>(),
+        strips => template_value(parts.strips),
+        cases => template_value(parts.cases),
+        of_stability => safe(parts.of_stability),
+    })
 }
 
 /// JSON as the template engine sees it.
@@ -96,6 +203,25 @@ fn number(value: Option<f64>) -> String {
             format!("{v:.decimals$}")
         }
         Some(v) => format!("{v:.1e}"),
+    }
+}
+
+/// Which error is made equal.
+fn measure(key: &str) -> &'static str {
+    match key {
+        "p95" => "95 %, hemisphere",
+        "steep" => "95 %, within 30°",
+        _ => "worst, hemisphere",
+    }
+}
+
+/// What a tolerance's verdict says.
+fn kept(verdict: &str) -> &'static str {
+    match verdict {
+        "everywhere" => "kept in every direction",
+        "on-texels" => "kept on texels; the grid adds more",
+        "texel-means" => "kept for means over a texel",
+        _ => "missed",
     }
 }
 

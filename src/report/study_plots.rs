@@ -1,106 +1,130 @@
-//! Plots of a study as SVG: error against cost, and the share of each knob.
+//! Plots of a study as SVG: error against cost, against the number of tables, and against each knob.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use crate::ground::error::{Error, Result};
 use crate::ground::sampling::Region;
+use crate::stages::stability::{DepthRow, GrazingRow, Stability};
 use crate::stages::study::{MethodRow, SpecimenStudy};
 
-/// Pixels of one plot.
-const SIZE_PX: (u32, u32) = (760, 460);
+/// Pixels of one panel, and of the column that names the lines.
+const PANEL_PX: (u32, u32) = (470, 400);
+const LEGEND_PX: u32 = 250;
 
-/// Decades kept free around the data.
-const MARGIN: f64 = 1.6;
+/// Factor kept free around the data on logarithmic axes.
+const MARGIN: f64 = 1.2;
 
 /// Colours that stay apart for colour-blind readers (Okabe and Ito 2008).
 const COLOURS: [RGBColor; 8] = [
     RGBColor(0, 114, 178),
-    RGBColor(86, 180, 233),
     RGBColor(213, 94, 0),
-    RGBColor(230, 159, 0),
     RGBColor(0, 158, 115),
     RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
     RGBColor(0, 0, 0),
     RGBColor(140, 140, 140),
 ];
 
 /// A line of points with a name.
-struct Series {
-    name: String,
-    points: Vec<(f64, f64)>,
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// Name in the legend.
+    pub name: String,
+    /// Points in the order they are joined.
+    pub points: Vec<(f64, f64)>,
 }
 
-/// What the horizontal axis of a cost plot holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Cost {
-    /// Seconds to build.
-    Build,
-    /// Seconds per direction.
-    Evaluate,
-    /// Bytes to hold.
-    Bytes,
+/// One pair of axes, both logarithmic.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// What the horizontal axis holds, with its unit.
+    pub x_label: String,
+    /// What the vertical axis holds, with its unit.
+    pub y_label: String,
+    /// The lines; panels of one figure name equal things equally.
+    pub series: Vec<Series>,
 }
 
-impl Cost {
-    /// All costs.
-    pub const ALL: [Self; 3] = [Self::Build, Self::Evaluate, Self::Bytes];
+/// Panels side by side under one title, with one legend.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// The title.
+    pub title: String,
+    /// The panels.
+    pub panels: Vec<Panel>,
+}
 
-    /// Name for files.
-    pub fn key(self) -> &'static str {
-        match self {
-            Self::Build => "build",
-            Self::Evaluate => "evaluate",
-            Self::Bytes => "bytes",
-        }
-    }
+/// Error over the hemisphere against build time, evaluation time and bytes.
+pub fn cost_figure(study: &SpecimenStudy) -> Figure {
+    let error = |row: &MethodRow| {
+        let found = row.errors.iter().find(|e| e.region == Region::Hemisphere);
+        found.map_or(f64::NAN, |e| e.quantiles.p95)
+    };
+    costs(study, "error against cost, whole hemisphere, cubic look-ups", &error)
+}
 
-    fn label(self) -> &'static str {
-        match self {
-            Self::Build => "build time (s)",
-            Self::Evaluate => "evaluation time per direction (s)",
-            Self::Bytes => "stored size (bytes)",
-        }
-    }
+/// The same where (u, v) lies on texels: what is left without the grid.
+pub fn cost_figure_on_texels(study: &SpecimenStudy) -> Figure {
+    costs(study, "error against cost without the grid's share", &|row| row.on_texels.p95)
+}
 
-    fn of(self, row: &MethodRow) -> f64 {
-        match self {
-            Self::Build => row.build_s,
-            Self::Evaluate => row.evaluate_s,
-            Self::Bytes => row.stored_bytes as f64,
-        }
+fn costs(study: &SpecimenStudy, title: &str, error: &dyn Fn(&MethodRow) -> f64) -> Figure {
+    let panel = |x_label: &str, cost: &dyn Fn(&MethodRow) -> f64| Panel {
+        x_label: x_label.into(),
+        y_label: "95th percentile of |ΔY| / Y".into(),
+        series: by_method(study, &|row| (cost(row), error(row))),
+    };
+    Figure {
+        title: format!("{}: {title}", study.name),
+        panels: vec![
+            panel("build time (s)", &|row| row.build_s),
+            panel("evaluation, one thread (s / direction)", &|row| row.evaluate_s),
+            panel("size (bytes)", &|row| row.stored_bytes as f64),
+        ],
     }
 }
 
-/// Median error over the hemisphere against a cost, one line per method; both axes logarithmic. Methods of
-/// zero cost or error cannot be drawn and are left to the table.
-///
-/// # Errors
-/// `Error::Call` if the drawing library fails.
-pub fn cost_plot(study: &SpecimenStudy, cost: Cost) -> Result<String> {
+/// Error of the tables against their number, and colour difference against bytes.
+pub fn tables_figure(study: &SpecimenStudy) -> Figure {
+    let mut tables = by_method(study, &|row| {
+        let count: f64 = row.setting.split(' ').next().and_then(|n| n.parse().ok()).unwrap_or(0.0);
+        (if row.basis.is_some() { count } else { 0.0 }, row.on_texels.p95)
+    });
+    tables.iter_mut().for_each(|series| series.points.retain(drawable));
+    let colour = by_method(study, &|row| {
+        let worst = row.colours.iter().map(|colour| colour.p95).fold(f64::NAN, f64::max);
+        (row.stored_bytes as f64, worst)
+    });
+    let panel =
+        |x_label: &str, y_label: &str, series| Panel { x_label: x_label.into(), y_label: y_label.into(), series };
+    Figure {
+        title: format!("{}: number of tables, and colours of the scenes", study.name),
+        panels: vec![
+            panel("number of tables", "95th percentile of |ΔY| / Y on texels", tables),
+            panel("size (bytes)", "CIEDE2000, 95th percentile, worst scene", colour),
+        ],
+    }
+}
+
+/// One line per method, in the order of their first rows.
+fn by_method(study: &SpecimenStudy, point: &dyn Fn(&MethodRow) -> (f64, f64)) -> Vec<Series> {
     let mut series: Vec<Series> = Vec::new();
     for row in &study.methods {
-        let errors = row.errors.iter().find(|e| e.region == Region::Hemisphere);
-        let Some(error) = errors.map(|e| e.quantiles.p50) else { continue };
-        let point = (cost.of(row), error);
         match series.iter_mut().find(|s| s.name == row.method) {
-            Some(series) => series.points.push(point),
-            None => series.push(Series { name: row.method.clone(), points: vec![point] }),
+            Some(series) => series.points.push(point(row)),
+            None => series.push(Series { name: row.method.clone(), points: vec![point(row)] }),
         }
     }
-    let title = format!("{}: error against {}", study.name, cost.label());
-    log_log(&title, cost.label(), "median relative error of Y", &series)
+    series
 }
 
-/// Median and 95th percentile against the setting of one knob; `None` where fewer than two settings have a
-/// number.
-///
-/// # Errors
-/// As [`cost_plot`].
-pub fn knob_plot(study: &SpecimenStudy, knobs: &[&str], axis: &str) -> Result<Option<String>> {
+/// Median and 95th percentile against the setting of one knob; `None` where fewer than two settings were tried.
+pub fn knob_figure(study: &SpecimenStudy, knobs: &[&str], axis: &str) -> Option<Figure> {
     let mut series = Vec::new();
     for &knob in knobs {
-        let rows: Vec<_> = study.knobs.iter().filter(|row| row.knob == knob && row.value > 0.0).collect();
+        let rows: Vec<_> = study.knobs.iter().filter(|row| row.knob == knob).collect();
         if rows.len() >= 2 {
             series.push(Series {
                 name: format!("{knob}, median"),
@@ -112,75 +136,214 @@ pub fn knob_plot(study: &SpecimenStudy, knobs: &[&str], axis: &str) -> Result<Op
             });
         }
     }
-    if series.is_empty() {
-        return Ok(None);
-    }
-    let title = format!("{}: share of the {}", study.name, knobs[0].split(',').next().unwrap_or(knobs[0]));
-    log_log(&title, axis, "relative error of Y", &series).map(Some)
+    let name = knobs[0].split(',').next().unwrap_or(knobs[0]);
+    (!series.is_empty()).then(|| Figure {
+        title: format!("{}: share of the {name}", study.name),
+        panels: vec![Panel { x_label: axis.into(), y_label: "|ΔY| / Y".into(), series }],
+    })
 }
 
-fn log_log(title: &str, x_label: &str, y_label: &str, series: &[Series]) -> Result<String> {
-    let drawable = |&(x, y): &(f64, f64)| x > 0.0 && y > 0.0 && x.is_finite() && y.is_finite();
-    let points = || series.iter().flat_map(|s| s.points.iter().copied()).filter(drawable);
-    let range = |of: fn((f64, f64)) -> f64| {
-        let (low, high) = points().map(of).fold((f64::MAX, 0.0f64), |(low, high), v| (low.min(v), high.max(v)));
-        if low <= high { low / MARGIN..high * MARGIN } else { 0.1..10.0 }
+/// Measured against asked for, and what it costs.
+pub fn tolerance_figure(study: &SpecimenStudy) -> Option<Figure> {
+    let rows = &study.tolerances;
+    if rows.is_empty() {
+        return None;
+    }
+    let line = |name: &str, y: &dyn Fn(usize) -> f64| Series {
+        name: name.into(),
+        points: rows.iter().enumerate().map(|(i, row)| (row.tolerance, y(i))).collect(),
     };
-    let (x, y) = (range(|p| p.0), range(|p| p.1));
+    let panel =
+        |y_label: &str, series| Panel { x_label: "tolerance asked for".into(), y_label: y_label.into(), series };
+    let errors = vec![
+        line("on texels", &|i| rows[i].on_texels.p95),
+        line("cubic look-up", &|i| rows[i].cubic.p95),
+        line("linear look-up", &|i| rows[i].bilinear.p95),
+        line("asked for", &|i| rows[i].tolerance),
+    ];
+    Some(Figure {
+        title: format!("{}: tolerance kept, and its cost", study.name),
+        panels: vec![
+            panel("95th percentile of |ΔY| / Y", errors),
+            panel("build time (s)", vec![line("automatic settings", &|i| rows[i].build_s)]),
+            panel("size (bytes)", vec![line("automatic settings", &|i| rows[i].stored_bytes as f64)]),
+        ],
+    })
+}
+
+/// Depth, the published series in each number format, and grazing directions.
+pub fn stability_figures(stability: &Stability) -> Vec<(&'static str, Figure)> {
+    let line = |name: &str, points: Vec<(f64, f64)>| Series { name: name.into(), points };
+    let panel =
+        |x_label: &str, y_label: &str, series| Panel { x_label: x_label.into(), y_label: y_label.into(), series };
+    let error = "95th percentile of |ΔY| / Y";
+    let depth = "peak to valley (nm)";
+    let depths = |name: &str, y: &dyn Fn(&DepthRow) -> f64| {
+        line(name, stability.depths.iter().map(|row| (row.depth_nm, y(row))).collect())
+    };
+    let counts = vec![depths("tables", &|r| r.tables as f64), depths("transforms", &|r| r.transforms as f64)];
+    let errors = vec![
+        depths("as many tables as the depth asks for", &|r| r.error),
+        depths("four tables", &|r| r.four_tables),
+        depths("tolerance", &|_| 1e-2),
+    ];
+    // What is beyond 1e3 is beyond any use: it would only flatten the rest.
+    let cap = |y: f64| if y.is_nan() { 1e3 } else { y.min(1e3) };
+    let formats = ["half", "float", "double"].iter().enumerate();
+    let series = formats
+        .clone()
+        .map(|(i, name)| line(name, stability.series.iter().map(|row| (row.depth_nm, cap(row.errors[i]))).collect()));
+    let limits = formats.map(|(i, name)| {
+        line(
+            &format!("{name}, forecast"),
+            stability.series.iter().map(|row| (row.depth_nm, cap(row.predicted[i]))).collect(),
+        )
+    });
+    let terms = line("terms", stability.series.iter().map(|row| (row.depth_nm, row.terms as f64)).collect());
+    let grazing = |name: &str, y: &dyn Fn(&GrazingRow) -> f64| {
+        line(name, stability.grazing.iter().map(|row| (row.t, y(row))).collect())
+    };
+    vec![
+        (
+            "depth",
+            Figure {
+                title: "Depth, one laser line at 400 nm".into(),
+                panels: vec![panel(depth, "number", counts), panel(depth, error, errors)],
+            },
+        ),
+        (
+            "series",
+            Figure {
+                title:
+                    "The published power series: where each number format fails (400 nm, errors above 1e3 drawn there)"
+                        .into(),
+                panels: vec![panel(depth, error, series.chain(limits).collect()), panel(depth, "terms", vec![terms])],
+            },
+        ),
+        (
+            "grazing",
+            Figure {
+                title: "Towards grazing: no pole shows".into(),
+                panels: vec![panel(
+                    "|w| / sqrt(4 - u² - v²)",
+                    error,
+                    vec![grazing("divided by w², as stored", &|r| r.divided), grazing("undivided", &|r| cap(r.whole))],
+                )],
+            },
+        ),
+    ]
+}
+
+fn drawable(&(x, y): &(f64, f64)) -> bool {
+    x > 0.0 && y > 0.0 && x.is_finite() && y.is_finite()
+}
+
+/// Draws a figure as SVG. Points that are not positive numbers cannot stand on logarithmic axes and are left to the
+/// tables.
+///
+/// # Errors
+/// `Error::Call` if the drawing library fails.
+pub fn svg(figure: &Figure) -> Result<String> {
+    let mut names: Vec<&str> = Vec::new();
+    for series in figure.panels.iter().flat_map(|panel| &panel.series) {
+        if series.points.iter().any(drawable) && !names.contains(&series.name.as_str()) {
+            names.push(&series.name);
+        }
+    }
+    let size = (PANEL_PX.0 * figure.panels.len() as u32 + LEGEND_PX, PANEL_PX.1);
     let mut svg = String::new();
     {
-        let area = SVGBackend::with_string(&mut svg, SIZE_PX).into_drawing_area();
-        draw(&area, [title, x_label, y_label], x, y, series, &drawable)
-            .map_err(|error| Error::Call(format!("drawing a plot failed: {error}")))?;
+        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
+        draw(&area, figure, &names).map_err(|error| Error::Call(format!("drawing a plot failed: {error}")))?;
     }
     Ok(svg)
 }
 
-fn draw<'a>(
-    area: &DrawingArea<SVGBackend<'a>, Shift>,
-    [title, x_label, y_label]: [&str; 3],
-    x: std::ops::Range<f64>,
-    y: std::ops::Range<f64>,
-    series: &[Series],
-    drawable: &dyn Fn(&(f64, f64)) -> bool,
-) -> std::result::Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>> {
+type Drawn<'a> = std::result::Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
+
+fn draw<'a>(area: &DrawingArea<SVGBackend<'a>, Shift>, figure: &Figure, names: &[&str]) -> Drawn<'a> {
     area.fill(&WHITE)?;
+    let body = area.titled(&figure.title, ("sans-serif", 17))?;
+    let (charts, legend) = body.split_horizontally(PANEL_PX.0 * figure.panels.len() as u32);
+    let parts = charts.split_evenly((1, figure.panels.len()));
+    for (panel, part) in figure.panels.iter().zip(&parts) {
+        draw_panel(part, panel, names)?;
+    }
+    for (index, name) in names.iter().enumerate() {
+        let y = 30 + 22 * index as i32;
+        legend.draw(&mark((14, y), style(name, names)))?;
+        legend.draw(&Text::new((*name).to_owned(), (28, y - 7), ("sans-serif", 13)))?;
+    }
+    area.present()
+}
+
+fn draw_panel<'a>(area: &DrawingArea<SVGBackend<'a>, Shift>, panel: &Panel, names: &[&str]) -> Drawn<'a> {
+    let points = || panel.series.iter().flat_map(|s| s.points.iter().copied()).filter(drawable);
+    // Whole decades: every axis then has at least two labels.
+    let range = |of: fn((f64, f64)) -> f64| {
+        let (low, high) = points().map(of).fold((f64::MAX, 0.0f64), |(low, high), v| (low.min(v), high.max(v)));
+        let decade = |value: f64, round: fn(f64) -> f64| 10f64.powf(round(value.log10()));
+        if low <= high { decade(low / MARGIN, f64::floor)..decade(high * MARGIN, f64::ceil) } else { 0.1..10.0 }
+    };
     let mut chart = ChartBuilder::on(area)
-        .caption(title, ("sans-serif", 17))
-        .margin(12)
-        .margin_right(20)
-        .x_label_area_size(44)
-        .y_label_area_size(66)
-        .build_cartesian_2d(x.log_scale(), y.log_scale())?;
-    let plain = |value: &f64| if (1e-2..1e4).contains(value) { format!("{value}") } else { format!("{value:.0e}") };
+        .margin(8)
+        .margin_right(18)
+        .x_label_area_size(42)
+        .y_label_area_size(70)
+        .build_cartesian_2d(range(|p| p.0).log_scale(), range(|p| p.1).log_scale())?;
     chart
         .configure_mesh()
-        .x_desc(x_label)
-        .y_desc(y_label)
-        .x_label_formatter(&plain)
-        .y_label_formatter(&plain)
+        .x_desc(panel.x_label.as_str())
+        .y_desc(panel.y_label.as_str())
+        .x_labels(6)
+        .x_label_formatter(&|value| tick(*value))
+        .y_label_formatter(&|value| tick(*value))
         .light_line_style(RGBColor(240, 240, 240))
         .bold_line_style(RGBColor(215, 215, 215))
-        .label_style(("sans-serif", 13))
+        .label_style(("sans-serif", 12))
+        .axis_desc_style(("sans-serif", 13))
         .draw()?;
-    for (index, line) in series.iter().enumerate() {
-        let colour = COLOURS[index % COLOURS.len()];
+    for line in &panel.series {
+        let index = style(&line.name, names);
         let points: Vec<(f64, f64)> = line.points.iter().copied().filter(drawable).collect();
-        if points.is_empty() {
-            continue;
-        }
-        chart
-            .draw_series(LineSeries::new(points.iter().copied(), colour.stroke_width(2)))?
-            .label(line.name.clone())
-            .legend(move |(x, y)| Circle::new((x + 8, y), 4, colour.filled()));
-        chart.draw_series(points.iter().map(|&p| Circle::new(p, 4, colour.filled())))?;
+        chart.draw_series(LineSeries::new(points.iter().copied(), COLOURS[index % COLOURS.len()].stroke_width(2)))?;
+        chart.draw_series(points.iter().map(|&point| EmptyElement::at(point) + mark((0, 0), index)))?;
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
-        .background_style(WHITE.mix(0.85))
-        .border_style(RGBColor(200, 200, 200))
-        .label_font(("sans-serif", 13))
-        .draw()?;
-    area.present()
+    Ok(())
+}
+
+/// Methods keep their colour from figure to figure; other lines take them in turn.
+fn style(name: &str, names: &[&str]) -> usize {
+    const METHODS: [&str; 8] = [
+        "chebyshev, half",
+        "taylor, float",
+        "chebyshev, float",
+        "taylor, half",
+        "Stam, random",
+        "Stam, regular",
+        "spherical harmonics",
+        "FFT",
+    ];
+    let known = METHODS.iter().position(|method| *method == name);
+    known.or_else(|| names.iter().position(|other| *other == name)).unwrap_or(0)
+}
+
+/// The mark of a line: colour and shape tell lines apart.
+fn mark(at: (i32, i32), index: usize) -> Polygon<(i32, i32)> {
+    const CORNERS: [&[(i32, i32)]; 4] = [
+        &[(4, 0), (3, 3), (0, 4), (-3, 3), (-4, 0), (-3, -3), (0, -4), (3, -3)],
+        &[(-4, -4), (4, -4), (4, 4), (-4, 4)],
+        &[(0, -5), (5, 4), (-5, 4)],
+        &[(0, -6), (5, 0), (0, 6), (-5, 0)],
+    ];
+    let corners = CORNERS[(index + index / COLOURS.len()) % CORNERS.len()].iter();
+    let points: Vec<(i32, i32)> = corners.map(|(x, y)| (at.0 + x, at.1 + y)).collect();
+    Polygon::new(points, COLOURS[index % COLOURS.len()].filled())
+}
+
+fn tick(value: f64) -> String {
+    if (1e-2..1e4).contains(&value) {
+        return format!("{}", (value * 1e6).round() / 1e6);
+    }
+    format!("{value:.0e}")
 }

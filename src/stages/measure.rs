@@ -27,7 +27,7 @@ const DIRECTIONS: usize = 128;
 /// Pairs at which the yardstick itself is held against the direct sum.
 const DIRECT_PAIRS: usize = 2;
 
-/// Luminance below which an error is taken relative to this instead, in 1/sr: a millionth of white.
+/// Luminance in 1/sr up to which directions are left out: a few millionths of white.
 const FLOOR_PER_SR: f64 = 1e-6;
 
 /// Directions on which errors are counted, group after group.
@@ -142,6 +142,16 @@ fn diffuse_shares(
 
 /// Error rows of the stored tables (as read back) and of the tables before rounding.
 pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) -> Vec<ErrorRow> {
+    error_rows_above(yardstick, stored, built, FLOOR_PER_SR)
+}
+
+/// [`error_rows`] of the directions brighter than a floor in 1/sr.
+pub fn error_rows_above(
+    yardstick: &Yardstick,
+    stored: &TableSet,
+    built: &TableSet,
+    floor_per_sr: f64,
+) -> Vec<ErrorRow> {
     let mut rows = Vec::new();
     let mut start = 0;
     for (region, count) in &yardstick.groups {
@@ -161,7 +171,8 @@ pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) ->
         };
         let [fine, ringed, interpolated] = [0, 1, 2].map(|i| &yardstick.diffuse[i][range.clone()]);
         let on_grid = diffuse(built);
-        let mut push = |what: &str, reference: &[f64], test: &[f64]| rows.push(row(what, region, reference, test));
+        let mut push =
+            |what: &str, reference: &[f64], test: &[f64]| rows.push(row(what, region, reference, test, floor_per_sr));
         push("total", &exact, &tables(stored, Interpolation::Bilinear));
         push("total, cubic look-up", &exact, &tables(stored, Interpolation::Cubic));
         // The shares below are those of the diffuse part under interpolation in `w`: a power series keeps
@@ -177,8 +188,8 @@ pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) ->
     rows
 }
 
-fn row(what: &str, region: &str, reference: &[f64], test: &[f64]) -> ErrorRow {
-    let quantiles = metrics::relative_error_quantiles(reference, test, FLOOR_PER_SR);
+fn row(what: &str, region: &str, reference: &[f64], test: &[f64], floor_per_sr: f64) -> ErrorRow {
+    let quantiles = metrics::relative_error_quantiles(reference, test, floor_per_sr);
     ErrorRow {
         what: what.into(),
         region: region.into(),
@@ -206,7 +217,7 @@ pub fn direct_row(fields: &[HeightField], optics: &OpticsConfig, yardstick: &Yar
     let pairs: Vec<(Vec3, Vec3)> = brightest.iter().map(|&index| yardstick.pairs[index]).collect();
     let direct: Vec<f64> = reference::brdf_xyz_batch(fields, optics, &pairs)?.iter().map(|xyz| xyz[1]).collect();
     let fast: Vec<f64> = brightest.iter().map(|&index| yardstick.xyz[index][1]).collect();
-    Ok(row("yardstick against direct sum", region, &direct, &fast))
+    Ok(row("yardstick against direct sum", region, &direct, &fast, FLOOR_PER_SR))
 }
 
 /// Luminous sums `∫ f cos_theta_o dω_o` for unit reflectance, from the tables: the diffuse part on a grid

@@ -5,10 +5,19 @@
 
 mod depth;
 mod directions;
+mod large;
+mod lights;
+mod series;
 mod shapes;
+mod storage;
 mod support;
 
 use serde::{Deserialize, Serialize};
+
+use super::progress::Progress;
+pub use depth::DepthRow;
+pub use directions::GrazingRow;
+pub use series::SeriesRow;
 
 /// Outcome of one case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -21,8 +30,20 @@ pub struct StabilityCase {
     pub measured: f64,
     /// Its bound.
     pub bound: f64,
-    /// The same figure without the guard that keeps it, where that can be taken out.
-    pub without_guard: Option<f64>,
+    /// What keeps the bound, and the same figure without it, where that can be taken out.
+    pub guard: Option<Guard>,
+    /// Largest deviation of the case's tables stored as halves, over what rounding allows each value; at most 1. `None`
+    /// where a case has no tables.
+    pub half: Option<f64>,
+}
+
+/// What keeps a case within its bound.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Guard {
+    /// What it is.
+    pub what: String,
+    /// The case's figure without it.
+    pub without: f64,
 }
 
 /// Whether a case kept its bound.
@@ -38,11 +59,52 @@ pub enum Verdict {
 impl StabilityCase {
     /// Whether the bound was kept; NaN never is.
     pub fn verdict(&self) -> Verdict {
-        if self.measured <= self.bound { Verdict::Kept } else { Verdict::Broken }
+        let kept = self.measured <= self.bound && self.half.is_none_or(|share| share <= 1.0);
+        if kept { Verdict::Kept } else { Verdict::Broken }
+    }
+
+    /// The same case with what keeps it.
+    fn guarded(self, what: &str, without: f64) -> Self {
+        Self { guard: Some(Guard { what: what.into(), without }), ..self }
     }
 }
 
-/// Runs every case.
-pub fn run_stability() -> Vec<StabilityCase> {
-    [depth::cases(), directions::cases(), shapes::cases()].concat()
+/// The whole suite.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Stability {
+    /// All cases.
+    pub cases: Vec<StabilityCase>,
+    /// Number of tables and error against depth.
+    pub depths: Vec<DepthRow>,
+    /// Where the published series fails in each number format.
+    pub series: Vec<SeriesRow>,
+    /// Error towards grazing with and without the division by `w²`.
+    pub grazing: Vec<GrazingRow>,
+}
+
+/// Runs every case; `thorough` adds those of many megabytes.
+pub fn run_stability(thorough: bool, progress: &dyn Progress) -> Stability {
+    let groups: [&dyn Fn() -> Vec<StabilityCase>; 5] =
+        [&depth::cases, &shapes::cases, &lights::cases, &storage::cases, &|| {
+            if thorough { large_cases() } else { Vec::new() }
+        }];
+    progress.stage("stability suite", 3 + groups.len() as u64);
+    let depths = depth::rows();
+    progress.advance(1);
+    let (grazing, mut cases) = directions::rows_and_cases();
+    progress.advance(1);
+    let series = series::rows();
+    progress.advance(1);
+    cases.splice(0..0, depths.iter().map(depth::case_of));
+    for group in groups {
+        cases.extend(group());
+        progress.advance(1);
+    }
+    progress.finish();
+    Stability { cases, depths, series, grazing }
+}
+
+/// A scan of 8192² samples, and a table of 4001² texels.
+pub fn large_cases() -> Vec<StabilityCase> {
+    vec![large::scan_of_8192(), large::table_of_4001()]
 }

@@ -3,13 +3,27 @@
 //! All methods answer the same question on the same directions: one coherence window, no prefilter, and a
 //! window no wider than the tables' grid resolves, so that methods are compared and not their filters.
 
+mod batch;
+mod equal;
+mod gpu;
 mod knobs;
 pub(super) mod memory;
 mod methods;
+mod pictures;
 mod sample;
+mod texels;
+mod timing;
+mod tolerance;
 
-pub use methods::stored;
+pub use batch::stored;
+pub use equal::{Contender, EqualError, Measure};
+pub use sample::pair_of;
+pub use tolerance::{Kept, TOLERANCES, ToleranceRow};
 
+use gpu::GpuClock;
+use timing::Clock;
+
+use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 
 use super::progress::Progress;
@@ -19,12 +33,19 @@ use crate::ground::sampling::Region;
 use crate::height::HeightField;
 use crate::optics::config::{Edge, OpticsConfig, Windows};
 use crate::optics::window::FADE_SIGMAS;
+use crate::scene::model::Scene;
 use crate::tables::baselines::statistics::{SurfaceStatistics, surface_statistics};
+use crate::tables::build::AUTOMATIC_SIZE_MAX;
 use crate::tables::model::{Basis, Storage};
 use crate::tables::plan::{lobe_width, usable_radius};
 
-/// Directions darker than this (1/sr) are left out of relative errors: 3e-4 of a white Lambertian.
-pub const FLOOR_PER_SR: f64 = 1e-4;
+/// Share of a matt surface's luminance, one that reflects as much, up to which directions are left out of pointwise
+/// errors.
+pub const FLOOR_SHARE: f64 = 1e-2;
+
+/// Share of the brightest directions' luminance up to which they are left out as well: a grating is dark but for a few
+/// orders, and between them a relative error says nothing.
+pub const FLOOR_SHARE_BRIGHT: f64 = 1e-3;
 
 /// Standard deviations of the narrowest lobe per texel of the study's tables: cubic interpolation then errs by
 /// about `3/128 · 0.5⁴ · 3` = 0.4 % of a lobe's peak at worst, and far less at the median.
@@ -39,6 +60,8 @@ pub struct StudySpecimen {
     pub fields: Vec<HeightField>,
     /// As in the manifest.
     pub optics: OpticsConfig,
+    /// The pictures that methods are compared in.
+    pub scenes: Vec<Scene>,
 }
 
 /// How much is measured.
@@ -60,6 +83,16 @@ pub struct StudyConfig {
     pub wavelength_steps_nm: Vec<f64>,
     /// Numbers of texels of the grid's own study.
     pub sizes: Vec<usize>,
+    /// Side of the tables of the comparison at equal error.
+    pub equal_size: usize,
+    /// Tolerances asked for with automatic settings.
+    pub tolerances: Vec<f64>,
+    /// Largest side of those tables.
+    pub size_max: usize,
+    /// Samples of a scene that are compared.
+    pub picture_samples: usize,
+    /// Whether evaluation is timed on a GPU, where there is one.
+    pub gpu: bool,
     /// Working memory of a build in MiB.
     pub memory_mib: usize,
 }
@@ -68,14 +101,19 @@ impl StudyConfig {
     /// A few seconds per specimen.
     pub fn quick() -> Self {
         Self {
-            directions: 48,
+            directions: 96,
             timed_directions: 20_000,
             size: 201,
-            chebyshev: vec![2, 3, 4, 6],
-            taylor: vec![8, 16, 24],
+            chebyshev: vec![1, 2, 3, 4, 5, 6, 8],
+            taylor: vec![4, 8, 16, 24, 32],
             harmonics: vec![2, 4, 6],
             wavelength_steps_nm: vec![20.0, 10.0, 5.0, 2.5],
             sizes: vec![51, 101, 201],
+            equal_size: 301,
+            tolerances: TOLERANCES.to_vec(),
+            size_max: AUTOMATIC_SIZE_MAX,
+            picture_samples: 6_000,
+            gpu: true,
             memory_mib: 2048,
         }
     }
@@ -84,13 +122,18 @@ impl StudyConfig {
     pub fn thorough() -> Self {
         Self {
             directions: 400,
-            timed_directions: 200_000,
+            timed_directions: 400_000,
             size: 501,
-            chebyshev: vec![1, 2, 3, 4, 5, 6, 8, 10],
+            chebyshev: vec![1, 2, 3, 4, 5, 6, 7, 8, 10],
             taylor: vec![4, 8, 12, 16, 20, 24, 32, 40],
             harmonics: vec![2, 4, 6, 8, 10],
             wavelength_steps_nm: vec![20.0, 10.0, 5.0, 2.5, 1.25],
             sizes: vec![63, 125, 251, 501],
+            equal_size: 1001,
+            tolerances: TOLERANCES.to_vec(),
+            size_max: 2001,
+            picture_samples: 20_000,
+            gpu: true,
             memory_mib: 8192,
         }
     }
@@ -101,10 +144,12 @@ impl StudyConfig {
 pub struct Study {
     /// What was asked.
     pub config: StudyConfig,
-    /// Threads that builds used; evaluation is timed on one.
+    /// Threads that builds used; evaluation is timed on one and on all.
     pub threads: usize,
-    /// Luminance in 1/sr below which directions are left out.
-    pub floor_per_sr: f64,
+    /// Share of a matt surface's luminance up to which directions are left out.
+    pub floor_share: f64,
+    /// The GPU that evaluation was timed on, or why there was none.
+    pub gpu: String,
     /// One entry per specimen that could be studied.
     pub specimens: Vec<SpecimenStudy>,
     /// Specimens that could not, with the reason.
@@ -131,6 +176,8 @@ pub struct SpecimenStudy {
     pub sigma_nm: f64,
     /// Radius in (u, v) that the scan's sampling answers for; directions beyond are not compared.
     pub usable_radius: f64,
+    /// Luminance in 1/sr up to which directions are left out of pointwise errors.
+    pub floor_per_sr: f64,
     /// What the closed forms were fitted to.
     pub statistics: SurfaceStatistics,
     /// Digits that cancel in the published method's series.
@@ -141,6 +188,10 @@ pub struct SpecimenStudy {
     pub methods: Vec<MethodRow>,
     /// One row per knob and setting.
     pub knobs: Vec<KnobRow>,
+    /// The published method and ours at equal error.
+    pub equal: Vec<EqualError>,
+    /// What automatic settings make of a tolerance, under the manifest's own light.
+    pub tolerances: Vec<ToleranceRow>,
     /// Settings that were refused.
     pub refusals: Vec<Refusal>,
 }
@@ -158,17 +209,54 @@ pub struct MethodRow {
     pub storage: Option<Storage>,
     /// Seconds to build or fit; what must be done once.
     pub build_s: f64,
-    /// Seconds per direction on one thread.
+    /// Seconds per direction in a batch on one thread; tables with cubic look-ups, with which errors are measured.
     pub evaluate_s: f64,
-    /// Largest resident memory of the process while building, in bytes, where the system tells.
+    /// Wall seconds per direction with all threads at work.
+    pub all_threads_s: f64,
+    /// Seconds per direction on one thread with linear look-ups, for tables.
+    pub bilinear_s: Option<f64>,
+    /// Seconds per direction on the GPU, linear look-ups; for half tables where there is a GPU.
+    pub gpu_s: Option<f64>,
+    /// Memory that building took on top of what the process held, in bytes, where the system tells.
     pub peak_bytes: Option<u64>,
     /// Bytes a renderer has to hold.
     pub stored_bytes: u64,
     /// Errors by region.
     pub errors: Vec<RegionErrors>,
+    /// Errors where (u, v) lies on texels, over the hemisphere: without the grid's share.
+    pub on_texels: ErrorQuantiles,
     /// `∫ Y cos_o dω_o` at normal incidence over the usable disc: the share of power sent back. `None` for
     /// methods too slow to integrate.
     pub power_sum: Option<f64>,
+    /// Colour differences in every scene, against the picture straight from the transforms.
+    pub colours: Vec<SceneColour>,
+    /// The pictures; of the reference in the row of the transforms.
+    #[serde(skip)]
+    pub pictures: Vec<Picture>,
+}
+
+/// How a method's picture of a scene differs in colour: CIEDE2000.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SceneColour {
+    /// The scene.
+    pub scene: String,
+    /// Pixels compared.
+    pub pixels: usize,
+    /// Mean.
+    pub mean: f64,
+    /// 95th percentile.
+    pub p95: f64,
+    /// Largest.
+    pub max: f64,
+}
+
+/// A small picture for people.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    /// The scene.
+    pub scene: String,
+    /// sRGB, `[rows, columns, 3]`.
+    pub rgb: Array3<u8>,
 }
 
 /// Errors over the directions of one region.
@@ -197,16 +285,17 @@ pub struct KnobRow {
 
 /// Studies specimens one after another; one that fails never stops the others.
 pub fn run_study(specimens: &[StudySpecimen], config: &StudyConfig, progress: &dyn Progress) -> Study {
+    let (gpu, adapter) = open_gpu(config);
     let mut study = Study {
         config: config.clone(),
         threads: rayon::current_num_threads(),
-        floor_per_sr: FLOOR_PER_SR,
+        floor_share: FLOOR_SHARE,
+        gpu: adapter,
         specimens: Vec::new(),
         failures: Vec::new(),
     };
     for specimen in specimens {
-        progress.stage(&format!("study {}", specimen.name), methods::count(config) + knobs::count(config));
-        match study_specimen(specimen, config, progress) {
+        match study_specimen(specimen, config, gpu.as_ref(), progress) {
             Ok(result) => study.specimens.push(result),
             Err(error) => {
                 study.failures.push(Refusal { what: specimen.name.clone(), message: error.to_string() });
@@ -217,28 +306,67 @@ pub fn run_study(specimens: &[StudySpecimen], config: &StudyConfig, progress: &d
     study
 }
 
-fn study_specimen(specimen: &StudySpecimen, config: &StudyConfig, progress: &dyn Progress) -> Result<SpecimenStudy> {
-    let optics = study_optics(&specimen.optics, &specimen.fields, config.size);
-    let sample = sample::Sample::measured(&specimen.fields, &optics, config.directions)?;
-    let mut refusals = Vec::new();
-    let statistics = surface_statistics(&specimen.fields);
+/// The GPU and its name, or why there is none.
+fn open_gpu(config: &StudyConfig) -> (Option<GpuClock>, String) {
+    if !config.gpu {
+        return (None, "not asked for".into());
+    }
+    match GpuClock::open() {
+        Ok(Some(gpu)) => {
+            let adapter = gpu.adapter();
+            (Some(gpu), adapter)
+        }
+        Ok(None) => (None, "no adapter: no Vulkan, Metal or DirectX 12 driver was found".into()),
+        Err(error) => (None, error.to_string()),
+    }
+}
+
+fn study_specimen(
+    specimen: &StudySpecimen,
+    config: &StudyConfig,
+    gpu: Option<&GpuClock>,
+    progress: &dyn Progress,
+) -> Result<SpecimenStudy> {
+    let stage = |what: &str, steps: u64| {
+        progress.finish();
+        progress.stage(&format!("{}: {what}", specimen.name), steps);
+    };
+    let fields = &specimen.fields;
+    let optics = study_optics(&specimen.optics, fields, config.size);
+    stage("direct sum", sample::count(config.directions));
+    let sample = sample::Sample::measured(fields, &optics, [config.directions, config.size], progress)?;
+    stage("reference pictures", 0);
+    let (spectra, transforms) = methods::transforms(fields, &optics, config)?;
+    let pictures = pictures::Pictures::of(specimen, &optics, &spectra, config.picture_samples)?;
+    let statistics = surface_statistics(fields);
     let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
     let s_max = 2.0 * std::f64::consts::TAU / low_nm;
-    let forecast = crate::tables::taylor::forecast(&specimen.fields, s_max, 1e-3);
-    let context = methods::Context { fields: &specimen.fields, optics: &optics, config, sample: &sample, progress };
-    let methods = context.rows(&statistics, &mut refusals)?;
+    let forecast = crate::tables::taylor::forecast(fields, s_max, 1e-3);
+    let (optics, sample, pictures, spectra) = (&optics, &sample, &pictures, &spectra[..]);
+    let clock = &Clock::new()?;
+    let context = methods::Context { fields, optics, config, sample, spectra, pictures, clock, gpu, progress };
+    stage("methods", methods::count(config));
+    let mut rows = context.rows(&statistics, transforms)?;
+    stage("equal error", equal::count(config));
+    let equal = equal::rows(specimen, &context, &mut rows.refusals)?;
+    stage("knobs", knobs::count(config));
     let knobs = knobs::rows(&context)?;
+    stage("tolerances", config.tolerances.len() as u64);
+    let tolerances = tolerance::rows(specimen, config, &|| progress.advance(1))?;
     Ok(SpecimenStudy {
         name: specimen.name.clone(),
-        samples: specimen.fields.first().map_or([0; 2], HeightField::size),
+        samples: fields.first().map_or([0; 2], HeightField::size),
         sigma_nm: optics.sigma_nm,
-        usable_radius: specimen.fields.iter().map(|f| usable_radius(&optics, f.pitch_nm)).fold(2.0, f64::min),
+        usable_radius: fields.iter().map(|f| usable_radius(optics, f.pitch_nm)).fold(2.0, f64::min),
+        floor_per_sr: sample.floor_per_sr,
         statistics,
         taylor_digits_lost: forecast.digits_lost,
         taylor_terms: forecast.terms,
-        methods,
+        methods: rows.methods,
         knobs,
-        refusals,
+        equal,
+        tolerances,
+        refusals: rows.refusals,
     })
 }
 

@@ -27,7 +27,7 @@ pub const TERMS_MAX: usize = 160;
 const REMAINDER_SHARE: f64 = 0.1;
 
 /// Rounding error, relative to the result, from which on the tables are worthless.
-const CATASTROPHE: f64 = 0.1;
+pub const CATASTROPHE: f64 = 0.1;
 
 /// Steps of the histogram of height differences over their whole range.
 const BINS: usize = 512;

@@ -6,9 +6,9 @@ use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
 use crate::ground::error::Result;
-use crate::ground::json;
-use crate::manifest::{self, convert::specimen_config};
+use crate::manifest::{self, convert::run_config, convert::specimen_config};
 use crate::report::study_page::write_study;
+use crate::scene::model::Scene;
 use crate::stages::ingest::ingest;
 use crate::stages::stability::{StabilityCase, Verdict, run_stability};
 use crate::stages::study::{StudyConfig, StudySpecimen, run_study};
@@ -36,13 +36,14 @@ pub struct StudyArgs {
 /// # Errors
 /// A wrong manifest, a specimen it does not hold, or the disk's.
 pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
-    let (manifest, _) = manifest::load(&args.manifest)?;
+    let (manifest, text) = manifest::load(&args.manifest)?;
     if let Some(unknown) = args.specimen.iter().find(|name| manifest.specimens.iter().all(|s| s.name != **name)) {
         return Err(crate::ground::error::Error::Call(format!(
             "{}: no specimen is called `{unknown}`",
             args.manifest.display()
         )));
     }
+    let run = run_config(&manifest, &text);
     let progress = reporter(global.quiet);
     let mut failures = Vec::new();
     let mut specimens = Vec::new();
@@ -52,6 +53,7 @@ pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
                 name: section.name.clone(),
                 fields: ingested.fields,
                 optics: section.optics.clone(),
+                scenes: scenes_of(&run.scenes, &section.name),
             }),
             Err(error) => failures.push(format!("{}: {error}", section.name)),
         }
@@ -59,11 +61,9 @@ pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
     let config = if args.thorough { StudyConfig::thorough() } else { StudyConfig::quick() };
     let study = run_study(&specimens, &config, progress.as_ref());
     failures.extend(study.failures.iter().map(|refusal| format!("{}: {}", refusal.what, refusal.message)));
-    write_study(&args.out, &study)?;
-    progress.stage("stability suite", 0);
-    let cases = run_stability();
-    progress.finish();
-    json::write(&args.out.join("stability.json"), &cases)?;
+    let stability = run_stability(args.thorough, progress.as_ref());
+    write_study(&args.out, &study, &stability)?;
+    let cases = &stability.cases;
     failures.extend(cases.iter().filter(|case| case.verdict() == Verdict::Broken).map(broken));
     output::print(&format!(
         "studied {} specimen(s), {} of {} stability cases kept their bound\nstudy     {}\n",
@@ -73,6 +73,11 @@ pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
         args.out.join("study.html").display()
     ))?;
     Ok(if failures.is_empty() { Outcome::Done } else { Outcome::Failures(failures) })
+}
+
+/// The scenes that show a specimen.
+fn scenes_of(scenes: &[Scene], specimen: &str) -> Vec<Scene> {
+    scenes.iter().filter(|scene| scene.specimen.as_ref().is_none_or(|name| name == specimen)).cloned().collect()
 }
 
 fn broken(case: &StabilityCase) -> String {

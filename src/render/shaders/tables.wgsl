@@ -166,11 +166,6 @@ fn brdf_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     return front * power;
 }
 
-// Whether a value is an answer.
-fn serves(xyz: vec3<f32>) -> bool {
-    return !(xyz.x == UNSERVED && xyz.y == UNSERVED && xyz.z == UNSERVED);
-}
-
 // The BRDF without reflectance, geometry and shadowing; UNSERVED where the tables do not serve.
 fn window_power(q: vec3<f32>) -> vec3<f32> {
     let t = t_of(q);
@@ -188,6 +183,11 @@ fn window_power(q: vec3<f32>) -> vec3<f32> {
     }
     // One loop for both, a tenth faster than one each where branches are masked; sets of powers have no lobe.
     return expansion(basis, at) + lobe_value(q, t);
+}
+
+// Whether a value is an answer.
+fn serves(xyz: vec3<f32>) -> bool {
+    return !(xyz.x == UNSERVED && xyz.y == UNSERVED && xyz.z == UNSERVED);
 }
 
 // Where t lies in the range at a position, 0 to 1; negative outside of what is served.

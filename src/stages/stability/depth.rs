@@ -2,53 +2,126 @@
 
 use std::f64::consts::TAU;
 
+use serde::{Deserialize, Serialize};
+
 use super::StabilityCase;
-use super::support::{BOUND, TOLERANCE, case, config, error, on_texels, optics, refused, relief, tables};
-use crate::ground::spectrum::{Illuminant, Line};
-use crate::optics::config::OpticsConfig;
+use super::series;
+use super::support::{
+    BOUND, TOLERANCE, case, config, error, half_share, laser, on_texels, optics, relief, scaled, tables,
+};
+use crate::ground::chebyshev::{Interpolant, nodes_for_exponential};
+use crate::tables::forecast;
 use crate::tables::model::{Basis, TablesConfig};
 use crate::tables::plan::nodes_bound;
-use crate::tables::taylor::forecast;
+use crate::tables::taylor;
 
 /// Peak-to-valley depths in nm.
-const DEPTHS_NM: [f64; 6] = [1.0, 100.0, 375.0, 1_500.0, 6_000.0, 20_000.0];
+const DEPTHS_NM: [f64; 7] = [1.0, 100.0, 375.0, 1_500.0, 3_000.0, 6_000.0, 20_000.0];
 
-pub fn cases() -> Vec<StabilityCase> {
-    let mut cases: Vec<StabilityCase> = DEPTHS_NM.into_iter().map(depth).collect();
-    cases.push(growth());
-    cases.push(refused(
-        "published method at 1.5 um",
-        "its terms reach 1e14 of their sum: refused, 0 if so",
-        &relief([48, 48], [125.0; 2], 1_500.0),
-        Basis::Taylor,
-    ));
-    cases.push(cancellation_forecast());
-    cases
+/// Depth in nm from which four tables are too few.
+const FOUR_FAIL_NM: f64 = 1_500.0;
+
+/// Wavelength of the laser in nm: one shows all there is to a depth; a spectrum would only repeat it, hundreds of
+/// times at 20 µm.
+const VIOLET_NM: f64 = 400.0;
+
+/// What one depth took.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct DepthRow {
+    /// Peak to valley in nm.
+    pub depth_nm: f64,
+    /// Tables that the tolerance took; 0 where the depth was refused.
+    pub tables: usize,
+    /// Transforms that it took.
+    pub transforms: usize,
+    /// 95th percentile of the relative error of Y on texels.
+    pub error: f64,
+    /// The same with four tables whatever the depth.
+    pub four_tables: f64,
+    /// Half storage, see `StabilityCase::half`.
+    pub half: f64,
 }
 
-/// Error of the tables at one depth. Guard: the number of tables follows the depth; without it four are kept,
-/// which is enough up to a few hundred nm only.
-fn depth(depth_nm: f64) -> StabilityCase {
+/// Every depth with automatic settings, and with four tables.
+pub fn rows() -> Vec<DepthRow> {
+    DEPTHS_NM.into_iter().map(row).collect()
+}
+
+fn row(depth_nm: f64) -> DepthRow {
     let field = relief([32, 32], [125.0; 2], depth_nm);
-    // One wavelength shows all there is to a depth; a spectrum would only repeat it, hundreds of times at 20 µm.
-    let violet = Illuminant::Lines(vec![Line { wavelength_nm: 400.0, power: 1.0 }]);
-    let optics = OpticsConfig { illuminant: violet, ..optics(800.0) };
+    let optics = laser(VIOLET_NM, 800.0);
     let found = |config: &TablesConfig| match tables(&field, &optics, config) {
-        Ok(set) => (error(&set, &field, &on_texels(&set, [0.05, 1.0])), set.tables.len()),
-        Err(_) => (f64::INFINITY, 0),
+        Ok(set) => {
+            let pairs = on_texels(&set, [0.05, 1.0]);
+            (error(&set, &field, &pairs), set.tables.len(), half_share(&set, &pairs))
+        }
+        Err(_) => (f64::INFINITY, 0, f64::INFINITY),
     };
     let automatic = config(Basis::Chebyshev);
-    let (measured, count) = found(&automatic);
-    let without_guard = (depth_nm >= 1_500.0).then(|| found(&TablesConfig { count: Some(4), ..automatic.clone() }).0);
-    let note = format!("{count} tables; 95 % error of Y, tolerance {TOLERANCE} each for basis and wavelengths");
-    StabilityCase { without_guard, ..case(&format!("depth {depth_nm} nm"), &note, measured, BOUND) }
+    let (error, tables, half) = found(&automatic);
+    let s_max = 2.0 * TAU / VIOLET_NM;
+    let transforms = nodes_for_exponential(0.5 * depth_nm, s_max, 1e-3 * TOLERANCE);
+    let four_tables = found(&TablesConfig { count: Some(4), ..automatic.clone() }).0;
+    DepthRow { depth_nm, tables, transforms, error, four_tables, half }
+}
+
+/// The error at one depth. Guard: the number of tables follows the depth; four are enough up to a few hundred nm only.
+pub fn case_of(row: &DepthRow) -> StabilityCase {
+    let note = format!("{} tables; 95 % error of Y, tolerance {TOLERANCE} each for basis and wavelengths", row.tables);
+    let kept = case(&format!("depth {} nm", row.depth_nm), &note, row.error, BOUND);
+    let kept = StabilityCase { half: Some(row.half), ..kept };
+    if row.depth_nm < FOUR_FAIL_NM {
+        kept
+    } else {
+        kept.guarded("as many tables as the depth asks for", row.four_tables)
+    }
+}
+
+pub fn cases() -> Vec<StabilityCase> {
+    vec![growth(), centring(), refused_series(), cancellation_forecast(), memory()]
 }
 
 /// Nodes needed in depth: `J_n(z)` dies off beyond `n = z + O(z^{1/3})` with `z` half the phase range, so from
-/// 2 to 20 µm the number grows by at most ten, and by at least half of that.
+/// 2 to 20 µm the number grows by at most ten.
 fn growth() -> StabilityCase {
     let ratio = nodes_bound(10_000.0, 380.0, 1e-3) as f64 / nodes_bound(1_000.0, 380.0, 1e-3) as f64;
     case("number of tables, 2 to 20 um", "ratio of the bounds; linear growth means at most 10", ratio, 10.0)
+}
+
+/// A level far from zero: phases count from mid-range. Guard: without that the nodes, which are counted for the range
+/// alone, miss the phasor `exp(i s h)` of the level itself.
+fn centring() -> StabilityCase {
+    let (low, optics) = (relief([32, 32], [125.0; 2], 200.0), optics(800.0));
+    let mut high = low.clone();
+    high.heights_nm += 1e6;
+    let difference =
+        match (tables(&low, &optics, &config(Basis::Chebyshev)), tables(&high, &optics, &config(Basis::Chebyshev))) {
+            (Ok(low), Ok(high)) => {
+                let peak = low.tables.iter().flatten().fold(0.0f32, |peak, v| peak.max(v.abs()));
+                let off = low.tables.iter().flatten().zip(high.tables.iter().flatten()).map(|(a, b)| (a - b).abs());
+                f64::from(off.fold(0.0, f32::max) / peak)
+            }
+            _ => f64::INFINITY,
+        };
+    let s_max = 2.0 * TAU / 380.0;
+    let interpolant = Interpolant::new(nodes_for_exponential(100.0, s_max, 1e-5), 0.0, s_max);
+    let s = 0.37 * s_max;
+    let weights = interpolant.weights(s);
+    let raw: f64 = interpolant.nodes().iter().zip(&weights).map(|(node, weight)| weight * (node * 1e6).cos()).sum();
+    // Heights carry 52 bits: 1e6 nm leaves 1e-10 nm, 1e-12 rad; sums are kept in 24 bits.
+    case("level of 1 mm", "largest difference of a table's value over its peak, against level 0", difference, 1e-5)
+        .guarded("heights from mid-range", (raw - (s * 1e6).cos()).abs())
+}
+
+/// The published series at 1.5 µm: its terms reach 1e14 of their sum. Guard: it is refused, naming that; summed all
+/// the same, its error is beyond any use.
+fn refused_series() -> StabilityCase {
+    let depth_nm = 1_500.0;
+    let accepted = tables(&relief([48, 48], [125.0; 2], depth_nm), &optics(600.0), &config(Basis::Taylor)).is_ok();
+    let summed = series::row(depth_nm).errors[1];
+    let measured = if accepted { summed } else { 0.0 };
+    let note = "error of the tables handed out: none where the series is refused, at most 10 % where it is not";
+    case("published method at 1.5 um", note, measured, taylor::CATASTROPHE).guarded("refusal", summed)
 }
 
 /// The forecast of cancellation against the closed form: heights of two levels `d` apart, half each, lose
@@ -57,9 +130,23 @@ fn cancellation_forecast() -> StabilityCase {
     let heights = ndarray::Array2::from_shape_fn((8, 8), |(row, _)| (row % 2) as f64);
     let s_max = 2.0 * TAU / 380.0;
     let depth_nm = 1_500.0;
-    let field = super::support::scaled(heights, [125.0; 2], depth_nm);
+    let field = scaled(heights, [125.0; 2], depth_nm);
     let expected = (0.5 * (1.0 + (s_max * depth_nm).exp())).log10();
-    let found = forecast(&[field], s_max, TOLERANCE).digits_lost;
+    let found = taylor::forecast(&[field], s_max, TOLERANCE).digits_lost;
     let bound = s_max * depth_nm / 512.0 / std::f64::consts::LN_10;
+    // The worst pair of heights alone, as if every pair were that far apart, overstates the loss by log10(2).
     case("forecast of lost digits", "against the closed form of a step", (found - expected).abs(), bound)
+        .guarded("mean over all pairs of heights", (s_max * depth_nm / std::f64::consts::LN_10 - expected).abs())
+}
+
+/// A depth whose transforms do not fit the memory allowed is refused before any is computed. Guard: the refusal;
+/// without it the build takes what the forecast says.
+fn memory() -> StabilityCase {
+    let field = relief([256, 256], [125.0; 2], 20_000.0);
+    let (optics, config) = (optics(8_000.0), TablesConfig { memory_mib: 16, ..config(Basis::Chebyshev) });
+    let accepted = tables(&field, &optics, &config).is_ok();
+    let predicted = forecast::forecast(&[field], &optics, &config, 1).map_or(f64::NAN, |f| f.memory_bytes as f64);
+    let share = predicted / (16 << 20) as f64;
+    let note = "memory taken over memory allowed: none where it is refused";
+    case("20 um within 16 MiB", note, if accepted { share } else { 0.0 }, 1.0).guarded("refusal", share)
 }

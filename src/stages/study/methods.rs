@@ -3,33 +3,34 @@
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-use half::f16;
-use ndarray::Array3;
-
-use super::sample::{RegionSample, Sample, deviation};
+use super::batch::{Batch, PackedTables, Pair, stored};
+use super::gpu::GpuClock;
+use super::pictures::Pictures;
+use super::sample::Sample;
+use super::timing::Clock;
 use super::{MethodRow, Refusal, RegionErrors, StudyConfig, memory};
 use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
 use crate::ground::error::Result;
 use crate::ground::sampling::{Region, direction_pairs, plane};
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
-use crate::optics::reference::{FULL_STEP, prefactor, resolving_wavelengths};
+use crate::optics::reference::FULL_STEP;
 use crate::optics::spectra::{Spectra, transform};
+use crate::optics::spectral::add_window;
 use crate::stages::progress::Progress;
-use crate::tables::baselines::harmonics;
 use crate::tables::baselines::regular::RegularSurface;
 use crate::tables::baselines::rough::RoughSurface;
 use crate::tables::baselines::statistics::SurfaceStatistics;
+use crate::tables::baselines::{self, harmonics};
 use crate::tables::build;
 use crate::tables::evaluate::{self, Interpolation};
 use crate::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 
-/// Time spent on timing one method's evaluation, and fewest directions.
-const TIMING_S: f64 = 0.2;
-const TIMED_MIN: usize = 4;
-
 /// Radii and azimuths of the power sum.
 const POWER_GRID: [usize; 2] = [96, 128];
+
+/// The transforms without tables: what pictures are held against.
+pub const FFT: &str = "FFT";
 
 /// What every method is given.
 pub struct Context<'a> {
@@ -37,12 +38,22 @@ pub struct Context<'a> {
     pub optics: &'a OpticsConfig,
     pub config: &'a StudyConfig,
     pub sample: &'a Sample,
+    pub spectra: &'a [Spectra],
+    pub pictures: &'a Pictures,
+    pub clock: &'a Clock,
+    pub gpu: Option<&'a GpuClock>,
     pub progress: &'a dyn Progress,
 }
 
 /// Steps of progress.
 pub fn count(config: &StudyConfig) -> u64 {
     (4 + config.chebyshev.len() + config.taylor.len() + config.harmonics.len()) as u64
+}
+
+/// What all methods left.
+pub struct Rows {
+    pub methods: Vec<MethodRow>,
+    pub refusals: Vec<Refusal>,
 }
 
 /// What a row is about.
@@ -53,51 +64,50 @@ struct Label<'a> {
     stored_bytes: u64,
 }
 
-/// Whether a method can be integrated over the hemisphere in reasonable time.
-#[derive(Clone, Copy)]
-enum Speed {
-    Quick,
-    Slow,
-}
-
 /// What building took.
-#[derive(Clone, Copy)]
-struct Cost {
+#[derive(Clone, Copy, Default)]
+pub struct Cost {
     build_s: f64,
     peak_bytes: Option<u64>,
 }
 
 impl Context<'_> {
-    /// All rows; settings that are refused go to `refusals`.
-    pub fn rows(&self, statistics: &SurfaceStatistics, refusals: &mut Vec<Refusal>) -> Result<Vec<MethodRow>> {
-        let mut rows = self.references()?;
+    /// All rows; settings that are refused are listed apart.
+    pub fn rows(&self, statistics: &SurfaceStatistics, transforms: Cost) -> Result<Rows> {
+        let mut rows = Rows { methods: self.references(transforms), refusals: Vec::new() };
+        let mut finest = None;
         self.progress.advance(2);
         for (basis, counts) in [(Basis::Chebyshev, &self.config.chebyshev), (Basis::Taylor, &self.config.taylor)] {
             for &count in counts {
                 match self.table_rows(basis, count) {
-                    Ok(found) => rows.extend(found),
+                    Ok((set, found)) => {
+                        rows.methods.extend(found);
+                        if basis == Basis::Chebyshev {
+                            finest = Some(set);
+                        }
+                    }
                     Err(error) => {
                         let what = format!("{}, {count} tables", family(basis, Storage::Float));
-                        refusals.push(Refusal { what, message: error.to_string() });
+                        rows.refusals.push(Refusal { what, message: error.to_string() });
                     }
                 }
                 self.progress.advance(1);
             }
         }
-        rows.extend(self.closed_forms(statistics)?);
+        rows.methods.extend(self.closed_forms(statistics));
         self.progress.advance(2);
-        rows.extend(self.harmonic_rows()?);
+        match finest {
+            Some(finest) => rows.methods.extend(self.harmonic_rows(&finest)?),
+            None => self.progress.advance(self.config.harmonics.len() as u64),
+        }
         Ok(rows)
     }
 
     /// The direct sum itself, and fast Fourier transforms without tables.
-    fn references(&self) -> Result<Vec<MethodRow>> {
+    fn references(&self, transforms: Cost) -> Vec<MethodRow> {
         let heights: usize = self.fields.iter().map(|f| f.heights_nm.len() * size_of::<f64>()).sum();
-        let exact = |r: &RegionSample| RegionErrors {
-            region: r.region,
-            relative_l2: 0.0,
-            quantiles: deviation(&r.luminance, &r.luminance),
-        };
+        let exact = |y: &[f64]| self.sample.deviation(y, y);
+        let regions = self.sample.regions.iter();
         let direct = MethodRow {
             method: "direct sum".into(),
             setting: "every sample".into(),
@@ -106,49 +116,72 @@ impl Context<'_> {
             build_s: 0.0,
             // All threads worked on different directions.
             evaluate_s: self.sample.reference_s * rayon::current_num_threads() as f64,
+            all_threads_s: self.sample.reference_s,
+            bilinear_s: None,
+            gpu_s: None,
             peak_bytes: None,
             stored_bytes: heights as u64,
-            errors: self.sample.regions.iter().map(exact).collect(),
+            errors: regions
+                .map(|(region, found)| RegionErrors {
+                    region: *region,
+                    relative_l2: 0.0,
+                    quantiles: exact(&found.luminance),
+                })
+                .collect(),
+            on_texels: exact(&self.sample.on_texels.luminance),
             power_sum: None,
+            colours: Vec::new(),
+            pictures: Vec::new(),
         };
-        let (spectra, cost) = measured(|| self.spectra())?;
-        let bytes = spectra.iter().map(|s| s.data.len() * size_of_val(&s.data[..1])).sum::<usize>();
-        let fft = Label { method: "FFT", setting: "no tables".into(), tables: None, stored_bytes: bytes as u64 };
-        let fft = self.row(fft, cost, Speed::Slow, &|wi, wo| fft_brdf(&spectra, self.optics, wi, wo))?;
-        Ok(vec![direct, fft])
-    }
-
-    fn spectra(&self) -> Result<Vec<Spectra>> {
-        let plan = build::plan(self.fields, self.optics, &self.tables_config(Basis::Chebyshev))?;
-        let windows = plan.windows.iter();
-        windows.map(|&(scan, place)| transform(&self.fields[scan], place, self.optics, &plan.spectra)).collect()
+        let bytes = self.spectra.iter().map(|s| s.data.len() * size_of_val(&s.data[..1])).sum::<usize>();
+        let label = Label { method: FFT, setting: "no tables".into(), tables: None, stored_bytes: bytes as u64 };
+        let share = 1.0 / self.spectra.len().max(1) as f64;
+        let batch = |pairs: &[Pair], out: &mut [Xyz]| {
+            out.fill([0.0; 3]);
+            for window in self.spectra {
+                // A light that cannot be seen has failed before; a number that is none would show as the worst.
+                if add_window(window, self.optics, pairs, FULL_STEP, out).is_err() {
+                    out.fill([f64::NAN; 3]);
+                }
+            }
+            out.iter_mut().flatten().for_each(|x| *x *= share);
+        };
+        let fft = self.row(label, transforms, &batch);
+        vec![direct, fft]
     }
 
     /// Tables of one basis and number, stored in both formats.
-    fn table_rows(&self, basis: Basis, count: usize) -> Result<Vec<MethodRow>> {
+    fn table_rows(&self, basis: Basis, count: usize) -> Result<(TableSet, Vec<MethodRow>)> {
         let config = TablesConfig { count: Some(count), ..self.tables_config(basis) };
         let (set, cost) = measured(|| Ok(build::build(self.fields, self.optics, &config, &|_| ())?.0))?;
-        [Storage::Float, Storage::Half]
-            .into_iter()
-            .map(|storage| {
-                let set = stored(&set, storage);
-                let label = Label {
-                    method: family(basis, storage),
-                    setting: format!("{count} tables"),
-                    tables: Some((basis, storage)),
-                    stored_bytes: stored_bytes(&set, storage),
-                };
-                self.row(label, cost, Speed::Quick, &|wi, wo| {
-                    Ok(evaluate::brdf_xyz(&set, Interpolation::Cubic, wi, wo))
-                })
-            })
-            .collect()
+        let mut rows = Vec::new();
+        for storage in [Storage::Float, Storage::Half] {
+            let packed = PackedTables::new(&set, count, storage);
+            let label = Label {
+                method: family(basis, storage),
+                setting: format!("{count} tables"),
+                tables: Some((basis, storage)),
+                stored_bytes: packed.bytes(),
+            };
+            let cubic = |pairs: &[Pair], out: &mut [Xyz]| packed.evaluate(Interpolation::Cubic, pairs, out);
+            let bilinear = |pairs: &[Pair], out: &mut [Xyz]| packed.evaluate(Interpolation::Bilinear, pairs, out);
+            let gpu_s = match self.gpu {
+                // Textures hold halves.
+                Some(gpu) if storage == Storage::Half => Some(gpu.seconds_per_direction(&stored(&set, storage))?),
+                _ => None,
+            };
+            rows.push(MethodRow {
+                bilinear_s: Some(self.clock.on_one_thread(&bilinear, &self.timed_pairs())),
+                gpu_s,
+                ..self.row(label, cost, &cubic)
+            });
+        }
+        Ok((set, rows))
     }
 
-    fn closed_forms(&self, statistics: &SurfaceStatistics) -> Result<Vec<MethodRow>> {
+    fn closed_forms(&self, statistics: &SurfaceStatistics) -> Vec<MethodRow> {
         let rough = RoughSurface { rms_nm: statistics.rms_nm, correlation_nm: statistics.correlation_nm };
         let regular = RegularSurface::fitted(statistics);
-        let nothing = Cost { build_s: 0.0, peak_bytes: None };
         let label = |method, setting: String, numbers: usize| Label {
             method,
             setting,
@@ -156,19 +189,28 @@ impl Context<'_> {
             stored_bytes: (numbers * size_of::<f64>()) as u64,
         };
         let waves = regular.waves.len();
-        Ok(vec![
-            self.row(label("Stam, random", "rms, length".into(), 2), nothing, Speed::Slow, &|wi, wo| {
-                rough.brdf_xyz(self.optics, wi, wo)
-            })?,
-            self.row(label("Stam, regular", format!("{waves} waves"), 3 * waves), nothing, Speed::Slow, &|wi, wo| {
-                regular.brdf_xyz(self.optics, wi, wo)
-            })?,
-        ])
+        let sigma_nm = self.optics.sigma_nm;
+        let random = self.closed_form(|q, nm| rough.power_nm2(sigma_nm, q, nm));
+        let bumps = self.closed_form(|q, nm| regular.power_nm2(sigma_nm, q, nm));
+        vec![
+            self.row(label("Stam, random", "rms, length".into(), 2), Cost::default(), &random),
+            self.row(label("Stam, regular", format!("{waves} waves"), 3 * waves), Cost::default(), &bumps),
+        ]
+    }
+
+    /// A closed form of the window's power, integrated over the light's spectrum.
+    fn closed_form(&self, power_nm2: impl Fn(Vec3, f64) -> f64 + Sync) -> impl Fn(&[Pair], &mut [Xyz]) + Sync {
+        move |pairs, out| {
+            out.fill([0.0; 3]);
+            // A light that cannot be seen has failed before; a number that is none would show as the worst.
+            if baselines::integrate(self.optics, pairs, &power_nm2, out).is_err() {
+                out.fill([f64::NAN; 3]);
+            }
+        }
     }
 
     /// Spherical harmonics fitted to the best tables at hand.
-    fn harmonic_rows(&self) -> Result<Vec<MethodRow>> {
-        let set = build::build(self.fields, self.optics, &self.tables_config(Basis::Chebyshev), &|_| ())?.0;
+    fn harmonic_rows(&self, set: &TableSet) -> Result<Vec<MethodRow>> {
         let reach = set.usable_radius;
         let mut rows = Vec::new();
         for &degree in &self.config.harmonics {
@@ -178,7 +220,7 @@ impl Context<'_> {
                     .into_iter()
                     .map(|(wi, wo)| wave_vector_change(wi, wo))
                     .filter(|q| q[0].hypot(q[1]) < reach)
-                    .map(|q| (q, evaluate::window_power(&set, Interpolation::Cubic, q)))
+                    .map(|q| (q, evaluate::window_power(set, Interpolation::Cubic, q)))
                     .collect();
                 harmonics::fit(degree, &samples)
             })?;
@@ -188,70 +230,97 @@ impl Context<'_> {
                 tables: None,
                 stored_bytes: (fitted.coefficients.len() * size_of::<Xyz>()) as u64,
             };
-            rows.push(self.row(label, cost, Speed::Quick, &|wi, wo| Ok(fitted.brdf_xyz(self.optics, wi, wo)))?);
+            rows.push(self.row(label, cost, &each(|wi, wo| fitted.brdf_xyz(self.optics, wi, wo))));
             self.progress.advance(1);
         }
         Ok(rows)
     }
 
-    /// Errors, evaluation time and, for methods quick enough, the power sum.
-    fn row(
-        &self,
-        label: Label,
-        cost: Cost,
-        speed: Speed,
-        brdf: &dyn Fn(Vec3, Vec3) -> Result<Xyz>,
-    ) -> Result<MethodRow> {
-        Ok(MethodRow {
+    /// Errors, evaluation time, pictures and power sum of one method.
+    fn row(&self, label: Label, cost: Cost, batch: Batch) -> MethodRow {
+        let pairs = self.timed_pairs();
+        let reference = label.method == FFT;
+        let (colours, pictures) =
+            if reference { (Vec::new(), self.pictures.shown()) } else { self.pictures.compared(batch) };
+        MethodRow {
             method: label.method.into(),
             setting: label.setting,
             basis: label.tables.map(|t| t.0),
             storage: label.tables.map(|t| t.1),
             build_s: cost.build_s,
-            evaluate_s: seconds_per_direction(self.config.timed_directions, brdf)?,
+            evaluate_s: self.clock.on_one_thread(batch, &pairs),
+            all_threads_s: self.clock.on_all_threads(batch, &pairs),
+            bilinear_s: None,
+            gpu_s: None,
             peak_bytes: cost.peak_bytes,
             stored_bytes: label.stored_bytes,
-            errors: self.sample.errors(brdf)?,
-            power_sum: match speed {
-                Speed::Quick => Some(self.power_sum(brdf)?),
-                Speed::Slow => None,
-            },
-        })
+            errors: self.sample.errors(batch),
+            on_texels: self.sample.errors_on_texels(batch),
+            // Twelve thousand directions take the transforms too long.
+            power_sum: (!reference).then(|| self.power_sum(batch)),
+            colours,
+            pictures,
+        }
+    }
+
+    /// The directions on which evaluation is timed.
+    pub fn timed_pairs(&self) -> Vec<Pair> {
+        direction_pairs(Region::Hemisphere, self.config.timed_directions)
     }
 
     /// `∫ Y cos_o dω_o` at normal incidence over the disc the scans answer for: midpoint rule over azimuths and
     /// warped radii, dense at the lobe.
-    fn power_sum(&self, brdf: &dyn Fn(Vec3, Vec3) -> Result<Xyz>) -> Result<f64> {
+    fn power_sum(&self, batch: Batch) -> f64 {
         let limits = self.fields.iter().map(|f| crate::tables::plan::usable_radius(self.optics, f.pitch_nm));
         let rim = limits.fold(0.999, f64::min);
         let [radii, azimuths] = POWER_GRID;
-        let mut sum = 0.0;
+        let (mut pairs, mut areas) = (Vec::new(), Vec::new());
         for i in 0..radii {
             let [inner, middle, outer] = [0.0, 0.5, 1.0].map(|x| rim * ((i as f64 + x) / radii as f64).powi(2));
             for j in 0..azimuths {
                 // A ring's azimuths are turned against its neighbours', or orders along an axis would alias.
                 let phi = TAU * (j as f64 + plane(i)[0]) / azimuths as f64;
                 let wo = [middle * phi.cos(), middle * phi.sin(), (1.0 - middle * middle).sqrt()];
-                let area = 0.5 * (outer * outer - inner * inner) * TAU / azimuths as f64;
-                sum += brdf([0.0, 0.0, 1.0], wo)?[1] * area;
+                pairs.push(([0.0, 0.0, 1.0], wo));
+                areas.push(0.5 * (outer * outer - inner * inner) * TAU / azimuths as f64);
             }
         }
-        Ok(sum)
+        let luminances = super::sample::luminances(batch, &pairs);
+        luminances.iter().zip(&areas).map(|(y, area)| y * area).sum()
     }
 
     /// Settings that leave everything but number and basis at a fine tolerance.
     pub fn tables_config(&self, basis: Basis) -> TablesConfig {
-        TablesConfig {
-            basis,
-            tolerance: 1e-4,
-            size: Some(self.config.size),
-            count: None,
-            wavelength_step_nm: None,
-            storage: Storage::Float,
-            prefilter: Prefilter::None,
-            memory_mib: self.config.memory_mib,
-        }
+        tables_config(self.config, basis)
     }
+}
+
+/// As [`Context::tables_config`].
+pub fn tables_config(config: &StudyConfig, basis: Basis) -> TablesConfig {
+    TablesConfig {
+        basis,
+        tolerance: 1e-4,
+        size: Some(config.size),
+        count: None,
+        wavelength_step_nm: None,
+        storage: Storage::Float,
+        prefilter: Prefilter::None,
+        memory_mib: config.memory_mib,
+    }
+}
+
+/// The transforms of all windows, and what they took.
+pub fn transforms(fields: &[HeightField], optics: &OpticsConfig, config: &StudyConfig) -> Result<(Vec<Spectra>, Cost)> {
+    measured(|| {
+        let plan = build::plan(fields, optics, &tables_config(config, Basis::Chebyshev))?;
+        let windows = plan.windows.iter();
+        windows.map(|&(scan, place)| transform(&fields[scan], place, optics, &plan.spectra)).collect()
+    })
+}
+
+/// A method for one pair as a method for many.
+fn each(brdf: impl Fn(Vec3, Vec3) -> Xyz + Sync) -> impl Fn(&[Pair], &mut [Xyz]) + Sync {
+    move |pairs, out| pairs.iter().zip(out).for_each(|(&(wi, wo), xyz)| *xyz = brdf(wi, wo))
 }
 
 fn family(basis: Basis, storage: Storage) -> &'static str {
@@ -264,65 +333,10 @@ fn family(basis: Basis, storage: Storage) -> &'static str {
 }
 
 fn measured<T>(work: impl FnOnce() -> Result<T>) -> Result<(T, Cost)> {
-    memory::restart();
+    let before = memory::restart();
     let started = Instant::now();
     let made = work()?;
-    Ok((made, Cost { build_s: started.elapsed().as_secs_f64(), peak_bytes: memory::peak_bytes() }))
-}
-
-/// Wall seconds per direction on this thread, over as many directions as a fraction of a second allows.
-fn seconds_per_direction(most: usize, brdf: &dyn Fn(Vec3, Vec3) -> Result<Xyz>) -> Result<f64> {
-    let pairs = direction_pairs(Region::Hemisphere, most);
-    let started = Instant::now();
-    for (done, &(wi, wo)) in pairs.iter().enumerate() {
-        std::hint::black_box(brdf(wi, wo)?);
-        if done + 1 >= TIMED_MIN && started.elapsed().as_secs_f64() > TIMING_S {
-            return Ok(started.elapsed().as_secs_f64() / (done + 1) as f64);
-        }
-    }
-    Ok(started.elapsed().as_secs_f64() / pairs.len().max(1) as f64)
-}
-
-/// The BRDF from the transforms: as the direct sum, with `|P|²` interpolated.
-fn fft_brdf(spectra: &[Spectra], optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> Result<Xyz> {
-    let q = wave_vector_change(wi, wo);
-    let front = prefactor(optics, wi, wo);
-    let mut xyz = [0.0; 3];
-    if front == 0.0 {
-        return Ok(xyz);
-    }
-    let quadrature = resolving_wavelengths(optics, q, FULL_STEP)?;
-    for (&nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
-        let s = TAU / nm * q[2].abs();
-        let power: f64 = spectra.iter().map(|e| e.whole_power_at([q[0] / nm, q[1] / nm], &[s])[0]).sum();
-        let f = front * power / (spectra.len() as f64 * nm * nm * q[2] * q[2]);
-        xyz.iter_mut().zip(weight).for_each(|(sum, weight)| *sum += weight * f);
-    }
-    Ok(xyz)
-}
-
-/// The tables as a renderer reads them back: each array over its peak, rounded to the format.
-pub fn stored(set: &TableSet, storage: Storage) -> TableSet {
-    let mut set = set.clone();
-    if storage == Storage::Half {
-        let lobe = set.lobe.iter_mut().flat_map(|lobe| std::iter::once(&mut lobe.coherent).chain(&mut lobe.cross));
-        set.tables.iter_mut().chain(lobe).for_each(round_to_half);
-    }
-    set
-}
-
-fn round_to_half(table: &mut Array3<f32>) {
-    let peak = table.iter().fold(0.0f32, |peak, v| peak.max(v.abs()));
-    if peak > 0.0 {
-        // A peak of 2^14 leaves 28 binary orders above the denormals.
-        let scale = peak / 16_384.0;
-        table.mapv_inplace(|v| f16::from_f32(v / scale).to_f32() * scale);
-    }
-}
-
-fn stored_bytes(set: &TableSet, storage: Storage) -> u64 {
-    let lobe = set.lobe.iter().flat_map(|lobe| std::iter::once(&lobe.coherent).chain(&lobe.cross));
-    let numbers: usize = set.tables.iter().chain(lobe).map(Array3::len).sum();
-    let width = if storage == Storage::Half { 2 } else { 4 };
-    (numbers * width) as u64
+    let build_s = started.elapsed().as_secs_f64();
+    let peak_bytes = memory::peak_bytes().zip(before).map(|(peak, before)| peak.saturating_sub(before));
+    Ok((made, Cost { build_s, peak_bytes }))
 }

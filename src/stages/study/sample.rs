@@ -1,72 +1,171 @@
 //! The directions on which methods are compared, and what the direct sum says there.
 
-use super::{FLOOR_PER_SR, RegionErrors};
-use crate::ground::direction::{Vec3, Xyz};
+use super::batch::{Batch, Pair, on_all_threads};
+use super::{FLOOR_SHARE, FLOOR_SHARE_BRIGHT, RegionErrors};
+use crate::ground::direction::wave_vector_change;
 use crate::ground::error::Result;
-use crate::ground::metrics::{ErrorQuantiles, relative_error_quantiles, relative_l2};
+use crate::ground::metrics::{ErrorQuantiles, quantile_of_sorted, relative_error_quantiles, relative_l2};
 use crate::ground::sampling::{Region, direction_pairs};
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
+use crate::optics::fresnel::reflectance;
 use crate::optics::reference::brdf_xyz_batch;
+use crate::stages::progress::Progress;
 use crate::tables::plan::usable_radius;
 
-/// Directions of one region with their reference.
-pub struct RegionSample {
-    pub region: Region,
-    pub pairs: Vec<(Vec3, Vec3)>,
+/// Share of the directions that are no brighter than what counts as bright.
+const BRIGHT: f64 = 0.98;
+
+/// Directions summed between two words of progress.
+const PART: usize = 16;
+
+/// Directions with their reference.
+pub struct Directions {
+    pub pairs: Vec<Pair>,
     /// Reference Y in 1/sr.
     pub luminance: Vec<f64>,
 }
 
 /// All regions, and what the reference cost.
 pub struct Sample {
-    pub regions: Vec<RegionSample>,
+    /// In the order of `Region::ALL`.
+    pub regions: Vec<(Region, Directions)>,
+    /// The hemisphere's directions, moved to where (u, v) meets the nearest texel: no grid enters there.
+    pub on_texels: Directions,
     /// Wall seconds of the direct sum per direction, all threads at work.
     pub reference_s: f64,
+    /// Luminance in 1/sr up to which directions are left out of relative errors.
+    pub floor_per_sr: f64,
+}
+
+/// Steps of progress of [`Sample::measured`].
+pub fn count(directions: usize) -> u64 {
+    ((Region::ALL.len() + 1) * directions.div_ceil(PART)) as u64
 }
 
 impl Sample {
-    /// Takes the directions the scans can answer for and sums them directly.
-    pub fn measured(fields: &[HeightField], optics: &OpticsConfig, count: usize) -> Result<Self> {
+    /// Takes the directions the scans can answer for and sums them directly; `size` is that of the tables.
+    pub fn measured(
+        fields: &[HeightField],
+        optics: &OpticsConfig,
+        [directions, size]: [usize; 2],
+        progress: &dyn Progress,
+    ) -> Result<Self> {
         let usable = fields.iter().map(|f| usable_radius(optics, f.pitch_nm)).fold(2.0, f64::min);
         let started = std::time::Instant::now();
+        let summed = |mut pairs: Vec<Pair>| -> Result<Directions> {
+            pairs.retain(|&(wi, wo)| {
+                let q = wave_vector_change(wi, wo);
+                q[0].hypot(q[1]) <= usable
+            });
+            let mut luminance = Vec::with_capacity(pairs.len());
+            for part in pairs.chunks(PART) {
+                luminance.extend(brdf_xyz_batch(fields, optics, part)?.iter().map(|xyz| xyz[1]));
+                progress.advance(1);
+            }
+            Ok(Directions { pairs, luminance })
+        };
         let mut regions = Vec::new();
         for region in Region::ALL {
-            let mut pairs = direction_pairs(region, count);
-            pairs.retain(|(wi, wo)| (wi[0] + wo[0]).hypot(wi[1] + wo[1]) <= usable);
-            let luminance = brdf_xyz_batch(fields, optics, &pairs)?.iter().map(|xyz| xyz[1]).collect();
-            regions.push(RegionSample { region, pairs, luminance });
+            regions.push((region, summed(direction_pairs(region, directions))?));
         }
-        let directions: usize = regions.iter().map(|r| r.pairs.len()).sum();
-        Ok(Self { regions, reference_s: started.elapsed().as_secs_f64() / directions.max(1) as f64 })
+        let on_texels = summed(moved_to_texels(&direction_pairs(Region::Hemisphere, directions), size))?;
+        let count = on_texels.pairs.len() + regions.iter().map(|(_, found)| found.pairs.len()).sum::<usize>();
+        Ok(Self {
+            reference_s: started.elapsed().as_secs_f64() / count.max(1) as f64,
+            floor_per_sr: floor_per_sr(optics, &regions[0].1.luminance),
+            regions,
+            on_texels,
+        })
     }
 
     /// Errors of a method in every region.
-    pub fn errors(&self, brdf: &dyn Fn(Vec3, Vec3) -> Result<Xyz>) -> Result<Vec<RegionErrors>> {
-        let errors_of = |sample: &RegionSample| {
-            let found = luminances(&sample.pairs, brdf)?;
-            Ok(RegionErrors {
-                region: sample.region,
-                relative_l2: relative_l2(&sample.luminance, &found),
-                quantiles: relative_error_quantiles(&sample.luminance, &found, FLOOR_PER_SR),
-            })
+    pub fn errors(&self, batch: Batch) -> Vec<RegionErrors> {
+        let errors_of = |(region, exact): &(Region, Directions)| {
+            let found = luminances(batch, &exact.pairs);
+            RegionErrors {
+                region: *region,
+                relative_l2: relative_l2(&exact.luminance, &found),
+                quantiles: self.deviation(&exact.luminance, &found),
+            }
         };
         self.regions.iter().map(errors_of).collect()
     }
 
+    /// Errors of a method where (u, v) lies on texels.
+    pub fn errors_on_texels(&self, batch: Batch) -> ErrorQuantiles {
+        self.deviation(&self.on_texels.luminance, &luminances(batch, &self.on_texels.pairs))
+    }
+
     /// The directions of the whole hemisphere.
-    pub fn hemisphere(&self) -> &RegionSample {
-        // `Region::ALL` begins with the hemisphere, and `measured` keeps its order.
-        &self.regions[0]
+    pub fn hemisphere(&self) -> &Directions {
+        // `Region::ALL` begins with the hemisphere.
+        &self.regions[0].1
+    }
+
+    /// Quantiles of the relative deviation of luminances from others, above the floor.
+    pub fn deviation(&self, reference: &[f64], found: &[f64]) -> ErrorQuantiles {
+        relative_error_quantiles(reference, found, self.floor_per_sr)
     }
 }
 
-/// Y of a method for each pair.
-pub fn luminances(pairs: &[(Vec3, Vec3)], brdf: &dyn Fn(Vec3, Vec3) -> Result<Xyz>) -> Result<Vec<f64>> {
-    pairs.iter().map(|&(wi, wo)| Ok(brdf(wi, wo)?[1])).collect()
+/// Luminance in 1/sr up to which directions are left out of pointwise errors: a share of what a matt surface of the
+/// material's reflectance at normal incidence would show everywhere, or a smaller one of the brightest directions but
+/// for one in fifty, given Y over the hemisphere: a grating sends its light into fewer than the rest, and a lobe's
+/// flank a thousand times below its peak is the dark between orders.
+pub fn floor_per_sr(optics: &OpticsConfig, hemisphere: &[f64]) -> f64 {
+    let matt = FLOOR_SHARE * reflectance(optics.material, 1.0) / std::f64::consts::PI;
+    let mut sorted = hemisphere.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let bright = if sorted.is_empty() { 0.0 } else { quantile_of_sorted(&sorted, BRIGHT) };
+    matt.max(FLOOR_SHARE_BRIGHT * bright)
 }
 
-/// Quantiles of the relative deviation of one set of luminances from another.
-pub fn deviation(reference: &[f64], found: &[f64]) -> ErrorQuantiles {
-    relative_error_quantiles(reference, found, FLOOR_PER_SR)
+/// Y of a method for each pair.
+pub fn luminances(batch: Batch, pairs: &[Pair]) -> Vec<f64> {
+    on_all_threads(batch, pairs).iter().map(|xyz| xyz[1]).collect()
+}
+
+/// Pairs whose (u, v) is the texel nearest to that of the given pairs, with the same share of the reach in `w`.
+pub fn moved_to_texels(pairs: &[Pair], size: usize) -> Vec<Pair> {
+    let texel = 4.0 / (size - 1) as f64;
+    let moved = |&(wi, wo): &Pair| {
+        let q = wave_vector_change(wi, wo);
+        let reach = |u: f64, v: f64| (4.0 - u * u - v * v).max(0.0).sqrt();
+        let [u, v] = [q[0], q[1]].map(|x| (x / texel).round() * texel);
+        let t = q[2].abs() / reach(q[0], q[1]).max(f64::MIN_POSITIVE);
+        (u.hypot(v) < 1.99).then(|| pair_of(u, v, t.min(1.0) * reach(u, v)))
+    };
+    pairs.iter().filter_map(moved).collect()
+}
+
+/// Directions with a given `(u, v, |w|)`: both half a `|w|` high, turned about `q` by the horizontal normal to it.
+pub fn pair_of(u: f64, v: f64, w: f64) -> Pair {
+    let rho = u.hypot(v);
+    let turn = (1.0 - 0.25 * (rho * rho + w * w)).max(0.0).sqrt();
+    let across = if rho > 0.0 { [-v / rho, u / rho] } else { [1.0, 0.0] };
+    let tilted = |sign: f64| [-0.5 * u + sign * turn * across[0], -0.5 * v + sign * turn * across[1], 0.5 * w];
+    (tilted(1.0), tilted(-1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairs_moved_to_texels_lie_on_them_and_are_unit_vectors() {
+        let size = 101;
+        let moved = moved_to_texels(&direction_pairs(Region::Hemisphere, 300), size);
+        assert!(moved.len() > 290);
+        for (wi, wo) in moved {
+            let q = wave_vector_change(wi, wo);
+            for x in [q[0], q[1]] {
+                let texels = x * (size - 1) as f64 / 4.0;
+                assert!((texels - texels.round()).abs() < 1e-9);
+            }
+            for d in [wi, wo] {
+                assert!((d.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-12 && d[2] > 0.0);
+            }
+        }
+    }
 }

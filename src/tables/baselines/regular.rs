@@ -50,26 +50,56 @@ impl RegularSurface {
     pub fn power_nm2(&self, sigma_nm: f64, q: Vec3, wavelength_nm: f64) -> f64 {
         let k = TAU / wavelength_nm;
         let at = [q[0] / wavelength_nm, q[1] / wavelength_nm];
-        let orders = |wave: Option<&Wave>| -> Vec<([f64; 2], f64)> {
-            let Some(wave) = wave else { return vec![([0.0; 2], 1.0)] };
-            let z = (k * q[2] * wave.amplitude_nm).abs();
-            // J_m falls faster than exponentially past m = z.
-            let last = (z + 6.0 * z.cbrt() + 6.0) as i32;
-            let value = |m: i32| libm::jn(m.abs(), z).powi(2);
-            (-last..=last).map(|m| (wave.frequency.map(|f| f64::from(m) * f), value(m))).collect()
-        };
-        let (first, second) = (orders(self.waves.first()), orders(self.waves.get(1)));
         let reach = REACH / (TAU * sigma_nm * std::f64::consts::SQRT_2);
+        let (mut first, mut second) =
+            (Orders::new(self.waves.first(), k * q[2]), Orders::new(self.waves.get(1), k * q[2]));
         let mut sum = 0.0;
-        for (a, power_a) in &first {
-            for (b, power_b) in &second {
-                let distance = (at[0] - a[0] - b[0]).hypot(at[1] - a[1] - b[1]);
-                if distance < reach {
-                    sum += power_a * power_b * (-(TAU * sigma_nm * distance).powi(2)).exp();
+        for m in -first.last..=first.last {
+            let from = [0, 1].map(|axis| at[axis] - f64::from(m) * first.frequency[axis]);
+            for n in second.near(from, reach) {
+                let d2: f64 = (0..2).map(|axis| (from[axis] - f64::from(n) * second.frequency[axis]).powi(2)).sum();
+                if d2 < reach * reach {
+                    sum += first.power(m) * second.power(n) * (-(TAU * sigma_nm).powi(2) * d2).exp();
                 }
             }
         }
         4.0 * PI * sigma_nm * sigma_nm * sum
+    }
+}
+
+/// The orders of one wave at one depth of phase: `J_m²(z)` at multiples of its frequency.
+struct Orders {
+    frequency: [f64; 2],
+    z: f64,
+    last: i32,
+    /// Powers by `|m|`, as far as they have been asked for.
+    powers: Vec<Option<f64>>,
+}
+
+impl Orders {
+    fn new(wave: Option<&Wave>, kw: f64) -> Self {
+        let z = wave.map_or(0.0, |wave| (kw * wave.amplitude_nm).abs());
+        // J_m falls faster than exponentially past m = z; without a wave there is the order 0 alone.
+        let last = if wave.is_some() { (z + 6.0 * z.cbrt() + 6.0) as i32 } else { 0 };
+        Self { frequency: wave.map_or([0.0; 2], |wave| wave.frequency), z, last, powers: vec![None; last as usize + 1] }
+    }
+
+    fn power(&mut self, m: i32) -> f64 {
+        let z = self.z;
+        *self.powers[m.unsigned_abs() as usize].get_or_insert_with(|| libm::jn(m.abs(), z).powi(2))
+    }
+
+    /// Orders whose frequency may lie within `reach` of a point.
+    fn near(&self, at: [f64; 2], reach: f64) -> std::ops::RangeInclusive<i32> {
+        let length2 = self.frequency[0].powi(2) + self.frequency[1].powi(2);
+        if length2 == 0.0 {
+            return 0..=0;
+        }
+        let middle = (at[0] * self.frequency[0] + at[1] * self.frequency[1]) / length2;
+        let slack = reach / length2.sqrt();
+        let last = f64::from(self.last);
+        let [low, high] = [(middle - slack).ceil(), (middle + slack).floor()].map(|n| n.clamp(-last, last));
+        low as i32..=high as i32
     }
 }
 

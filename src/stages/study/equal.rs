@@ -1,0 +1,218 @@
+//! Half-float Chebyshev tables against the published method in floats, at equal error: bytes and time.
+//!
+//! Settings follow from measured errors: of each method the fewest tables that reach an error at texels
+//! outside the mirror lobe, so that the grid, the same for both, hides neither. Light, windows and prefilter are the
+//! specimen's own.
+
+use serde::{Deserialize, Serialize};
+
+use super::batch::{PackedTables, Pair, stored};
+use super::methods::Context;
+use super::sample::{floor_per_sr, luminances};
+use super::texels::Texels;
+use super::{Refusal, StudyConfig, StudySpecimen};
+use crate::ground::direction::Xyz;
+use crate::ground::error::Result;
+use crate::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
+use crate::ground::sampling::{Region, direction_pairs};
+use crate::tables::build;
+use crate::tables::evaluate::{Interpolation, brdf_xyz};
+use crate::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+
+/// Errors at which the methods are compared.
+const TARGETS: [f64; 4] = [3e-2, 1e-2, 3e-3, 1e-3];
+
+/// The published method's best is the least number of tables within this factor of its smallest error.
+const BEST_WITHIN: f64 = 1.05;
+
+/// Which error is made equal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Measure {
+    /// 95th percentile over the hemisphere.
+    P95,
+    /// 95th percentile with both directions within 30° of the normal, where a specimen is usually looked at.
+    Steep,
+    /// Worst over the hemisphere.
+    Worst,
+}
+
+/// Errors of one setting, by measure.
+#[derive(Clone, Copy)]
+struct Errors {
+    hemisphere: ErrorQuantiles,
+    steep: ErrorQuantiles,
+}
+
+impl Measure {
+    fn of(self, errors: &Errors) -> f64 {
+        match self {
+            Self::P95 => errors.hemisphere.p95,
+            Self::Steep => errors.steep.p95,
+            Self::Worst => errors.hemisphere.worst,
+        }
+    }
+}
+
+/// Directions drawn over the hemisphere, of which the first that meet lit texels are taken; 2.5 % lie within 30° of the
+/// normal.
+const DRAWN: usize = 8_192;
+
+/// Cosine of 30°.
+const STEEP_COS: f64 = 0.866_025_403_784_438_6;
+
+fn steep((wi, wo): &Pair) -> bool {
+    wi[2] > STEEP_COS && wo[2] > STEEP_COS
+}
+
+/// Both methods at one error.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EqualError {
+    /// Which error.
+    pub measure: Measure,
+    /// What both reach.
+    pub target: f64,
+    /// Whether it is the smallest error the published method reaches at all.
+    pub taylors_best: bool,
+    /// Half-float Chebyshev tables; `None` where no number that was tried reaches it.
+    pub chebyshev: Option<Contender>,
+    /// The published method in floats; likewise.
+    pub taylor: Option<Contender>,
+}
+
+/// The fewest tables of one method that reach an error.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Contender {
+    /// Tables.
+    pub tables: usize,
+    /// Relative error of Y on texels.
+    pub error: f64,
+    /// Bytes a renderer holds.
+    pub bytes: u64,
+    /// Seconds per direction on one thread, cubic look-ups.
+    pub cubic_s: f64,
+    /// The same with linear look-ups.
+    pub bilinear_s: f64,
+    /// Seconds per direction on the GPU, whose textures hold halves either way.
+    pub gpu_s: Option<f64>,
+}
+
+impl EqualError {
+    /// How many times smaller and faster the Chebyshev tables are: bytes, cubic and linear look-ups, GPU.
+    pub fn ratios(&self) -> Option<[Option<f64>; 4]> {
+        let (ours, theirs) = (self.chebyshev.as_ref()?, self.taylor.as_ref()?);
+        let gpu = theirs.gpu_s.zip(ours.gpu_s).map(|(theirs, ours)| theirs / ours);
+        let bytes = theirs.bytes as f64 / ours.bytes as f64;
+        Some([Some(bytes), Some(theirs.cubic_s / ours.cubic_s), Some(theirs.bilinear_s / ours.bilinear_s), gpu])
+    }
+}
+
+/// A set cut to a number of tables, with its error.
+struct Candidate<'a> {
+    set: &'a TableSet,
+    tables: usize,
+    storage: Storage,
+    errors: Errors,
+}
+
+/// What settings are tried.
+struct Trials {
+    chebyshev: Vec<TableSet>,
+    /// The longest series; a shorter one is it cut off, for its terms do not depend on how many there are.
+    taylor: Option<TableSet>,
+}
+
+/// Steps of progress.
+pub fn count(config: &StudyConfig) -> u64 {
+    config.chebyshev.len() as u64 + 1
+}
+
+/// Compares at every target, and at the published method's best, under the specimen's own light and windows.
+pub fn rows(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refusal>) -> Result<Vec<EqualError>> {
+    let trials = build_trials(specimen, context, refusals)?;
+    let Some(finest) = trials.chebyshev.last() else { return Ok(Vec::new()) };
+    let plan = build::plan(&specimen.fields, &specimen.optics, &config_of(context, Basis::Chebyshev, 1))?;
+    let drawn = direction_pairs(Region::Hemisphere, DRAWN);
+    let steep_pairs: Vec<Pair> = drawn.iter().copied().filter(steep).collect();
+    let bright = |(wi, wo): &Pair| brdf_xyz(finest, Interpolation::Cubic, *wi, *wo)[1];
+    let floor = floor_per_sr(&specimen.optics, &drawn.iter().map(bright).collect::<Vec<_>>());
+    let mut texels = Vec::new();
+    for pairs in [drawn, steep_pairs] {
+        let texels_of = Texels::of(finest, plan.filter, &pairs, floor);
+        let reference = texels_of.reference(&specimen.fields, &specimen.optics, &plan)?;
+        texels.push((texels_of.centres, reference));
+    }
+    let candidate = |set, tables, storage| {
+        let packed = PackedTables::new(set, tables, storage);
+        let batch = |pairs: &[Pair], out: &mut [Xyz]| packed.evaluate(Interpolation::Cubic, pairs, out);
+        let errors = |region: usize| {
+            let (pairs, reference) = &texels[region];
+            relative_error_quantiles(reference, &luminances(&batch, pairs), floor)
+        };
+        Candidate { set, tables, storage, errors: Errors { hemisphere: errors(0), steep: errors(1) } }
+    };
+    let ours: Vec<Candidate> =
+        trials.chebyshev.iter().map(|set| candidate(set, set.tables.len(), Storage::Half)).collect();
+    let theirs: Vec<Candidate> = match &trials.taylor {
+        Some(set) => (1..=set.tables.len()).map(|tables| candidate(set, tables, Storage::Float)).collect(),
+        None => Vec::new(),
+    };
+    let mut found = Vec::new();
+    for measure in [Measure::P95, Measure::Steep, Measure::Worst] {
+        let best = theirs.iter().map(|c| measure.of(&c.errors)).fold(f64::INFINITY, f64::min) * BEST_WITHIN;
+        let targets = TARGETS.into_iter().map(|target| (target, false)).chain([(best, true)]);
+        for (target, taylors_best) in targets.filter(|(target, _)| target.is_finite()) {
+            let first = |list: &[Candidate]| -> Result<Option<Contender>> {
+                let reached = list.iter().find(|c| measure.of(&c.errors) <= target);
+                reached.map(|c| timed(context, c, measure.of(&c.errors))).transpose()
+            };
+            found.push(EqualError { measure, target, taylors_best, chebyshev: first(&ours)?, taylor: first(&theirs)? });
+        }
+    }
+    Ok(found)
+}
+
+fn config_of(context: &Context, basis: Basis, count: usize) -> TablesConfig {
+    let size = Some(context.config.equal_size);
+    TablesConfig { size, count: Some(count), prefilter: Prefilter::Auto, ..context.tables_config(basis) }
+}
+
+fn build_trials(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refusal>) -> Result<Trials> {
+    let made = |basis, count| {
+        let built = build::build(&specimen.fields, &specimen.optics, &config_of(context, basis, count), &|_| ());
+        context.progress.advance(1);
+        built.map(|(set, _)| set)
+    };
+    let counts = context.config.chebyshev.iter();
+    let chebyshev = counts.map(|&count| made(Basis::Chebyshev, count)).collect::<Result<_>>()?;
+    let longest = context.config.taylor.iter().copied().max().unwrap_or(0);
+    let taylor = match made(Basis::Taylor, longest) {
+        Ok(set) => Some(set),
+        Err(error) => {
+            let what = format!("taylor, float, {longest} tables at equal error");
+            refusals.push(Refusal { what, message: error.to_string() });
+            None
+        }
+    };
+    Ok(Trials { chebyshev, taylor })
+}
+
+fn timed(context: &Context, candidate: &Candidate, error: f64) -> Result<Contender> {
+    let &Candidate { set, tables, storage, .. } = candidate;
+    let packed = PackedTables::new(set, tables, storage);
+    let pairs = context.timed_pairs();
+    let time = |interpolation| {
+        let batch = |pairs: &[Pair], out: &mut [Xyz]| packed.evaluate(interpolation, pairs, out);
+        context.clock.on_one_thread(&batch, &pairs)
+    };
+    let cut = TableSet { tables: set.tables[..tables].to_vec(), ..set.clone() };
+    let gpu_s = context.gpu.map(|gpu| gpu.seconds_per_direction(&stored(&cut, Storage::Half))).transpose()?;
+    Ok(Contender {
+        tables,
+        error,
+        bytes: packed.bytes(),
+        cubic_s: time(Interpolation::Cubic),
+        bilinear_s: time(Interpolation::Bilinear),
+        gpu_s,
+    })
+}

@@ -1,0 +1,151 @@
+//! Whether a tolerance is kept: tables with automatic settings, measured afterwards, and what they cost.
+//!
+//! Unlike the comparison of methods this takes the specimen's own light and windows. The yardstick is
+//! `optics::spectral`. Where the grid resolves the light's lobes, a table promises its tolerance in every direction
+//! under cubic look-ups; where it does not, each texel promises a mean over its own square, and only that.
+
+use serde::{Deserialize, Serialize};
+
+use super::batch::{PackedTables, stored};
+use super::sample::floor_per_sr;
+use super::texels::Texels;
+use super::{StudyConfig, StudySpecimen};
+use crate::ground::error::Result;
+use crate::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
+use crate::ground::sampling::{Region, direction_pairs};
+use crate::stages::measure;
+use crate::tables::build;
+use crate::tables::evaluate::{Interpolation, brdf_xyz};
+use crate::tables::model::{Basis, BuildRecord, Prefilter, Storage, TablesConfig};
+use crate::tables::plan::resolving_size;
+
+/// Tolerances asked for.
+pub const TOLERANCES: [f64; 3] = [1e-2, 1e-3, 1e-4];
+
+/// Directions drawn, of which the first that meet usable texels are taken.
+const DRAWN: usize = 8_192;
+
+/// Tolerance below which halves are no choice: they round by up to 2^-11 of a number.
+const HALF_MIN: f64 = 5e-4;
+
+/// What a tolerance's promise came to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kept {
+    /// In 95 % of directions, with cubic look-ups.
+    Everywhere,
+    /// In 95 % of texels, which are point samples; between them the grid adds more.
+    OnTexels,
+    /// In 95 % of texels, as means over a texel: the grid does not resolve the light's lobes.
+    TexelMeans,
+    /// Not kept.
+    Missed,
+}
+
+/// One tolerance asked of one specimen.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ToleranceRow {
+    /// The relative error asked for.
+    pub tolerance: f64,
+    /// Halves, or floats where halves are too coarse.
+    pub storage: Storage,
+    /// Texels along u and v, and as many as the tolerance asks for.
+    pub size: [usize; 2],
+    /// Side of the square that a texel averages over; 0 for point samples.
+    pub prefilter_width: f64,
+    /// Tables.
+    pub tables: usize,
+    /// What was chosen while building.
+    pub record: BuildRecord,
+    /// Seconds to build.
+    pub build_s: f64,
+    /// Bytes a renderer holds.
+    pub stored_bytes: u64,
+    /// Luminance in 1/sr up to which directions are left out.
+    pub floor_per_sr: f64,
+    /// 95th percentiles of the shares of basis, wavelength step and storage over the hemisphere.
+    pub shares: [f64; 3],
+    /// Everything but the grid: tables at texels against the yardstick, averaged as they are.
+    pub on_texels: ErrorQuantiles,
+    /// The whole error over the hemisphere with cubic look-ups.
+    pub cubic: ErrorQuantiles,
+    /// The same with linear look-ups.
+    pub bilinear: ErrorQuantiles,
+    /// The verdict.
+    pub kept: Kept,
+}
+
+/// All tolerances on one specimen.
+pub fn rows(specimen: &StudySpecimen, config: &StudyConfig, advance: &dyn Fn()) -> Result<Vec<ToleranceRow>> {
+    let asked = config.tolerances.iter();
+    asked
+        .map(|&tolerance| {
+            let found = row(specimen, config, tolerance);
+            advance();
+            found
+        })
+        .collect()
+}
+
+fn row(specimen: &StudySpecimen, config: &StudyConfig, tolerance: f64) -> Result<ToleranceRow> {
+    let (fields, optics) = (&specimen.fields, &specimen.optics);
+    let needed = resolving_size(optics, tolerance);
+    let storage = if tolerance < HALF_MIN { Storage::Float } else { Storage::Half };
+    let tables = TablesConfig {
+        tolerance,
+        size: Some(needed.min(config.size_max)),
+        storage,
+        prefilter: Prefilter::Auto,
+        ..super::methods::tables_config(config, Basis::Chebyshev)
+    };
+    let started = std::time::Instant::now();
+    let (built, record) = build::build(fields, optics, &tables, &|_| ())?;
+    let build_s = started.elapsed().as_secs_f64();
+    let read = stored(&built, storage);
+    let plan = build::plan(fields, optics, &tables)?;
+    let fixed = measure::ErrorDirections::fixed();
+    let of_region = fixed.pairs.len() / Region::ALL.len();
+    let yardstick = measure::yardstick(fields, optics, &plan, built.tables.len(), fixed, [])?;
+    let hemisphere: Vec<f64> = yardstick.xyz[..of_region].iter().map(|xyz| xyz[1]).collect();
+    let floor_per_sr = floor_per_sr(optics, &hemisphere);
+    let rows = measure::error_rows_above(&yardstick, &read, &built, floor_per_sr);
+    let found = |what: &str| {
+        let row = rows.iter().find(|row| row.what == what && row.region == Region::Hemisphere.name());
+        row.map_or(ErrorQuantiles::default(), |row| ErrorQuantiles {
+            p50: row.p50,
+            p95: row.p95,
+            p99: row.p99,
+            worst: row.worst,
+            count: row.directions,
+        })
+    };
+    let shares = ["basis", "wavelength step", "storage"].map(|what| found(what).p95);
+    let texels = Texels::of(&built, plan.filter, &direction_pairs(Region::Hemisphere, DRAWN), floor_per_sr);
+    let reference = texels.reference(fields, optics, &plan)?;
+    let there: Vec<f64> =
+        texels.centres.iter().map(|&(wi, wo)| brdf_xyz(&read, Interpolation::Cubic, wi, wo)[1]).collect();
+    let on_texels = relative_error_quantiles(&reference, &there, floor_per_sr);
+    let cubic = found("total, cubic look-up");
+    let kept = match built.prefilter_width {
+        _ if on_texels.count == 0 || on_texels.p95 > tolerance => Kept::Missed,
+        width if width > 0.0 => Kept::TexelMeans,
+        _ if cubic.p95 <= tolerance => Kept::Everywhere,
+        _ => Kept::OnTexels,
+    };
+    Ok(ToleranceRow {
+        tolerance,
+        storage,
+        size: [built.size(), needed],
+        prefilter_width: built.prefilter_width,
+        tables: built.tables.len(),
+        record,
+        build_s,
+        stored_bytes: PackedTables::new(&built, built.tables.len(), storage).bytes(),
+        floor_per_sr,
+        shares,
+        on_texels,
+        cubic,
+        bilinear: found("total"),
+        kept,
+    })
+}
