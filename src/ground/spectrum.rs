@@ -140,13 +140,14 @@ pub fn uniform_wavelengths(illuminant: &Illuminant, range_nm: [f64; 2], step_nm:
     normalised(wavelengths_nm, weights)
 }
 
-/// Width in nm of the cells over which the product weights are integrated: well below the tables'
-/// steps of 1 and 5 nm.
-const CELL_NM: f64 = 0.125;
-
-/// Fewest cells between two wavelengths: windows of some 50 µm ask for wavelengths closer than [`CELL_NM`], and with
-/// fewer cells than nodes most nodes would go without weight.
-const CELLS_PER_STEP: f64 = 4.0;
+/// Nodes and weights of Gauss and Legendre on [0, 1], exact up to degree 7. A cell of integration is no wider than the
+/// 1 nm between knots of the observer, light is linear between knots too, and the interpolating polynomials have degree 5.
+const GAUSS: [[f64; 2]; 4] = [
+    [0.069_431_844_202_973_71, 0.173_927_422_568_726_93],
+    [0.330_009_478_207_571_9, 0.326_072_577_431_273_07],
+    [0.669_990_521_792_428_1, 0.326_072_577_431_273_07],
+    [0.930_568_155_797_026_3, 0.173_927_422_568_726_93],
+];
 
 /// Product quadrature on `count` uniform wavenumbers (1/λ): the integrand is interpolated by local
 /// polynomials through six nodes and integrated exactly against the illuminant and the observer.
@@ -167,13 +168,14 @@ pub fn uniform_wavenumbers(illuminant: &Illuminant, range_nm: [f64; 2], count: u
     let wavelengths_nm: Vec<f64> =
         (0..count).map(|j| if j + 1 == count { range_nm[0] } else { 1.0 / (low + j as f64 * step) }).collect();
     let mut weights = vec![[0.0; 3]; count];
-    let shortest_step_nm = step * range_nm[0] * range_nm[0];
-    let cells = ((range_nm[1] - range_nm[0]) / CELL_NM.min(shortest_step_nm / CELLS_PER_STEP)).ceil() as usize;
+    // Nor is a cell wider than the closest wavelengths lie, or nodes between its points would go without weight.
+    let per_nm = (1.0 / (step * range_nm[0] * range_nm[0])).ceil().max(1.0);
+    let cells = ((range_nm[1] - range_nm[0]) * per_nm).ceil() as usize;
     let cell_nm = (range_nm[1] - range_nm[0]) / cells as f64;
     let points = count.min(6);
-    for cell in 0..cells {
-        let nm = range_nm[0] + (cell as f64 + 0.5) * cell_nm;
-        let density = observer_2deg(nm).map(|c| illuminant.power(nm) * c * cell_nm);
+    for (cell, [place, share]) in (0..cells).flat_map(|cell| GAUSS.map(|point| (cell, point))) {
+        let nm = range_nm[0] + (cell as f64 + place) * cell_nm;
+        let density = observer_2deg(nm).map(|c| illuminant.power(nm) * c * cell_nm * share);
         let position = (1.0 / nm - low) / step;
         let start = (position.floor() as isize + 1 - points as isize / 2).clamp(0, (count - points) as isize) as usize;
         for j in 0..points {
