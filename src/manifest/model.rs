@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::optics::config::OpticsConfig;
 use crate::scene::animation::Animation;
 use crate::scene::environment::Environment;
+pub use crate::stages::cache::CacheConfig;
 pub use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
 use crate::stages::measured::MeasuredConfig;
 use crate::tables::model::TablesConfig;
@@ -32,6 +33,8 @@ pub struct Manifest {
     pub gpu: GpuSection,
     /// What is found out besides the tables.
     pub report: ReportConfig,
+    /// Where intermediate results are kept.
+    pub cache: CacheConfig,
     /// The folder that relative paths start at.
     pub base: PathBuf,
 }
