@@ -12,7 +12,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::ground::error::{Error, Result};
-use commands::{diff, eval, export, inspect, list, plan, run, study, synthesize, verify};
+use commands::{cache, diff, eval, export, inspect, list, plan, run, study, synthesize, verify};
 use output::Outcome;
 
 /// Turns height scans of iridescent surfaces into BRDF tables that any renderer can evaluate.
@@ -60,6 +60,8 @@ pub enum Command {
     Diff(diff::DiffArgs),
     /// Measure error against run time and memory, and run the stability suite
     Study(study::StudyArgs),
+    /// Show or clear the intermediate results that runs keep
+    Cache(cache::CacheArgs),
     /// Write an atlas in other forms
     Export(export::ExportArgs),
     /// List the atlases in a folder, their versions and specimens
@@ -94,6 +96,7 @@ fn dispatch(cli: &Cli) -> Result<Outcome> {
         Some(Command::Verify(args)) => verify::run(args, global),
         Some(Command::Diff(args)) => diff::run(args, global),
         Some(Command::Study(args)) => study::run(args, global),
+        Some(Command::Cache(args)) => cache::run(args),
         Some(Command::Export(args)) => export::run(args, global),
         Some(Command::List(args)) => list::run(args, global),
         Some(Command::Synthesize(args)) => synthesize::run(args, global),

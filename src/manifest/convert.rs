@@ -22,6 +22,7 @@ pub fn run_config(manifest: &Manifest, text: &str) -> RunConfig {
         gpu: manifest.gpu.check,
         frame_time: manifest.gpu.frame_time,
         report: manifest.report,
+        cache: manifest.cache.clone(),
         manifest_text: text.to_owned(),
         base: manifest.base.clone(),
     }

@@ -13,6 +13,10 @@ pub const OUT: &str = "out/atlas";
 pub const GPU: GpuSection = GpuSection { check: GpuCheck::Auto, frame_time: FrameTiming::Auto };
 /// `[report]`.
 pub const REPORT: ReportConfig = ReportConfig { write: true, reference: true, savings: false };
+/// `[cache] folder`, in the folder of atlases.
+pub const CACHE_FOLDER: &str = ".cache";
+/// `[cache] limit_mib`.
+pub const CACHE_LIMIT_MIB: u64 = 1024;
 /// `[[specimen]] level`.
 pub const LEVEL: LevelSection = LevelSection::Plane;
 /// `[[specimen]] max_missing_share`.

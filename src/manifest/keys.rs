@@ -12,7 +12,7 @@ pub struct Keys {
 /// The top level.
 pub const TOP: Keys = Keys {
     table: "the top level",
-    names: &["schema", "atlas", "optics", "tables", "specimen", "scene", "gpu", "report"],
+    names: &["schema", "atlas", "optics", "tables", "specimen", "scene", "gpu", "report", "cache"],
 };
 
 /// What the atlas is called and where it goes.
@@ -130,6 +130,9 @@ pub const GPU: Keys = Keys { table: "[gpu]", names: &["check", "frame_time"] };
 /// What is found out besides the tables.
 pub const REPORT: Keys = Keys { table: "[report]", names: &["write", "reference", "savings"] };
 
+/// Where intermediate results are kept.
+pub const CACHE: Keys = Keys { table: "[cache]", names: &["folder", "limit_mib"] };
+
 /// Every table.
 pub const ALL: &[&Keys] = &[
     &TOP,
@@ -152,6 +155,7 @@ pub const ALL: &[&Keys] = &[
     &EXPOSURE,
     &GPU,
     &REPORT,
+    &CACHE,
 ];
 
 /// Units that key names end in.

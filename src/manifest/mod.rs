@@ -25,8 +25,8 @@ use std::path::Path;
 use toml::de::DeTable;
 
 pub use model::{
-    AtlasSection, DespikeSection, ExposureSection, FrameTiming, GpuCheck, GpuSection, HeightSection, HeightUnit,
-    LevelSection, LightSection, Manifest, ReportConfig, SceneSection, Serve, ShapeSection, SpecimenSection,
+    AtlasSection, CacheConfig, DespikeSection, ExposureSection, FrameTiming, GpuCheck, GpuSection, HeightSection,
+    HeightUnit, LevelSection, LightSection, Manifest, ReportConfig, SceneSection, Serve, ShapeSection, SpecimenSection,
 };
 
 use crate::ground::error::{Error, Result};
@@ -112,13 +112,18 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
         Some(item) => report(&item.section(&keys::REPORT, "[report]")?)?,
         None => defaults::REPORT,
     };
+    let cache = match top.get("cache") {
+        Some(item) => Some(item.section(&keys::CACHE, "[cache]")?),
+        None => None,
+    };
+    let cache = cache_config(cache.as_ref(), &atlas.out, base)?;
     let names: Vec<&str> = scenes.iter().map(|scene| scene.name.as_str()).collect();
     let serve = match top.get("tables") {
         Some(item) => tables::read_serve(&item, &names)?,
         None => Serve::All,
     };
     let base = base.to_owned();
-    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, serve, specimens, scenes, gpu, report, base })
+    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, serve, specimens, scenes, gpu, report, cache, base })
 }
 
 fn syntax_error(source: &Source, error: &toml::de::Error) -> Error {
@@ -148,6 +153,23 @@ fn report(section: &Section) -> Result<ReportConfig> {
         write: switch("write", defaults::REPORT.write)?,
         reference: switch("reference", defaults::REPORT.reference)?,
         savings: switch("savings", defaults::REPORT.savings)?,
+    })
+}
+
+/// Largest cache in MiB.
+const CACHE_LIMIT_MIB_MAX: usize = 16 << 20;
+
+fn cache_config(section: Option<&Section>, out: &Path, base: &Path) -> Result<CacheConfig> {
+    let get = |key| section.and_then(|section| section.get(key));
+    Ok(CacheConfig {
+        folder: match get("folder") {
+            Some(item) => base.join(item.text_not_empty()?),
+            None => out.join(defaults::CACHE_FOLDER),
+        },
+        limit_mib: match get("limit_mib") {
+            Some(item) => item.integer_within(0, CACHE_LIMIT_MIB_MAX, "MiB")? as u64,
+            None => defaults::CACHE_LIMIT_MIB,
+        },
     })
 }
 

@@ -8,6 +8,7 @@ use crate::optics::config::OpticsConfig;
 use crate::scene::animation::Animation;
 use crate::scene::environment::Environment;
 use crate::scene::mesh::MeshShape;
+pub use crate::stages::cache::CacheConfig;
 pub use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
 use crate::stages::measured::MeasuredConfig;
 use crate::tables::model::TablesConfig;
@@ -33,6 +34,8 @@ pub struct Manifest {
     pub gpu: GpuSection,
     /// What is found out besides the tables.
     pub report: ReportConfig,
+    /// Where intermediate results are kept.
+    pub cache: CacheConfig,
     /// The folder that relative paths start at.
     pub base: PathBuf,
 }

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::cache::CacheConfig;
 use crate::height::prepare::PrepareConfig;
 use crate::height::read::ReadConfig;
 use crate::optics::config::OpticsConfig;
@@ -30,6 +31,8 @@ pub struct RunConfig {
     pub frame_time: FrameTiming,
     /// What is found out besides.
     pub report: ReportConfig,
+    /// Where intermediate results are kept.
+    pub cache: CacheConfig,
     /// The manifest, word for word.
     pub manifest_text: String,
     /// Folder that input paths are recorded relative to.

@@ -66,14 +66,23 @@ impl ErrorDirections {
 #[derive(Debug, Clone, Default)]
 pub struct Yardstick {
     /// Name and size of each group of directions on which errors are counted.
-    groups: Vec<(String, usize)>,
+    pub(super) groups: Vec<(String, usize)>,
     /// Pairs of directions: those of the groups first, then whatever scenes added.
     pub pairs: Vec<(Vec3, Vec3)>,
     /// XYZ of the BRDF at each, in 1/sr.
     pub xyz: Vec<Xyz>,
     /// Diffuse luminance at the regions' pairs: exact, with the tables' wavelengths, and with the tables'
     /// interpolation in `w` too; geometry and reflectance left out.
-    diffuse: [Vec<f64>; 3],
+    pub(super) diffuse: [Vec<f64>; 3],
+}
+
+impl Yardstick {
+    /// Itself without the pairs beyond the first `count`, those on which errors are counted.
+    pub(super) fn counted(mut self, count: usize) -> Self {
+        self.pairs.truncate(count);
+        self.xyz.truncate(count);
+        self
+    }
 }
 
 /// Evaluates the yardstick on the directions of errors, then on those of pictures.
@@ -203,11 +212,11 @@ fn row(what: &str, region: &str, reference: &[f64], test: &[f64], floor_per_sr: 
 }
 
 /// The yardstick against the direct sum at the brightest directions of the first group: a grating is dark in most of
-/// them, and nothing can be compared there.
+/// them, and nothing can be compared there. `direct` gives the direct sum's XYZ at pairs of directions.
 ///
 /// # Errors
 /// Those of the reference.
-pub fn direct_row(fields: &[HeightField], optics: &OpticsConfig, yardstick: &Yardstick) -> Result<ErrorRow> {
+pub fn direct_row(yardstick: &Yardstick, direct: &dyn Fn(&[(Vec3, Vec3)]) -> Result<Vec<Xyz>>) -> Result<ErrorRow> {
     let Some((region, count)) = yardstick.groups.first() else {
         return Err(crate::ground::error::Error::Call("errors are counted on no directions".into()));
     };
@@ -215,7 +224,7 @@ pub fn direct_row(fields: &[HeightField], optics: &OpticsConfig, yardstick: &Yar
     brightest.sort_by(|&a, &b| yardstick.xyz[b][1].total_cmp(&yardstick.xyz[a][1]));
     brightest.truncate(DIRECT_PAIRS);
     let pairs: Vec<(Vec3, Vec3)> = brightest.iter().map(|&index| yardstick.pairs[index]).collect();
-    let direct: Vec<f64> = reference::brdf_xyz_batch(fields, optics, &pairs)?.iter().map(|xyz| xyz[1]).collect();
+    let direct: Vec<f64> = direct(&pairs)?.iter().map(|xyz| xyz[1]).collect();
     let fast: Vec<f64> = brightest.iter().map(|&index| yardstick.xyz[index][1]).collect();
     Ok(row("yardstick against direct sum", region, &direct, &fast, FLOOR_PER_SR))
 }

@@ -1,6 +1,7 @@
 //! Stages floor: order of the work, what it found out, the atlas on disk, publishing, comparing versions.
 
 pub mod atlas;
+pub mod cache;
 pub mod config;
 pub(crate) mod describe;
 pub mod diff;
@@ -10,6 +11,7 @@ pub mod gpu_check;
 pub mod gpu_results;
 pub mod gpu_stage;
 pub mod ingest;
+pub mod known;
 pub mod measure;
 pub mod measured;
 pub mod pipeline;

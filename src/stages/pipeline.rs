@@ -7,11 +7,13 @@ use std::path::Path;
 use std::time::Instant;
 
 use super::atlas::{AtlasIndex, InputRecord};
+use super::cache::{Cache, CacheUse};
 use super::config::{RunConfig, Serve, SpecimenConfig};
 use super::describe::{describe, entry, failed_result, inputs, specimen_file};
 use super::format_md::format_md;
 use super::gpu_stage;
 use super::ingest::ingest;
+use super::known::Known;
 use super::measure::{self, ErrorDirections};
 use super::measured;
 use super::progress::Progress;
@@ -81,6 +83,8 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     let staging = publish::begin(&config.atlas_root)?;
     let mut results = empty_results(config, helpers);
     let gpu = gpu_stage::open(config, &mut results, helpers.progress)?;
+    let cache = Cache::open(&config.cache);
+    results.cache = cache.is_on().then(CacheUse::default);
     let mut index = AtlasIndex::new(
         &config.atlas_name,
         &files::sha256_hex(config.manifest_text.as_bytes()),
@@ -94,12 +98,15 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     for (number, specimen) in asked_for.iter().enumerate() {
         let label = format!("[{}/{}] {}", number + 1, asked_for.len(), specimen.name);
         let specimen_started = Instant::now();
-        match run_specimen(config, specimen, &staging, helpers, &mut results.stages) {
+        match run_specimen(config, specimen, &staging, helpers, &cache, &mut results.stages) {
             Ok(done) => {
+                if let Some(used) = &mut results.cache {
+                    *used = used.with(&done.used, cache.traffic());
+                }
                 if let Some(gpu) = &gpu {
                     gpu_stage::check(gpu, config, specimen, staging.path(), &mut results, helpers.progress);
                 }
-                helpers.progress.message(&done_line(&label, &done.result, specimen_started.elapsed().as_secs_f64()));
+                helpers.progress.message(&done_line(&label, &done, specimen_started.elapsed().as_secs_f64()));
                 record_unserved(&mut results, &done.result);
                 index.inputs.extend(done.inputs);
                 shared.add(done.shares);
@@ -158,9 +165,15 @@ fn record_unserved(results: &mut RunResults, specimen: &SpecimenResult) {
 }
 
 /// The line that a finished specimen leaves on the screen.
-fn done_line(label: &str, result: &SpecimenResult, seconds: f64) -> String {
-    let (tables, size) = result.build.as_ref().map_or((0, 0), |build| (build.tables, build.size));
-    format!("{label}: {tables} tables of {size}², {seconds:.1} s")
+fn done_line(label: &str, done: &Done, seconds: f64) -> String {
+    let (tables, size) = done.result.build.as_ref().map_or((0, 0), |build| (build.tables, build.size));
+    let found = match done.used {
+        CacheUse { tables_found: 0, pairs_found: 0, .. } => String::new(),
+        CacheUse { tables_found: 0, pairs_found, .. } => format!(", {pairs_found} reference values were known"),
+        CacheUse { pairs_found: 0, .. } => ", the tables were known".into(),
+        CacheUse { pairs_found, .. } => format!(", the tables and {pairs_found} reference values were known"),
+    };
+    format!("{label}: {tables} tables of {size}², {seconds:.1} s{found}")
 }
 
 /// What a finished specimen leaves besides its files.
@@ -168,6 +181,7 @@ struct Done {
     result: SpecimenResult,
     inputs: Vec<InputRecord>,
     shares: Vec<Share>,
+    used: CacheUse,
 }
 
 /// Where and why a specimen failed.
@@ -202,10 +216,6 @@ impl Clock<'_> {
         });
         outcome.map_err(|error| Failed { stage: name, error })
     }
-
-    fn last_s(&self) -> f64 {
-        self.times.last().map_or(0.0, |time| time.wall_s)
-    }
 }
 
 fn run_specimen(
@@ -213,6 +223,7 @@ fn run_specimen(
     specimen: &SpecimenConfig,
     staging: &Staging,
     helpers: &Helpers,
+    cache: &Cache,
     times: &mut Vec<StageTime>,
 ) -> std::result::Result<Done, Failed> {
     let mut clock = Clock { specimen: &specimen.name, times, progress: helpers.progress };
@@ -227,6 +238,7 @@ fn run_specimen(
         None => None,
     };
     let source = Source { fields: &ingested.fields, optics, tables: &config.tables };
+    let known = Known::new(cache, &ingested.fields);
     let pictured = serve::pictured_scenes(config, &specimen.name);
     let wanted: Vec<&Scene> = pictured.iter().collect();
     let serving = config.serve != Serve::All;
@@ -236,10 +248,8 @@ fn run_specimen(
     };
     let plan = clock.stage("plan", 0, || build::plan_for(&ingested.fields, optics, &config.tables, domain.clone()))?;
     let steps = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum::<usize>() * plan.windows.len();
-    let (built, record) = clock.stage("build tables", steps as u64, || {
-        build::build_planned(&ingested.fields, optics, &config.tables, &plan, &|n| helpers.progress.advance(n))
-    })?;
-    let build_s = clock.last_s();
+    let (built, record, build_s) =
+        clock.stage("build tables", steps as u64, || known.tables(&source, &plan, &|n| helpers.progress.advance(n)))?;
     let stored = clock.stage("store tables", 0, || write_tables(&folder, &built, config.tables.storage))?;
     let set = clock.stage("read back", 0, || read_tables(&folder, &stored, optics))?;
     let works = clock.stage("render scenes", 0, || {
@@ -258,14 +268,14 @@ fn run_specimen(
         false => None,
         true => Some(clock.stage("evaluate the reference", 0, || {
             let pictures = works.iter().flat_map(SceneWork::pairs);
-            measure::yardstick(&ingested.fields, optics, &plan, built.tables.len(), directions, pictures)
+            known.yardstick(&source, &plan, built.tables.len(), directions, pictures)
         })?),
     };
     result.warnings.extend(scenes::warnings(&wanted, optics));
     clock.stage("measure errors", 0, || {
         if let Some(yardstick) = &yardstick {
             result.errors = measure::error_rows(yardstick, &set, &built);
-            result.errors.push(measure::direct_row(&ingested.fields, optics, yardstick)?);
+            result.errors.push(known.direct_row(&source, yardstick)?);
         }
         let (sums, lobe_share) = measure::power_sums(&set);
         result.power_sums = sums;
@@ -323,7 +333,8 @@ fn run_specimen(
             serve::account(&source, &wanted, domain, measured, config.report.savings)
         })?);
     }
-    Ok(Done { result, inputs: inputs(config, specimen, &ingested, measurement.as_ref()), shares })
+    let inputs = inputs(config, specimen, &ingested, measurement.as_ref());
+    Ok(Done { result, inputs, shares, used: known.used() })
 }
 
 /// Path of the picture of a specimen in lists: the first of its scenes where tables serve nothing else.
@@ -381,6 +392,7 @@ fn empty_results(config: &RunConfig, helpers: &Helpers) -> RunResults {
         gpu: GpuResult::Off,
         failures: Vec::new(),
         left_out: serve::left_out(config),
+        cache: None,
         peak_memory_mib: None,
         total_wall_s: 0.0,
     }

@@ -5,6 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::cache::CacheUse;
 pub use super::gpu_results::{GpuResult, GpuRow};
 use super::serve::Budget;
 use crate::ground::error::{Error, Result};
@@ -49,6 +50,9 @@ pub struct RunResults {
     /// What nobody asked for and was not done: specimens, pictures, stages.
     #[serde(default)]
     pub left_out: Vec<String>,
+    /// What the cache knew; `None` where the run had none.
+    #[serde(default)]
+    pub cache: Option<CacheUse>,
     /// Most memory the process held, in MiB, where the system tells.
     pub peak_memory_mib: Option<f64>,
     /// Duration of the run in seconds.

@@ -1,5 +1,6 @@
 //! The program from outside: manifests and scans in a folder of their own, commands, and what they leave on the disk.
 
+mod cache;
 mod damage;
 mod evaluation;
 mod faults;

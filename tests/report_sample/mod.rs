@@ -50,6 +50,7 @@ fn make_sample() -> Sample {
         stages,
         gpu: gpu_result(),
         left_out: Vec::new(),
+        cache: None,
         failures: vec![Failure {
             specimen: Some("torn_scan".into()),
             stage: "read scans".into(),

@@ -1,5 +1,6 @@
 //! One file per command: its arguments and what it does.
 
+pub mod cache;
 pub mod diff;
 pub mod eval;
 pub mod export;
@@ -33,6 +34,7 @@ mod tests {
             command::<study::StudyArgs>("study"),
             command::<verify::VerifyArgs>("verify"),
             command::<diff::DiffArgs>("diff"),
+            command::<cache::CacheArgs>("cache"),
             command::<export::ExportArgs>("export"),
             command::<synthesize::SynthesizeArgs>("synthesize"),
             command::<list::ListArgs>("list"),

@@ -23,11 +23,14 @@ pub struct RunArgs {
     /// What to compute
     #[arg(default_value = super::MANIFEST)]
     pub manifest: PathBuf,
+    /// Compute everything anew, and keep nothing for later runs
+    #[arg(long)]
+    pub no_cache: bool,
 }
 
 impl Default for RunArgs {
     fn default() -> Self {
-        Self { manifest: super::MANIFEST.into() }
+        Self { manifest: super::MANIFEST.into(), no_cache: false }
     }
 }
 
@@ -37,7 +40,10 @@ impl Default for RunArgs {
 /// A wrong manifest, or what concerns the whole run.
 pub fn run(args: &RunArgs, global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
-    let config = run_config(&manifest, &text);
+    let mut config = run_config(&manifest, &text);
+    if args.no_cache {
+        config.cache.limit_mib = 0;
+    }
     let progress = reporter(global.quiet);
     let helpers = Helpers {
         illustrate: &illustrate,

@@ -1,0 +1,345 @@
+//! Results of a specimen that the cache may know: its tables, the reference's values, the direct sum's.
+//!
+//! Every function here returns, bit for bit, what it would return without a cache. Keys hold the prepared heights
+//! themselves, so that they say nothing of where a scan lies or what it is called.
+
+use std::cell::Cell;
+use std::collections::{HashMap, HashSet};
+use std::time::Instant;
+
+use ndarray::Array3;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+
+use super::cache::{Cache, CacheUse};
+use super::measure::{self, ErrorDirections, Yardstick};
+use super::results::ErrorRow;
+use super::serve::Source;
+use crate::ground::direction::{Vec3, Xyz};
+use crate::ground::error::Result;
+use crate::ground::files;
+use crate::height::HeightField;
+use crate::optics::reference;
+use crate::tables::build::{self, Advance, BuildPlan};
+use crate::tables::domain::Domain;
+use crate::tables::model::{BuildRecord, Lobe, Storage, TableSet, TablesConfig};
+
+type Pair = (Vec3, Vec3);
+
+/// Share of the cache's limit that one specimen's reference values may take; beyond, those no longer asked for go.
+const PAIRS_SHARE: u64 = 4;
+
+/// Bytes of a pair of directions with its value.
+const PAIR_BYTES: usize = 9 * 8;
+
+/// What the cache knows of one specimen.
+#[derive(Debug)]
+pub struct Known<'a> {
+    cache: &'a Cache,
+    /// The prepared heights, by their digest.
+    heights: String,
+    used: Cell<CacheUse>,
+}
+
+impl<'a> Known<'a> {
+    /// Of the specimen with these prepared heights.
+    pub fn new(cache: &'a Cache, fields: &[HeightField]) -> Self {
+        let heights = if cache.is_on() { digest_of(fields) } else { String::new() };
+        Self { cache, heights, used: Cell::default() }
+    }
+
+    /// What was found and what was computed so far; bytes are counted by the cache.
+    pub fn used(&self) -> CacheUse {
+        self.used.get()
+    }
+
+    fn count(&self, count: impl FnOnce(&mut CacheUse)) {
+        let mut used = self.used.get();
+        count(&mut used);
+        self.used.set(used);
+    }
+
+    fn key(&self, kind: &str, parts: &Value) -> String {
+        self.cache.key(kind, &json!({ "heights": self.heights, "parts": parts }))
+    }
+
+    /// The tables of a plan with their record and the seconds that building them took.
+    ///
+    /// # Errors
+    /// Those of building.
+    pub fn tables(&self, source: &Source, plan: &BuildPlan, advance: Advance) -> Result<(TableSet, BuildRecord, f64)> {
+        let started = Instant::now();
+        let build = || build::build_planned(source.fields, source.optics, source.tables, plan, advance);
+        if !self.cache.is_on() {
+            return build().map(|(set, record)| (set, record, started.elapsed().as_secs_f64()));
+        }
+        // How tables are stored changes nothing before it.
+        let settings = TablesConfig { storage: Storage::Half, ..source.tables.clone() };
+        let parts = json!({ "optics": source.optics, "settings": settings, "plan": plan_parts(plan) });
+        let key = self.key("tables", &parts);
+        if let Some(found) = self.cache.load(&key).and_then(|bytes| decode_tables(&bytes, source, plan)) {
+            self.count(|used| used.tables_found += 1);
+            return Ok(found);
+        }
+        let (set, record) = build()?;
+        let build_s = started.elapsed().as_secs_f64();
+        self.cache.store(&key, &encode_tables(&set, &record, build_s));
+        self.count(|used| used.tables_built += 1);
+        Ok((set, record, build_s))
+    }
+
+    /// [`measure::yardstick`], evaluated where it is not known.
+    ///
+    /// # Errors
+    /// Those of the transforms.
+    pub fn yardstick(
+        &self,
+        source: &Source,
+        plan: &BuildPlan,
+        nodes: usize,
+        errors: ErrorDirections,
+        pictures: impl IntoIterator<Item = Pair>,
+    ) -> Result<Yardstick> {
+        let evaluate =
+            |errors, pictures| measure::yardstick(source.fields, source.optics, plan, nodes, errors, pictures);
+        if !self.cache.is_on() {
+            return evaluate(errors, pictures.into_iter().collect::<Vec<_>>());
+        }
+        let pictures: Vec<Pair> = pictures.into_iter().collect();
+        let transforms = json!({ "optics": source.optics, "spectra": spectra_parts(plan) });
+        let pairs_key = self.key("pictures", &transforms);
+        let parts = json!({
+            "transforms": transforms, "plan": plan_parts(plan), "nodes": nodes,
+            "pairs": files::sha256_hex(&pair_bytes(&errors.pairs)),
+        });
+        let errors_key = self.key("errors", &parts);
+        let mut known = self.cache.load(&pairs_key).and_then(|bytes| decode_pairs(&bytes)).unwrap_or_default();
+        let mut asked = HashSet::new();
+        let missing: Vec<Pair> = pictures
+            .iter()
+            .copied()
+            .filter(|pair| !known.contains_key(&bits(pair)) && asked.insert(bits(pair)))
+            .collect();
+        let counted = self.cache.load(&errors_key).and_then(|bytes| decode_counted(&bytes, &errors));
+        let (fixed, is_counted) = (errors.pairs.len(), counted.is_some());
+        self.count(|used| {
+            let computed = missing.len() + if is_counted { 0 } else { fixed };
+            used.pairs_computed += computed as u64;
+            used.pairs_found += (fixed + pictures.len()).saturating_sub(computed) as u64;
+        });
+        let wanted = if is_counted { ErrorDirections::default() } else { errors };
+        let fresh = match wanted.pairs.is_empty() && missing.is_empty() {
+            true => Yardstick::default(),
+            false => evaluate(wanted, missing.clone())?,
+        };
+        let first = fresh.pairs.len() - missing.len();
+        known.extend(missing.iter().map(bits).zip(fresh.xyz[first..].iter().copied()));
+        let mut yardstick = counted.unwrap_or_else(|| fresh.counted(fixed));
+        if !is_counted {
+            self.cache.store(&errors_key, &encode_counted(&yardstick));
+        }
+        yardstick.xyz.extend(pictures.iter().map(|pair| known[&bits(pair)]));
+        yardstick.pairs.extend(&pictures);
+        if !missing.is_empty() {
+            if (known.len() * PAIR_BYTES) as u64 > self.cache.limit_bytes() / PAIRS_SHARE {
+                let asked: HashSet<[u64; 6]> = pictures.iter().map(bits).collect();
+                known.retain(|pair, _| asked.contains(pair));
+            }
+            self.cache.store(&pairs_key, &encode_pairs(&known));
+        }
+        Ok(yardstick)
+    }
+
+    /// [`measure::direct_row`] with the direct sum's values where they are known.
+    ///
+    /// # Errors
+    /// Those of the reference.
+    pub fn direct_row(&self, source: &Source, yardstick: &Yardstick) -> Result<ErrorRow> {
+        measure::direct_row(yardstick, &|pairs| {
+            let sum = || reference::brdf_xyz_batch(source.fields, source.optics, pairs);
+            if !self.cache.is_on() {
+                return sum();
+            }
+            let parts = json!({ "optics": source.optics, "pairs": files::sha256_hex(&pair_bytes(pairs)) });
+            let key = self.key("direct sum", &parts);
+            let found = self.cache.load(&key).and_then(|bytes| triples(&numbers(&bytes)?, pairs.len()));
+            if let Some(xyz) = found {
+                return Ok(xyz);
+            }
+            let xyz = sum()?;
+            self.cache.store(&key, &xyz.iter().flatten().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>());
+            Ok(xyz)
+        })
+    }
+}
+
+/// Digest of heights and spacings.
+fn digest_of(fields: &[HeightField]) -> String {
+    let mut bytes = Vec::new();
+    for field in fields {
+        let (rows, columns) = field.heights_nm.dim();
+        [rows, columns].iter().for_each(|count| bytes.extend((*count as u64).to_le_bytes()));
+        field.pitch_nm.iter().chain(&field.heights_nm).for_each(|number| bytes.extend(number.to_le_bytes()));
+    }
+    files::sha256_hex(&bytes)
+}
+
+fn spectra_parts(plan: &BuildPlan) -> Value {
+    let spectra = &plan.spectra;
+    // What does not fit into the memory is refused, known or not.
+    json!({
+        "s": spectra.s,
+        "frequency": spectra.frequency,
+        "tolerance": spectra.tolerance,
+        "memory_bytes": spectra.memory_bytes,
+    })
+}
+
+/// Everything that a plan settles beyond what follows from heights and optics.
+fn plan_parts(plan: &BuildPlan) -> Value {
+    let rings: Vec<Value> = plan
+        .rings
+        .iter()
+        .map(|ring| json!([ring.rho, ring.w, ring.quadrature.wavelengths_nm, ring.quadrature.weights]))
+        .collect();
+    json!({
+        "grid": plan.texels.grid.size,
+        "domain": plan.domain.as_ref().map(domain_digest),
+        "filter": [plan.filter.width, plan.filter.samples as f64],
+        "rings": rings,
+        "spectra": spectra_parts(plan),
+        "nodes_bound": plan.nodes_bound,
+        "fine_tolerance": plan.fine_tolerance,
+        "lobe": [json!(plan.lobe_radius), json!(plan.lobe_seen), json!(plan.crosses)],
+    })
+}
+
+fn domain_digest(domain: &Domain) -> String {
+    let mut hasher = Sha256::new();
+    domain.low.iter().chain(&domain.high).for_each(|end| hasher.update(end.to_le_bytes()));
+    hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn bits((wi, wo): &Pair) -> [u64; 6] {
+    [wi[0], wi[1], wi[2], wo[0], wo[1], wo[2]].map(f64::to_bits)
+}
+
+fn pair_bytes(pairs: &[Pair]) -> Vec<u8> {
+    pairs.iter().flat_map(bits).flat_map(u64::to_le_bytes).collect()
+}
+
+/// Bytes as numbers; `None` where some are left over.
+fn numbers(bytes: &[u8]) -> Option<Vec<f64>> {
+    let (eights, rest) = bytes.as_chunks::<8>();
+    rest.is_empty().then(|| eights.iter().map(|eight| f64::from_le_bytes(*eight)).collect())
+}
+
+fn triples(numbers: &[f64], count: usize) -> Option<Vec<Xyz>> {
+    let (triples, rest) = numbers.as_chunks::<3>();
+    (rest.is_empty() && triples.len() == count).then(|| triples.to_vec())
+}
+
+/// Sorted, so that equal contents are equal bytes.
+fn encode_pairs(known: &HashMap<[u64; 6], Xyz>) -> Vec<u8> {
+    let mut rows: Vec<_> = known.iter().collect();
+    rows.sort_unstable_by_key(|(pair, _)| **pair);
+    let words = rows.into_iter().flat_map(|(pair, xyz)| pair.iter().copied().chain(xyz.map(f64::to_bits)));
+    words.flat_map(u64::to_le_bytes).collect()
+}
+
+fn decode_pairs(bytes: &[u8]) -> Option<HashMap<[u64; 6], Xyz>> {
+    let numbers = numbers(bytes)?;
+    let (rows, rest) = numbers.as_chunks::<9>();
+    let row = |row: &[f64; 9]| (std::array::from_fn(|n| row[n].to_bits()), [row[6], row[7], row[8]]);
+    rest.is_empty().then(|| rows.iter().map(row).collect())
+}
+
+fn encode_counted(yardstick: &Yardstick) -> Vec<u8> {
+    let numbers = yardstick.xyz.iter().flatten().chain(yardstick.diffuse.iter().flatten());
+    numbers.flat_map(|number| number.to_le_bytes()).collect()
+}
+
+fn decode_counted(bytes: &[u8], errors: &ErrorDirections) -> Option<Yardstick> {
+    let (numbers, fixed) = (numbers(bytes)?, errors.pairs.len());
+    if numbers.len() != 6 * fixed {
+        return None;
+    }
+    let (xyz, diffuse) = numbers.split_at(3 * fixed);
+    Some(Yardstick {
+        groups: errors.groups.clone(),
+        pairs: errors.pairs.clone(),
+        xyz: triples(xyz, fixed)?,
+        diffuse: [0, 1, 2].map(|n| diffuse[n * fixed..(n + 1) * fixed].to_vec()),
+    })
+}
+
+/// What stands before the numbers of tables.
+#[derive(Debug, Serialize, Deserialize)]
+struct Header {
+    record: BuildRecord,
+    build_s: f64,
+    tables: Vec<[usize; 3]>,
+    coherent: Option<[usize; 3]>,
+    cross: Vec<[usize; 3]>,
+    lobe_radius: f64,
+    prefilter_width: f64,
+    usable_radius: f64,
+}
+
+fn shape(table: &Array3<f32>) -> [usize; 3] {
+    table.dim().into()
+}
+
+/// A line of JSON, then the numbers of all arrays in order.
+fn encode_tables(set: &TableSet, record: &BuildRecord, build_s: f64) -> Vec<u8> {
+    let lobe = set.lobe.as_ref();
+    let cross = lobe.map_or(&[][..], |lobe| &lobe.cross);
+    let header = json!({
+        "record": record,
+        "build_s": build_s,
+        "tables": set.tables.iter().map(shape).collect::<Vec<_>>(),
+        "coherent": lobe.map(|lobe| shape(&lobe.coherent)),
+        "cross": cross.iter().map(shape).collect::<Vec<_>>(),
+        "lobe_radius": lobe.map_or(0.0, |lobe| lobe.radius_max),
+        "prefilter_width": set.prefilter_width,
+        "usable_radius": set.usable_radius,
+    });
+    let mut bytes = format!("{header}\n").into_bytes();
+    for array in set.tables.iter().chain(lobe.map(|lobe| &lobe.coherent)).chain(cross) {
+        bytes.extend(array.iter().flat_map(|number| number.to_le_bytes()));
+    }
+    bytes
+}
+
+fn decode_tables(bytes: &[u8], source: &Source, plan: &BuildPlan) -> Option<(TableSet, BuildRecord, f64)> {
+    let end = bytes.iter().position(|byte| *byte == b'\n')?;
+    let header: Header = serde_json::from_slice(&bytes[..end]).ok()?;
+    let mut rest = &bytes[end + 1..];
+    let mut take = |shape: &[usize; 3]| {
+        let count = shape.iter().try_fold(4usize, |count, side| count.checked_mul(*side))?;
+        let (own, after) = rest.split_at_checked(count)?;
+        rest = after;
+        let numbers = own.as_chunks::<4>().0.iter().map(|four| f32::from_le_bytes(*four)).collect();
+        Array3::from_shape_vec(*shape, numbers).ok()
+    };
+    let tables = header.tables.iter().map(&mut take).collect::<Option<_>>()?;
+    let lobe = match &header.coherent {
+        None => None,
+        Some(shape) => Some(Lobe {
+            coherent: take(shape)?,
+            radius_max: header.lobe_radius,
+            cross: header.cross.iter().map(&mut take).collect::<Option<_>>()?,
+        }),
+    };
+    let set = TableSet {
+        basis: source.tables.basis,
+        tables,
+        lobe,
+        prefilter_width: header.prefilter_width,
+        optics: source.optics.clone(),
+        served: plan.domain.as_ref().and_then(Domain::served),
+        usable_radius: header.usable_radius,
+    };
+    rest.is_empty().then_some((set, header.record, header.build_s))
+}
