@@ -18,6 +18,7 @@ vt 1 0
 vt 1 1
 vt 0 1
 vn 0 0 1
+usemtl of no face
 usemtl back
 f 1/1/1 2/2/1 3/3/1
 usemtl the belly
@@ -171,10 +172,10 @@ fn nodes_place_what_they_hold() {
 #[test]
 fn faulty_obj_files_name_the_line_and_what_is_missing() {
     for (find, replace, expected) in [
-        ("f 1/1/1 2/2/1 3/3/1", "f 1 2 3", "line 12: the face has no texture coordinates"),
-        ("f 1/1/1 2/2/1 3/3/1", "f 1//1 2//1 3//1", "line 12: the face has no texture coordinates"),
-        ("f 1/1/1 2/2/1 3/3/1", "f 1/1/1 2/2/1", "line 12: a face needs 3 corners"),
-        ("f 1/1/1 2/2/1 3/3/1", "f 1/1/1 2/2/1 9/3/1", "line 12: the face refers to vertex (v) 9; 4 are listed"),
+        ("f 1/1/1 2/2/1 3/3/1", "f 1 2 3", "line 13: the face has no texture coordinates"),
+        ("f 1/1/1 2/2/1 3/3/1", "f 1//1 2//1 3//1", "line 13: the face has no texture coordinates"),
+        ("f 1/1/1 2/2/1 3/3/1", "f 1/1/1 2/2/1", "line 13: a face needs 3 corners"),
+        ("f 1/1/1 2/2/1 3/3/1", "f 1/1/1 2/2/1 9/3/1", "line 13: the face refers to vertex (v) 9; 4 are listed"),
         ("f 1/1/1 2/2/1 3/3/1", "f 1/1/1 2/2/1 0/3/1", "vertex (v) 0"),
         ("f 1/1/1 2/2/1 3/3/1", "f 1/1/1 2/2/1 -9223372036854775808/3/1", "vertex (v) -9223372036854775808"),
         ("f 1/1/1 2/2/1 3/3/1", "f 1/1/1 2/7/1 3/3/1", "texture coordinate (vt) 7"),

@@ -114,12 +114,15 @@ fn refuse_foreign_keys(section: &Section, kind: Kind) -> Result<()> {
     };
     let kinds = KINDS.iter().chain([&MESH]);
     let homes: Vec<&str> = kinds.filter(|other| other.own_keys.contains(key)).map(|other| other.word).collect();
-    let (word, own_keys) = (kind.word, keys::quoted(kind.own_keys));
-    let this = if kind == MESH { word.to_owned() } else { format!("\"{word}\"") };
+    let (this, kind_of) = if kind == MESH {
+        (kind.word.to_owned(), kind.word.to_owned())
+    } else {
+        (format!("\"{}\"", kind.word), format!("the shape \"{}\"", kind.word))
+    };
     let message = format!(
-        "`{key}` does not apply to {} but to {}; {this} takes {own_keys}",
-        if kind == MESH { word.to_owned() } else { format!("the shape \"{word}\"") },
+        "`{key}` does not apply to {kind_of} but to {}; {this} takes {}",
         keys::quoted(&homes),
+        keys::quoted(kind.own_keys),
     );
     Err(section.error_at_key(key, message))
 }

@@ -32,6 +32,12 @@ struct Assembly<'a> {
     known: HashMap<Corner, u32>,
 }
 
+/// The material of the faces that follow; it counts from its first face on.
+struct Named {
+    name: String,
+    index: Option<u16>,
+}
+
 /// What is wrong: with one line, or else.
 enum Fault {
     Line(String),
@@ -58,7 +64,7 @@ impl From<String> for Fault {
 pub fn parse(path: &Path, bytes: &[u8]) -> Result<RawMesh> {
     let mut lists = Lists::default();
     let mut assembly = Assembly { path, mesh: Growing::default(), known: HashMap::new() };
-    let mut material = None;
+    let mut material = Named { name: NO_MATERIAL.to_owned(), index: None };
     for (index, line) in bytes.split(|&byte| byte == b'\n').enumerate() {
         // Names and comments may be in any encoding; numbers are ASCII.
         let line = String::from_utf8_lossy(line);
@@ -73,7 +79,7 @@ pub fn parse(path: &Path, bytes: &[u8]) -> Result<RawMesh> {
 fn statement(
     assembly: &mut Assembly,
     lists: &mut Lists,
-    material: &mut Option<u16>,
+    material: &mut Named,
     line: &str,
 ) -> std::result::Result<(), Fault> {
     let path = assembly.path;
@@ -86,13 +92,14 @@ fn statement(
         "v" => push(path, &mut lists.positions, numbers::<3>(rest, 3)?)?,
         "vn" => push(path, &mut lists.normals, numbers::<3>(rest, 3)?)?,
         "vt" => push(path, &mut lists.uvs, numbers::<2>(rest, 1)?)?,
-        "usemtl" => *material = Some(assembly.mesh.material(path, rest.trim())?),
+        "usemtl" => *material = Named { name: rest.trim().to_owned(), index: None },
         "f" => {
-            let material = match *material {
-                Some(material) => material,
-                None => assembly.mesh.material(path, NO_MATERIAL)?,
+            let index = match material.index {
+                Some(index) => index,
+                None => assembly.mesh.material(path, &material.name)?,
             };
-            face(assembly, lists, rest, material)?;
+            material.index = Some(index);
+            face(assembly, lists, rest, index)?;
         }
         _ => {}
     }
