@@ -72,10 +72,9 @@ pub fn view(camera: &Camera) -> Option<View> {
     let forward = normalise(add_scaled(camera.target, camera.position, -1.0));
     let up = normalise(camera.up);
     let sideways = cross(forward, up);
-    // The cross product's square is 1 - cosine²; not above it where anything is zero or not a number.
-    // A NaN is no more than that either.
-    let apart = dot(sideways, sideways) > UP_DEFECT_MIN;
-    if !apart {
+    // The cross product's square is 1 - cosine²; zero or not a number where a vector is.
+    let defect = dot(sideways, sideways);
+    if defect.is_nan() || defect <= UP_DEFECT_MIN {
         return None;
     }
     let right = normalise(sideways);

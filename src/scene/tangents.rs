@@ -60,8 +60,7 @@ pub fn build(raw: RawMesh) -> Result<TriangleMesh, usize> {
         let uvs = triangle.map(|vertex| mesh.uvs[vertex as usize]);
         let axes = axes(corners, uvs, facet).ok_or(index)?;
         let own = triangle.map(|vertex| of_hand(&mut mesh, &mut handed, vertex, axes.mirrored));
-        for (corner, vertex) in own.into_iter().enumerate() {
-            let vertex = vertex as usize;
+        for (corner, vertex) in own.map(|vertex| vertex as usize).into_iter().enumerate() {
             let tangent = add_scaled(axes.along, mesh.normals[vertex], -dot(axes.along, mesh.normals[vertex]));
             let angle = angle_at(corners, corner);
             mesh.tangents[vertex] = add_scaled(mesh.tangents[vertex], normalise(tangent), angle);
@@ -112,8 +111,8 @@ fn axes([a, b, c]: [Vec3; 3], [p, q, r]: [[f64; 2]; 3], facet: Vec3) -> Option<A
     let (pq, pr, qr) = ([q[0] - p[0], q[1] - p[1]], [r[0] - p[0], r[1] - p[1]], [r[0] - q[0], r[1] - q[1]]);
     let area = pq[0] * pr[1] - pq[1] * pr[0];
     let longest = [pq, pr, qr].iter().fold(0.0, |m: f64, e| m.max(e[0] * e[0] + e[1] * e[1]));
-    let open = area.abs() > FLAT * longest;
-    if !open {
+    // Only numbers within bounds come here: none of this is NaN or overflows.
+    if area.abs() <= FLAT * longest {
         return None;
     }
     // Position is linear in u and v over the triangle: these are its derivatives times the area.

@@ -148,8 +148,7 @@ pub fn surface(mesh: &TriangleMesh, hit: &TriangleHit) -> SurfacePoint {
     };
     let facet = facet_normal(mesh, hit.triangle);
     let mut normal = mix(&mesh.normals);
-    let agree = dot(normal, facet) > 0.0;
-    if !agree {
+    if dot(normal, facet) <= 0.0 {
         // Vertex normals that cancel or turn inside say nothing.
         normal = facet;
     }
