@@ -74,8 +74,11 @@ fn a_changed_scene_computes_its_new_pairs_alone() {
     place.publish(&lit);
     let [tables_found, tables_built, found, computed] = used(&place, "v0001");
     assert_eq!((tables_found, tables_built), (2, 0));
-    // The map has at most 16 x 16 pixels, and there are two specimens.
-    assert!(computed > 100 && computed <= 512 && found > 700, "{found} found, {computed} computed");
+    // Two specimens, the map's pixels within its disc, 16 directions of its light; the ball and the error rows are known.
+    let across = |n: u64| (n as f64 + 0.5) / 8.0 - 1.0;
+    let in_disc = |n: &u64| across(n / 16).hypot(across(n % 16)) < 1.0;
+    assert_eq!(computed, 2 * (0..256).filter(in_disc).count() as u64 * 16);
+    assert!(found > 2 * 384, "{found} pairs");
     let warm = timeless(&place, "v0001");
     std::fs::remove_dir_all(place.path("out/small")).unwrap();
     place.call("--quiet run m.toml --no-cache").ended(0);
