@@ -216,7 +216,7 @@ fn row(what: &str, region: &str, reference: &[f64], test: &[f64], floor_per_sr: 
 ///
 /// # Errors
 /// Those of the reference.
-pub fn direct_row(yardstick: &Yardstick, direct: &dyn Fn(&[(Vec3, Vec3)]) -> Result<Vec<Xyz>>) -> Result<ErrorRow> {
+pub fn direct_row(yardstick: &Yardstick, direct: impl Fn(&[(Vec3, Vec3)]) -> Result<Vec<Xyz>>) -> Result<ErrorRow> {
     let Some((region, count)) = yardstick.groups.first() else {
         return Err(crate::ground::error::Error::Call("errors are counted on no directions".into()));
     };
