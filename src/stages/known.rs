@@ -156,7 +156,7 @@ impl<'a> Known<'a> {
     /// # Errors
     /// Those of the reference.
     pub fn direct_row(&self, source: &Source, yardstick: &Yardstick) -> Result<ErrorRow> {
-        measure::direct_row(yardstick, |pairs: &[(Vec3, Vec3)]| {
+        measure::direct_row(yardstick, &|pairs| {
             let sum = || reference::brdf_xyz_batch(source.fields, source.optics, pairs);
             if !self.cache.is_on() {
                 return sum();

@@ -211,12 +211,15 @@ fn row(what: &str, region: &str, reference: &[f64], test: &[f64], floor_per_sr: 
     }
 }
 
+/// The direct sum's XYZ at pairs of directions.
+pub type DirectSum<'a> = &'a dyn Fn(&[(Vec3, Vec3)]) -> Result<Vec<Xyz>>;
+
 /// The yardstick against the direct sum at the brightest directions of the first group: a grating is dark in most of
 /// them, and nothing can be compared there. `direct` gives the direct sum's XYZ at pairs of directions.
 ///
 /// # Errors
 /// Those of the reference.
-pub fn direct_row(yardstick: &Yardstick, direct: impl Fn(&[(Vec3, Vec3)]) -> Result<Vec<Xyz>>) -> Result<ErrorRow> {
+pub fn direct_row(yardstick: &Yardstick, direct: DirectSum) -> Result<ErrorRow> {
     let Some((region, count)) = yardstick.groups.first() else {
         return Err(crate::ground::error::Error::Call("errors are counted on no directions".into()));
     };
