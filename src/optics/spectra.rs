@@ -404,41 +404,6 @@ impl Spectra {
         }
     }
 
-    /// `⟨|P|²⟩ / A` in nm² at one frequency, the coherent part included, for several `s`: the reference by fast
-    /// Fourier transforms.
-    pub fn whole_power_at(&self, frequency: [f64; 2], s: &[f64]) -> Vec<f64> {
-        let weights: Vec<Vec<f64>> = s.iter().map(|&s| self.node_weights(s)).collect();
-        if let Kernel::GaussianPower { .. } = self.kernel {
-            let lobe: f64 = frequency.iter().map(|&f| self.kernel.value(f, 1.0, 0.0)).product();
-            let rest = self.power_at(frequency, &weights);
-            let parts = s.iter().zip(rest);
-            return parts.map(|(&s, rest)| self.mean_phasor_at(s).norm_sqr() * lobe + s * s * rest).collect();
-        }
-        let window = self.window_transform(0, frequency[0]) * self.window_transform(1, frequency[1]);
-        let rest = self.interpolated(frequency);
-        let at = |(&s, weights): (&f64, &Vec<f64>)| {
-            let e: Complex<f64> = rest.iter().zip(weights).map(|(e, w)| e * w).sum();
-            (self.mean_phasor_at(s) * window + e * s).norm_sqr()
-        };
-        s.iter().zip(&weights).map(at).collect()
-    }
-
-    /// `E` at every node, interpolated to a frequency as an amplitude.
-    fn interpolated(&self, frequency: [f64; 2]) -> Vec<Complex<f64>> {
-        let taps: [_; 2] = std::array::from_fn(|axis| self.kernel.taps(&[frequency[axis]], self.step[axis], 0.0));
-        let mut sum = vec![Complex::<f64>::default(); self.nodes];
-        for (ty, wy) in taps[1].weight.iter().enumerate() {
-            for (tx, wx) in taps[0].weight.iter().enumerate() {
-                let line = self.line(taps[0].first[0] + tx as i32, taps[1].first[0] + ty as i32);
-                let tap = f64::from(*wx) * f64::from(*wy);
-                for (sum, e) in sum.iter_mut().zip(line.unwrap_or_default()) {
-                    *sum += Complex::new(f64::from(e.re), f64::from(e.im)) * tap;
-                }
-            }
-        }
-        sum
-    }
-
     /// All nodes of one pair of lines, `None` outside what is stored.
     fn line(&self, column: i32, row: i32) -> Option<&[Complex<f32>]> {
         let (column, row) = (column - self.first[0], row - self.first[1]);

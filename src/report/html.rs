@@ -7,6 +7,7 @@ use crate::report::embed::{Album, EMBEDDED_MAX_BYTES, Picture, missing};
 use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
 use crate::report::{budget_facts, frames, gpu_facts, measured, numbers, plots};
+use crate::stages::cache::CacheUse;
 use crate::stages::results::{ErrorRow, RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
 
 const TEMPLATE: &str = include_str!("templates/report.html");
@@ -58,6 +59,7 @@ fn render_within(
         failures_title => format!("{} on the way to this atlas", plural(results.failures.len(), "failure")),
         failures => failures(results),
         left_out => &results.left_out,
+        cache => results.cache.as_ref().map(cache_line),
         unembedded => unembedded(album.linked),
         stills => safe(stills.definitions()),
         summary => summary,
@@ -336,6 +338,19 @@ fn failures(results: &RunResults) -> Vec<Value> {
             context! { place => place, message => &failure.message }
         })
         .collect()
+}
+
+/// What was kept from earlier runs.
+fn cache_line(used: &CacheUse) -> String {
+    format!(
+        "From earlier runs: tables of {} of {}, {} of {} values of the reference ({} read, {} written).",
+        used.tables_found,
+        plural((used.tables_found + used.tables_built) as usize, "specimen"),
+        numbers::count(used.pairs_found),
+        numbers::count(used.pairs_found + used.pairs_computed),
+        numbers::bytes(used.bytes_read),
+        numbers::bytes(used.bytes_written)
+    )
 }
 
 fn unembedded(linked: usize) -> String {
