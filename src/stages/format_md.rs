@@ -27,6 +27,9 @@ fn introduction() -> String {
 The tables give the luminous BRDF of a surface, `f(wi, wo)` in 1/sr, as CIE XYZ (1931, 2 degrees). `wi` and `wo` are unit
 vectors to the light and to the viewer in the local frame: x along the scan's columns, y up the scan, z the outward
 normal. Everything needed stands in `specimen.json`; each EXR header repeats what concerns its own file.
+
+A renderer needs no other folder than a specimen's own. `scenes/` in it holds the pictures the tables were checked by, and
+`scenes/` beside `atlas.json`, where there is one, those of scenes that show several specimens; both are for looking at.
 "
     .to_owned()
 }
