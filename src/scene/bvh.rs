@@ -73,6 +73,11 @@ fn centre(bounds: &Bounds, axis: usize) -> f64 {
     0.5 * (bounds.low[axis] + bounds.high[axis])
 }
 
+/// The middle of a box.
+pub fn middle(bounds: &Bounds) -> Vec3 {
+    std::array::from_fn(|axis| centre(bounds, axis))
+}
+
 /// The hierarchy over finite boxes, fewer than 2^32, split by the surface-area heuristic. The same boxes give the same
 /// hierarchy.
 pub fn build(boxes: &[Bounds]) -> Bvh {

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::ground::direction::{Vec3, dot, normalise};
 
-use super::bvh::{Bounds, Ray};
+use super::bvh::{Bounds, Ray, middle};
 use super::frame::{add_scaled, cross};
 
 /// Where the camera is and what it sees.
@@ -53,7 +53,7 @@ pub struct View {
 
 /// A camera on the +z side that looks along -z at the middle of a box and just holds it.
 pub fn automatic(bounds: &Bounds) -> Camera {
-    let middle: Vec3 = std::array::from_fn(|axis| 0.5 * (bounds.low[axis] + bounds.high[axis]));
+    let middle = middle(bounds);
     let half: Vec3 = std::array::from_fn(|axis| 0.5 * (bounds.high[axis] - bounds.low[axis]));
     let tangent = (0.5 * AUTOMATIC_FOV_DEG).to_radians().tan();
     // The face of the box that is nearest fills the picture. A point has no size: any distance will do.

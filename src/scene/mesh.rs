@@ -15,8 +15,10 @@ use crate::ground::direction::{Vec3, dot};
 use crate::ground::error::{Error, Result};
 use crate::ground::files;
 
+use super::animation::{Turn, back, carried, turned};
 use super::bvh::{self, Ray};
 use super::camera::{self, Camera, View};
+use super::frame::add_scaled;
 use super::model::{Scene, Shape};
 use super::samples::{Hit, LitHit};
 use super::tangents::{self, RawMesh};
@@ -197,6 +199,10 @@ fn usable(c: f64) -> bool {
 pub struct MeshView<'a> {
     shape: &'a MeshShape,
     view: View,
+    /// Turns the mesh about `middle`.
+    turn: Turn,
+    /// Middle of the mesh's box.
+    middle: Vec3,
 }
 
 /// The camera in use.
@@ -204,12 +210,22 @@ pub fn camera_of(shape: &MeshShape) -> Camera {
     shape.camera.unwrap_or_else(|| camera::automatic(&bvh::bounds(&shape.model.mesh.bvh)))
 }
 
-/// The view of a mesh that has passed [`check`].
+/// The view of a mesh that has passed [`check`], turned about the middle of its box. The camera stays.
 ///
 /// # Panics
 /// Where it has not.
-pub fn view(shape: &MeshShape) -> MeshView<'_> {
-    MeshView { shape, view: camera::view(&camera_of(shape)).expect("the camera was checked") }
+pub fn view(shape: &MeshShape, turn: Turn) -> MeshView<'_> {
+    let view = camera::view(&camera_of(shape)).expect("the camera was checked");
+    MeshView { shape, view, turn, middle: bvh::middle(&bvh::bounds(&shape.model.mesh.bvh)) }
+}
+
+/// A point turned about another.
+fn turned_about(middle: Vec3, point: Vec3, turn: Turn) -> Vec3 {
+    if turn.angle_deg == 0.0 {
+        // Exactly: a mesh that is not turned must not lose digits.
+        return point;
+    }
+    add_scaled(middle, turned(add_scaled(point, middle, -1.0), turn), 1.0)
 }
 
 /// The scene in which the specimen of this index alone is bright: its share of the picture. Shares add up to it.
@@ -247,17 +263,26 @@ pub fn check(shape: &MeshShape) -> std::result::Result<(), String> {
 
 /// Where the camera ray through picture point `(x, y)` meets the outside of the mesh, where the specimen is shown.
 pub fn hit(view: &MeshView, xy: [f64; 2]) -> Option<LitHit> {
-    let MeshView { shape, view } = view;
-    let ray = camera::ray(view, xy);
+    let MeshView { shape, view, turn, middle } = view;
+    let ray = turned_back(*middle, *turn, camera::ray(view, xy));
     let mesh = &shape.model.mesh;
     let point = surface(mesh, &first_hit(mesh, &ray)?);
     let to_viewer = ray.direction.map(|c| -c);
     let is_shown = shape.shown.is_none_or(|shown| shape.specimen_of_material[point.material] == shown);
-    (is_shown && dot(point.facet, to_viewer) > 0.0)
-        .then_some(LitHit { hit: Hit { frame: point.frame, to_viewer }, lifted: point.lifted })
+    (is_shown && dot(point.facet, to_viewer) > 0.0).then(|| LitHit {
+        hit: Hit { frame: carried(&point.frame, *turn), to_viewer: turned(to_viewer, *turn) },
+        lifted: turned_about(*middle, point.lifted, *turn),
+    })
 }
 
 /// Whether no other part of the mesh stands between a point and a light.
 pub fn is_lit(view: &MeshView, from: Vec3, direction: Vec3) -> bool {
-    is_open(&view.shape.model.mesh, &Ray { origin: from, direction })
+    let ray = turned_back(view.middle, view.turn, Ray { origin: from, direction });
+    is_open(&view.shape.model.mesh, &ray)
+}
+
+/// A ray as the mesh sees it in the file's own coordinates.
+fn turned_back(middle: Vec3, turn: Turn, ray: Ray) -> Ray {
+    let turn = back(turn);
+    Ray { origin: turned_about(middle, ray.origin, turn), direction: turned(ray.direction, turn) }
 }

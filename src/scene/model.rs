@@ -286,11 +286,8 @@ pub fn check_turn(shape: &Shape, kind: Moving, axis: Axis) -> Checked {
         (Shape::Snake, Moving::Turntable, Axis::Vertical) => {
             Err("a snake is seen from above only; use the viewing axis".into())
         }
-        (Shape::Mesh(_), Moving::Turntable, _) => {
-            Err("a mesh does not turn yet; move its light, or turn it in the file".into())
-        }
         (Shape::Sphere | Shape::Snake, Moving::Turntable, Axis::Viewing)
-        | (Shape::Patch { .. }, Moving::Turntable, _)
+        | (Shape::Patch { .. } | Shape::Mesh(_), Moving::Turntable, _)
         | (_, Moving::Light, _) => Ok(()),
     }
 }

@@ -112,7 +112,7 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
         }
         Shape::Mesh(shape) => {
             let lights = light_samples(scene);
-            let view = mesh::view(shape);
+            let view = mesh::view(shape, scene.turn);
             gather(scene, &rows, &columns, |xy, out| {
                 let hit = |xy| mesh::hit(&view, xy);
                 let is_lit = |from, direction| mesh::is_lit(&view, from, direction);

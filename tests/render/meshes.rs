@@ -8,6 +8,7 @@ use diffraction_atlas::ground::colour::to_srgb8;
 use diffraction_atlas::ground::direction::{Vec3, Xyz, dot, normalise};
 use diffraction_atlas::ground::png_image::write_png;
 use diffraction_atlas::render::cpu::render;
+use diffraction_atlas::scene::animation::{Axis, Turn, turned};
 use diffraction_atlas::scene::camera::{Camera, Field};
 use diffraction_atlas::scene::mesh::{MeshShape, Model, share};
 use diffraction_atlas::scene::model::{Scene, Shape};
@@ -226,15 +227,56 @@ fn each_specimen_covers_its_own_half_and_nothing_else() {
     assert!(wholes.iter().all(|image| image.iter().any(|&value| value > 0.1)));
 }
 
-#[test]
-fn a_roof_throws_a_shadow_where_geometry_says() {
+/// A floor over [-1, 1]² and a roof one unit above it.
+fn floor_and_roof(low: [f64; 2], high: [f64; 2]) -> RawMesh {
     let mut raw = rectangle([-1.0; 2], [1.0; 2], 0.0, |x, y| [x, y]);
-    let roof = rectangle([-0.5; 2], [0.5; 2], 1.0, |x, y| [x, y]);
+    let roof = rectangle(low, high, 1.0, |x, y| [x, y]);
     raw.positions.extend(roof.positions);
     raw.normals.extend(roof.normals);
     raw.uvs.extend(roof.uvs);
     raw.triangles.extend(roof.triangles.iter().map(|t| t.map(|v| v + 4)));
     raw.materials.extend(roof.materials);
+    raw
+}
+
+#[test]
+fn a_turned_mesh_is_what_a_camera_and_a_light_turned_back_see() {
+    let raw = || floor_and_roof([0.1, -0.3], [1.5, 0.4]);
+    // The middle of the box that holds both.
+    let middle = [0.25, 0.0, 0.5];
+    let camera = Camera { position: [1.0, 2.0, 6.0], field: Field::FovDeg(35.0), ..FROM_AFAR };
+    let direction = [0.5, 0.3, 1.0];
+    for axis in [Axis::Vertical, Axis::Viewing] {
+        let turn = Turn { axis, angle_deg: 25.0 };
+        let image = |turn| {
+            let still = scene(Shape::Mesh(mesh(raw(), camera)), direction, 48);
+            render(&Scene { turn, ..still }, &lopsided).unwrap()
+        };
+        let turned_back_about = |middle: Vec3| {
+            let back = |v| turned(v, Turn { angle_deg: -25.0, ..turn });
+            let about = |p: Vec3| {
+                let moved = back([p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]]);
+                [moved[0] + middle[0], moved[1] + middle[1], moved[2] + middle[2]]
+            };
+            let camera = Camera {
+                position: about(camera.position),
+                target: about(camera.target),
+                up: back(camera.up),
+                ..camera
+            };
+            render(&scene(Shape::Mesh(mesh(raw(), camera)), back(direction), 48), &lopsided).unwrap()
+        };
+        assert_alike("turned_mesh", &image(turn), &turned_back_about(middle), 1e-5);
+        let differs = |other: Array3<f32>| image(turn).iter().zip(&other).any(|(a, b)| (a - b).abs() > 0.1);
+        assert!(differs(image(Turn { angle_deg: -25.0, ..turn })), "{axis:?}: the other way round");
+        assert!(differs(image(Turn { angle_deg: 0.0, ..turn })), "{axis:?}: not turned");
+        assert!(differs(turned_back_about([0.0; 3])), "{axis:?}: turned about another point");
+    }
+}
+
+#[test]
+fn a_roof_throws_a_shadow_where_geometry_says() {
+    let raw = floor_and_roof([-0.5; 2], [0.5; 2]);
     let scene = scene(Shape::Mesh(mesh(raw, FROM_AFAR)), [0.5, 0.0, 1.0], 52);
     let image = render(&scene, &|_, _| [1.0; 3]).unwrap();
     let cos = dot([0.0, 0.0, 1.0], normalise([0.5, 0.0, 1.0])) as f32;
