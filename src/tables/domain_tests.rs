@@ -1,3 +1,5 @@
+//! What the served domain must keep: closed cases, and random scenes for its bounds.
+
 use super::*;
 use proptest::prelude::*;
 
