@@ -32,8 +32,6 @@ pub(super) fn describe(
     let field = &ingested.fields[0];
     let [nx, ny] = field.extent_nm();
     SpecimenResult {
-        name: specimen.name.clone(),
-        species: specimen.species.clone(),
         generated: specimen.species.as_deref().is_some_and(|species| species.starts_with("generated")),
         scans: ingested.provenance.iter().map(to_value).collect(),
         size: field.size(),
@@ -57,17 +55,8 @@ pub(super) fn describe(
             cross_tables: lobe.cross.len(),
             power_share: None,
         }),
-        errors: Vec::new(),
-        power_sums: Vec::new(),
-        measured: None,
-        scenes: Vec::new(),
-        height_map: None,
-        spectrum: None,
-        preview_png: None,
-        reached_png: None,
-        budget: None,
         warnings: warnings(set, plan),
-        failed: None,
+        ..nothing_yet(specimen)
     }
 }
 
@@ -178,6 +167,11 @@ fn served_value(set: &TableSet, wi: Vec3, wo: Vec3) -> CheckValue {
 }
 
 pub(super) fn failed_result(specimen: &SpecimenConfig, error: &Error) -> SpecimenResult {
+    SpecimenResult { failed: Some(error.to_string()), ..nothing_yet(specimen) }
+}
+
+/// A specimen of which nothing is known but its name.
+fn nothing_yet(specimen: &SpecimenConfig) -> SpecimenResult {
     SpecimenResult {
         name: specimen.name.clone(),
         species: specimen.species.clone(),
@@ -200,6 +194,6 @@ pub(super) fn failed_result(specimen: &SpecimenConfig, error: &Error) -> Specime
         reached_png: None,
         budget: None,
         warnings: Vec::new(),
-        failed: Some(error.to_string()),
+        failed: None,
     }
 }
