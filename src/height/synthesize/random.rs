@@ -85,8 +85,9 @@ pub(super) struct Waves {
 }
 
 impl Waves {
-    /// Waves with up to `most` waves per tile along x and y, amplitudes falling as one over the wave number,
-    /// and the given rms.
+    /// Waves with up to `most` waves per tile along x and y, and the given rms. Amplitudes fall as one over the wave
+    /// number, and smoothly to nothing on an ellipse just beyond `most`: cut on a rectangle, they would diffract into
+    /// a rectangle.
     pub(super) fn new(extent_nm: [f64; 2], most: [i32; 2], rms: f64, rng: &mut Rng) -> Self {
         let mut modes = Vec::new();
         for kx in 0..=most[0] {
@@ -95,7 +96,13 @@ impl Waves {
                 if kx == 0 && ky <= 0 {
                     continue;
                 }
-                let weight = 1.0 / f64::from(kx * kx + ky * ky).sqrt();
+                let share =
+                    [(kx, most[0]), (ky, most[1])].map(|(k, most)| (f64::from(k) / f64::from(most + 1)).powi(2));
+                let inside = 1.0 - share[0] - share[1];
+                if inside <= 0.0 {
+                    continue;
+                }
+                let weight = inside / f64::from(kx * kx + ky * ky).sqrt();
                 let amplitudes = [weight * normal(rng), weight * normal(rng)];
                 let wave = [(kx, extent_nm[0]), (ky, extent_nm[1])].map(|(k, extent)| 2.0 * PI * f64::from(k) / extent);
                 modes.push((wave, amplitudes));
