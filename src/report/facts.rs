@@ -108,6 +108,14 @@ pub fn grid_short(built: &BuildResult) -> String {
     format!("{0} × {0}", built.size)
 }
 
+/// Error rows with those of one cause together, causes in the order in which they first come.
+pub fn by_cause(rows: &[ErrorRow]) -> Vec<ErrorRow> {
+    let first = |row: &ErrorRow| rows.iter().position(|other| other.what == row.what);
+    let mut sorted = rows.to_vec();
+    sorted.sort_by_key(first);
+    sorted
+}
+
 /// Whether a row breaks the tolerance. Only the causes that the tolerance governs can.
 pub fn is_over(row: &ErrorRow, tolerance: Option<f64>) -> bool {
     let governed = matches!(row.what.as_str(), "basis" | "wavelength step");
@@ -305,6 +313,24 @@ mod tests {
         assert!(!is_over(&row("basis", 1e-3), Some(1e-3)));
         assert!(!is_over(&row("grid", 2e-3), Some(1e-3)));
         assert!(!is_over(&row("basis", 2e-3), None));
+    }
+
+    #[test]
+    fn rows_of_a_cause_stand_together_in_their_order() {
+        let row = |what: &str, region: &str| ErrorRow {
+            what: what.into(),
+            region: region.into(),
+            directions: 1,
+            relative_l2: 0.0,
+            p50: 0.0,
+            p95: 0.0,
+            p99: 0.0,
+            worst: 0.0,
+        };
+        let rows = [row("total", "near"), row("basis", "near"), row("total", "far"), row("basis", "far")];
+        let sorted = by_cause(&rows);
+        let names: Vec<[&str; 2]> = sorted.iter().map(|row| [row.what.as_str(), row.region.as_str()]).collect();
+        assert_eq!(names, [["total", "near"], ["total", "far"], ["basis", "near"], ["basis", "far"]]);
     }
 
     #[test]

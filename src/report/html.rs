@@ -211,8 +211,8 @@ fn specimen_section(
     };
     let scenes = specimen.scenes.iter().map(|scene| scene_view(scene, album)).collect::<Result<Vec<Value>>>()?;
     let tolerance = specimen.build.as_ref().map(|built| built.tolerance);
-    let errors: Vec<(&ErrorRow, bool)> =
-        specimen.errors.iter().map(|row| (row, facts::is_over(row, tolerance))).collect();
+    let rows = facts::by_cause(&specimen.errors);
+    let errors: Vec<(&ErrorRow, bool)> = rows.iter().map(|row| (row, facts::is_over(row, tolerance))).collect();
     let over = errors.iter().any(|(_, over)| *over);
     Ok(context! {
         id => anchor(number),
@@ -240,7 +240,7 @@ fn specimen_section(
                 error_view(row, first, over)
             })
             .collect::<Vec<_>>(),
-        error_plot => safe(plots::error_plot(&specimen.errors, tolerance)),
+        error_plot => safe(plots::error_plot(&rows, tolerance)),
         over => if over {
             format!(
                 "Highlighted: above the tolerance of {} that was asked for.",
