@@ -219,14 +219,12 @@ class Diffraction(mi.BSDF):
 
     def prepare_lobe_samples(self, coherent):
         """The radius is sampled in proportion to the lobe, all channels, at t = 1; its width changes little with t."""
-        rows, columns, _ = coherent.shape
-        radius = np.linspace(0.0, self.radius_max, columns)
-        t = np.linspace(0.0, 1.0, rows)
+        radius = np.linspace(0.0, self.radius_max, coherent.shape[1])
         power = coherent.astype(np.float64).mean(axis=2) * radius
         per_radius = (power[-1] / power[-1].max()).astype(np.float32)
         self.radius_density = mi.ContinuousDistribution([0.0, self.radius_max], mi.Float(per_radius))
-        # What the lobe reflects of the light, by t: in the mirror direction w = 2 t, t = cos(theta_i) and G / w^2 = 1.
-        reflected = 2 * np.pi * power.sum(axis=1) * radius[1] / (2 * np.maximum(t, t[1])) ** 2
+        # What the lobe reflects of the light, by t: in the mirror direction t = cos(theta_i) and G / w^2 = 1.
+        reflected = 2 * np.pi * power.sum(axis=1) * radius[1]
         self.lobe_share_of_row = mi.Float(np.clip(reflected, *LOBE_SHARE).astype(np.float32))
 
     # The BRDF, as FORMAT.md tells

@@ -94,7 +94,8 @@ def shape(options, bsdf):
 
 def camera(distance, sampler, film):
     """Looks from +z at the square [-1, 1]^2 of the plane z = 0."""
-    view = {} if distance is None else {"fov": 2 * math.degrees(math.atan(1 / distance))}
+    # A little more than the unit circle, for what leans towards the camera.
+    view = {} if distance is None else {"fov": 2 * math.degrees(math.atan(1.1 / distance))}
     return {
         "type": "orthographic" if distance is None else "perspective",
         "to_world": mi.ScalarTransform4f().look_at([0, 0, distance or 3], [0, 0, 0], [0, 1, 0]),
