@@ -308,10 +308,11 @@ class Diffraction(mi.BSDF):
     # Sampling: a mixture of the lobe, the tables and the whole hemisphere
 
     def lobe_share(self, cos_theta_i):
+        """Share of the samples that the lobe gets; what is below the surface gets that of t = 0."""
         if self.coherent is None:
             return mi.Float(0.0)
-        first, (x, y) = stencil(cos_theta_i * (self.coherent.rows - 1), self.coherent.rows, False)
-        return dr.gather(mi.Float, self.lobe_share_of_row, first) * x + dr.gather(mi.Float, self.lobe_share_of_row, first + 1) * y
+        first, weights = stencil(cos_theta_i * (self.coherent.rows - 1), self.coherent.rows, False)
+        return sum(weight * dr.gather(mi.Float, self.lobe_share_of_row, first + n) for n, weight in enumerate(weights))
 
     def density(self, wi, wo):
         """Of the mixture, per unit of (u, v)."""

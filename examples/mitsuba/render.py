@@ -26,7 +26,11 @@ LMS_FROM_RGB = np.array(
     ]
 )
 LAB_FROM_ROOTS = np.array(
-    [[0.2104542553, 0.7936177850, -0.0040720468], [1.9779984951, -2.4285922050, 0.4505937099], [0.0259040371, 0.7827717662, -0.8086757660]]
+    [
+        [0.2104542553, 0.7936177850, -0.0040720468],
+        [1.9779984951, -2.4285922050, 0.4505937099],
+        [0.0259040371, 0.7827717662, -0.8086757660],
+    ]
 )
 # A lamp stands this many object sizes away.
 LAMP_DISTANCE = 1000.0
@@ -40,7 +44,7 @@ def options():
     parser.add_argument("--turn-deg", type=float, default=0.0, help="turns the structure on the surface")
     parser.add_argument("--tilt-deg", type=float, default=0.0, help="leans the object's top edge away from the camera")
     parser.add_argument("--distance", type=float, help="of the camera, the object's radius being 1; far away if left out")
-    parser.add_argument("--lamp", action="append", metavar="X,Y,Z", help="direction to a lamp; x right, y up, z to the camera")
+    parser.add_argument("--lamp", action="append", metavar="X,Y,Z", type=direction, help="direction to a lamp; x right, y up, z to the camera")
     parser.add_argument("--lamp-deg", type=float, default=0.53, help="angular diameter of the lamps, 0 for points")
     parser.add_argument("--sky", type=float, default=0.0, help="radiance from everywhere; a lamp has irradiance 1")
     parser.add_argument("--sky-image", help="an environment map, relative to the illuminant of the tables; grey is best")
@@ -53,15 +57,22 @@ def options():
     return parser.parse_args()
 
 
-def lamp(direction, diameter_deg):
+def direction(text):
+    """The unit vector along three numbers with commas between them."""
+    vector = np.array([float(x) for x in text.split(",")])
+    if vector.shape != (3,) or not np.linalg.norm(vector) > 0:
+        raise ValueError(text)
+    return vector / np.linalg.norm(vector)
+
+
+def lamp(towards, diameter_deg):
     """An emitter of irradiance 1 on a plane that faces it."""
-    direction = np.array(direction) / np.linalg.norm(direction)
     if diameter_deg == 0:
-        return {"type": "directional", "direction": list(-direction), "irradiance": grey(1.0)}
+        return {"type": "directional", "direction": list(-towards), "irradiance": grey(1.0)}
     sine = math.sin(math.radians(diameter_deg) / 2)
     return {
         "type": "sphere",
-        "center": list(LAMP_DISTANCE * direction),
+        "center": list(LAMP_DISTANCE * towards),
         "radius": LAMP_DISTANCE * sine,
         "emitter": {"type": "area", "radiance": grey(1 / (math.pi * sine**2))},
     }
@@ -87,8 +98,8 @@ def shape(options, bsdf):
     mesh = mi.load_dict({"type": kind, "filename": options.shape})
     if not mesh.has_vertex_texcoords():
         sys.exit(f"--shape {options.shape}: the mesh has no texture coordinates, which tell how the structure lies")
-    low, high = (np.array(corner).ravel() for corner in (mesh.bbox().min, mesh.bbox().max))
-    fit = transform.scale(1.9 / np.linalg.norm(high - low)) @ transform.translate(list(-(low + high) / 2))
+    low, high = (np.array(corner, float).ravel() for corner in (mesh.bbox().min, mesh.bbox().max))
+    fit = transform.scale(float(1.9 / np.linalg.norm(high - low))) @ transform.translate(list(-(low + high) / 2))
     return {"type": kind, "filename": options.shape, "to_world": tilt @ fit, "bsdf": bsdf}
 
 
@@ -122,9 +133,9 @@ def scene(options):
         "sensor": camera(options.distance, {"type": "multijitter", "sample_count": options.spp}, film),
         "object": shape(options, bsdf),
     }
-    lamps = options.lamp or ([] if options.sky or options.sky_image else ["0.3,0.2,1"])
-    for index, direction in enumerate(lamps):
-        parts[f"lamp{index}"] = lamp([float(x) for x in direction.split(",")], options.lamp_deg)
+    lamps = options.lamp or ([] if options.sky or options.sky_image else [direction("0.3,0.2,1")])
+    for index, towards in enumerate(lamps):
+        parts[f"lamp{index}"] = lamp(towards, options.lamp_deg)
     if options.sky_image:
         parts["sky"] = {"type": "envmap", "filename": options.sky_image}
     elif options.sky:
