@@ -11,7 +11,7 @@ use crate::tables::storage::{StoredLobe, StoredServed, StoredTables};
 pub fn format_md(example: &SpecimenFile, worked: &WorkedNumber) -> String {
     let tables = &example.tables;
     let sections = [
-        introduction(),
+        introduction(&example.name),
         files_and_axes(tables),
         evaluation(tables),
         factors(example),
@@ -21,17 +21,26 @@ pub fn format_md(example: &SpecimenFile, worked: &WorkedNumber) -> String {
     sections.join("\n")
 }
 
-fn introduction() -> String {
-    "# How to evaluate this atlas
+fn introduction(name: &str) -> String {
+    format!(
+        "# How to evaluate this atlas
 
 The tables give the luminous BRDF of a surface, `f(wi, wo)` in 1/sr, as CIE XYZ (1931, 2 degrees). `wi` and `wo` are unit
 vectors to the light and to the viewer in the local frame: x along the scan's columns, y up the scan, z the outward
-normal. Everything needed stands in `specimen.json`; each EXR header repeats what concerns its own file.
+normal.
 
-A renderer needs no other folder than a specimen's own. `scenes/` in it holds the pictures the tables were checked by, and
-`scenes/` beside `atlas.json`, where there is one, those of scenes that show several specimens; both are for looking at.
+Every specimen has a folder, and a renderer needs no other. Numbers on this page are those of `{name}`; those of each
+specimen stand in its `specimen.json`, and each EXR header repeats what concerns its own file:
+
+- `tables.tables`: `file` and `scale` of each table, in the order of n; `tables.u`, `tables.v`: their axes; `tables.basis`.
+- `tables.lobe`: `radius_max`, and `coherent` and `cross.patches` with `file` and `scale`; `null` where there is none.
+- `optics.material`: `\"ideal\"`, or a `dielectric` of index `n`, or a `conductor` of `n + i k`; `optics.shadowing`; `optics.illuminant`.
+- `check_values`: directions and X, Y, Z to test an implementation with, from linear look-ups.
+
+`scenes/` in a specimen's folder holds the pictures the tables were checked by, and `scenes/` beside `atlas.json`, where there
+is one, those of scenes that show several specimens; both are for looking at.
 "
-    .to_owned()
+    )
 }
 
 fn files_and_axes(tables: &StoredTables) -> String {
@@ -72,7 +81,8 @@ over [-2, 2] in u and v, from column {first_column} and row {first_row} on; ever
   `v = {v_first} - r {step}`, with `{step}` = 4 / {last}.
 - `range.exr`, as large: R and G hold `low` and `high`, the least and the greatest `t` a texel is made for, B is 1 where a texel
   is served and 0 where not. A look-up that reads a texel with B = 0, or whose `t` does not lie between the
-  interpolated `low` and `high`, has **no answer**: report it, do not use what the tables hold there.
+  interpolated `low` and `high` but for rounding (a fiftieth of `high - low`), has **no answer**: report it, do not use what
+  the tables hold there.
 {lobe}- Value = stored number x `scale`; every file has its own `scale`, a power of two. Treat the images as data: no colour
   management, no gamma.
 - Between texel centres interpolate linearly in both axes, tables and range alike.
@@ -94,6 +104,9 @@ fn lobe_files(lobe: &StoredLobe) -> String {
   `radius_max` = {radius_max}, rows are `t` from 0 to 1.
 ",
     );
+    if lobe.cross.is_none() {
+        text += "- The lobe has no cross term here: the sum over cross patches below is 0.\n";
+    }
     if let Some(cross) = &lobe.cross {
         let (patches, side) = (cross.patches.len(), cross.u.samples);
         text += &format!(
@@ -175,7 +188,11 @@ fn use_in_a_renderer(example: &SpecimenFile) -> String {
 - Linear sRGB (D65): `R = 3.2404542 X - 1.5371385 Y - 0.4985314 Z`, `G = -0.9692660 X + 1.8760108 Y + 0.0415560 Z`,
   `B = 0.0556434 X - 0.2040259 Y + 1.0572252 Z`. Pure diffraction colours lie outside sRGB: convert after summing over lights,
   and expect negative components.
-- Sample the lobe apart from the body: it is narrow and round in (u, v) about the mirror direction.
+- On a mesh, lay x along the texture coordinate u, as the program does, and y at a right angle to the left of it seen from
+  outside, whether the coordinates are mirrored or not.
+- To sample directions: `cos(theta_o) d(omega_o) = du dv`, so a density over (u, v) times `cos(theta_o)` is one over
+  directions. Sample the lobe apart from the body: it is narrow and round in (u, v) about the mirror direction, where
+  `t = cos(theta_i)` and `G = w^2`: it reflects `R` times the integral of `coherent` over (u, v), to a good approximation.
 - `usable_radius` = {usable_radius}: beyond this `sqrt(u^2 + v^2)` the scan's sampling cannot answer; what the tables hold there is
   zero or doubtful.
 - `prefilter_width` = {prefilter_width}: each texel is the mean over a square of this side in u and v (0: a point sample). Blur that the

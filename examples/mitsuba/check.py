@@ -1,0 +1,334 @@
+"""Checks the BSDF of diffraction_atlas.py against a version of an atlas.
+
+    python3 examples/mitsuba/check.py out/atlas/bundled
+
+For every specimen: its check values; the samples' density and the power they return; a ball rendered by Mitsuba
+against the atlas's own picture of it. Then every check is made once more with a mistake put in, which it has to find.
+Exit status 0 if all is well. Wants Python 3.11, mitsuba and numpy; under a minute on one core.
+"""
+
+import json
+import math
+import sys
+import tomllib
+from pathlib import Path
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+
+mi.set_variant("llvm_ad_rgb")
+import diffraction_atlas  # noqa: E402  (needs the variant)
+
+# The check values are in double precision; the plugin computes in single. A position in the tables is rounded by
+# 2^-23 of its size, 600 texels: 7e-5 texels. Between the orders of a grating the values of neighbouring texels differ up
+# to tenfold. Every mistake below shifts a value by more than a hundredth.
+VALUE_TOLERANCE = 1e-3
+# Directions turned in single precision, 3e-7, shift the look-up by 150 times as many texels.
+FRAME_TOLERANCE = 1e-3
+# Mitsuba's colours against those of FORMAT.md: constants of four digits more or less.
+COLOUR_TOLERANCE = 1e-3
+# How often a right sampler may be called wrong, for one test.
+SIGNIFICANCE = 1e-6
+SAMPLES = 1 << 20
+# The power sums of the report are sums over a grid of 256 steps; the mean of samples has a known standard error.
+POWER_TOLERANCE, POWER_SIGMAS = 2e-3, 5
+# Pictures: both sides look through the centre of each pixel at the same points of the lamp. Normals in single precision
+# are off by some 1e-7, which grazing directions (1 / cos) and steep lobes raise. Norm, and share of the pixels, brighter than
+# a ten-thousandth of the mean, that may differ more.
+PICTURE_TOLERANCE, PICTURE_OUTLIERS = 1e-3, 0.01
+# src/scene/light.rs: points of a lamp's disc, and src/scene/sphere.rs: the ball.
+GOLDEN_TURNS = 0.381966011250105
+BALL_RADIUS = 0.95
+
+CONTEXT = mi.BSDFContext()
+
+
+def load(version, name, **more):
+    """The plugin as a scene loads it, in XYZ."""
+    more = {"colours": "xyz", **more}
+    return mi.load_dict({"type": "diffraction", "atlas": str(version), "specimen": name, **more})
+
+
+def facing(wi, count):
+    """Surface points whose shading frame is the structure's."""
+    si = dr.zeros(mi.SurfaceInteraction3f, count)
+    si.wi = wi
+    return si
+
+
+# The checks. Each returns how large its error is, as a share of what is allowed: above 1 it has failed.
+
+
+def values_error(bsdf, check_values):
+    wi, wo = (mi.Vector3f(np.array([check[key] for check in check_values], np.float32).T) for key in ("wi", "wo"))
+    expected = np.array([check["xyz"] for check in check_values])
+    found = np.array(bsdf.eval(CONTEXT, facing(wi, len(check_values)), wo) / wo.z).T
+    error = np.abs(found - expected).max(axis=1)
+    # Between the orders of a grating the value is exactly 0, and so it must be found.
+    return (error / (VALUE_TOLERANCE * np.abs(expected).max(axis=1)).clip(1e-30)).max()
+
+
+def colour_error(bsdf, in_srgb, check_values):
+    """Linear sRGB against Mitsuba's own conversion of XYZ."""
+    wi, wo = (mi.Vector3f(np.array([check[key] for check in check_values], np.float32).T) for key in ("wi", "wo"))
+    si = facing(wi, len(check_values))
+    xyz = bsdf.eval(CONTEXT, si, wo)
+    found, expected = np.array(in_srgb.eval(CONTEXT, si, wo)), np.array(mi.xyz_to_srgb(xyz))
+    return (np.abs(found - expected) / (COLOUR_TOLERANCE * np.array(xyz).max(axis=0)).clip(1e-30)).max()
+
+
+def density_error(sampled, stated, theta_deg):
+    """Chi square of `sampled.sample` against `stated.pdf`, over the unit disc of `wo.xy`: there the lobe is as wide
+    everywhere, where on a sphere it would shrink to a cell at the pole."""
+    theta = math.radians(theta_deg)
+    wi = mi.Vector3f(math.sin(theta), 0, math.cos(theta))
+
+    def draw(sample):
+        bs, _ = sampled.sample(CONTEXT, facing(wi, dr.width(sample)), sample[0], mi.Point2f(sample[1], sample[2]))
+        # Weight 0 where there is no sample, which is not where the BRDF is 0.
+        there = bs.pdf > 0
+        return dr.select(there, mi.Point2f(bs.wo.x, bs.wo.y), 0), dr.select(there, mi.Float(1), 0)
+
+    def density(place):
+        z2 = 1 - dr.squared_norm(place)
+        wo = mi.Vector3f(place.x, place.y, dr.safe_sqrt(z2))
+        return dr.select(z2 > 0, stated.pdf(CONTEXT, facing(wi, dr.width(place)), wo) / wo.z, 0)
+
+    test = mi.chi2.ChiSquareTest(
+        mi.chi2.PlanarDomain(), draw, density, sample_dim=3, sample_count=SAMPLES, res=101, ires=24
+    )
+    test.run(significance_level=SIGNIFICANCE, quiet=True)
+    # The chance that a right sampler does as badly, in powers of ten.
+    chance = 0.0 if test.fail else float(test.p_value)
+    return math.log(chance) / math.log(SIGNIFICANCE) if chance > 0 else math.inf
+
+
+def power_error(bsdf, power_sums):
+    """Mean weight of the samples, of unit reflectance, against the sums of the report."""
+    index, bsdf.index = bsdf.index, None
+    worst = 0.0
+    for power in power_sums:
+        theta = math.radians(power["theta_i_deg"])
+        random = mi.PCG32(SAMPLES)
+        one, two = random.next_float32(), mi.Point2f(random.next_float32(), random.next_float32())
+        si = facing(mi.Vector3f(math.sin(theta), 0, math.cos(theta)), SAMPLES)
+        _, weight = bsdf.sample(CONTEXT, si, one, two)
+        y = np.array(weight)[1].astype(np.float64)
+        allowed = POWER_TOLERANCE * power["sum"] + POWER_SIGMAS * y.std() / math.sqrt(SAMPLES)
+        worst = np.maximum(worst, abs(y.mean() - power["sum"]) / allowed)
+    bsdf.index = index
+    return worst
+
+
+def picture_error(bsdf, scene, expected):
+    rendered = sum(render_ball(bsdf, *light, expected.shape[0]) for light in light_samples(scene))
+    error, bright = np.abs(rendered - expected).max(axis=2), np.maximum(rendered, expected).max(axis=2)
+    compared = bright > 1e-4 * bright.mean()
+    outliers = (error > PICTURE_TOLERANCE * bright)[compared].mean()
+    norm = np.linalg.norm(rendered - expected) / np.linalg.norm(expected)
+    return np.maximum(norm / PICTURE_TOLERANCE, outliers / PICTURE_OUTLIERS)
+
+
+def frame_error(bsdf, turned):
+    """A square whose texture coordinates are turned by 30 degrees, and sheared, against the BRDF with directions turned;
+    `turned` has a `turn_deg` of 20 besides."""
+    angle = math.radians(30)
+    square = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], np.float32)
+    along = np.array([math.cos(angle), math.sin(angle)])
+    # u grows along `along` when v, whose axis is not at a right angle to it, is kept.
+    skew = np.array([math.cos(angle + 1.1), math.sin(angle + 1.1)])
+    uv = square[:, :2] @ np.linalg.inv(np.array([along, skew]))
+    mesh = mi.Mesh("square", 4, 2, has_vertex_texcoords=True)
+    parameters = mi.traverse(mesh)
+    parameters["vertex_positions"] = square.ravel()
+    parameters["vertex_texcoords"] = uv.astype(np.float32).ravel()
+    parameters["faces"] = np.array([0, 1, 2, 0, 2, 3], np.uint32)
+    parameters.update()
+    viewer, azimuths_deg = direction(25, 70), dr.linspace(mi.Float, 0, 360, 256)
+    si = mi.load_dict({"type": "scene", "mesh": mesh}).ray_intersect(mi.Ray3f(2 * mi.Point3f(viewer), -viewer))
+    worst = 0.0
+    for plugin, turn_deg in ((bsdf, 30), (turned, 50)):
+        found = np.array(plugin.eval(CONTEXT, si, si.to_local(direction(40, azimuths_deg))))
+        points = facing(direction(25, 70 - turn_deg), 256)
+        expected = np.array(bsdf.eval(CONTEXT, points, direction(40, azimuths_deg - turn_deg)))
+        worst = np.maximum(worst, np.abs(found - expected).max() / (FRAME_TOLERANCE * expected.max()))
+    return worst
+
+
+# What they need
+
+
+def direction(theta_deg, phi_deg):
+    sin, cos = dr.sincos(dr.deg2rad(mi.Float(theta_deg)))
+    sin_phi, cos_phi = dr.sincos(dr.deg2rad(mi.Float(phi_deg)))
+    return mi.Vector3f(sin * cos_phi, sin * sin_phi, cos)
+
+
+def light_samples(scene):
+    """Directions and irradiances: the points of every lamp of a scene of the manifest."""
+    lights = scene.get("light", {"direction": [0.3, 0.2, 1.0]})
+    for light in lights if isinstance(lights, list) else [lights]:
+        x, y, z = axis = np.array(light["direction"]) / np.linalg.norm(light["direction"])
+        diameter = math.radians(light.get("angular_diameter_deg", 0.53))
+        count = scene.get("light_samples", 16) if diameter > 0 else 1
+        index = np.arange(count)
+        versine = (index + 0.5) / count * 2 * math.sin(diameter / 4) ** 2
+        sine, angle = np.sqrt(versine * (2 - versine)), 2 * np.pi * (GOLDEN_TURNS * index % 1)
+        # The frame that the shortest turn from the z axis makes.
+        first = np.array([1 - x * x / (1 + z), -x * y / (1 + z), -x])
+        second = np.array([-x * y / (1 + z), 1 - y * y / (1 + z), -y])
+        points = np.outer(sine * np.cos(angle), first) + np.outer(sine * np.sin(angle), second) + np.outer(1 - versine, axis)
+        for point in points:
+            yield point, light.get("irradiance", 1.0) / (points @ axis).sum()
+
+
+def render_ball(bsdf, light, irradiance, size_px):
+    """The atlas's scene "sphere" under one directional light, through the centres of the pixels."""
+    transform = mi.ScalarTransform4f()
+    scene = mi.load_dict(
+        {
+            "type": "scene",
+            "integrator": {"type": "path", "max_depth": 2},
+            "sensor": {
+                "type": "orthographic",
+                "to_world": transform.look_at([0, 0, 3], [0, 0, 0], [0, 1, 0]),
+                "sampler": {"type": "stratified", "sample_count": 1, "jitter": False},
+                "film": {
+                    "type": "hdrfilm",
+                    "width": size_px,
+                    "height": size_px,
+                    "rfilter": {"type": "box"},
+                    "component_format": "float32",
+                },
+            },
+            "light": {
+                "type": "directional",
+                "direction": [-float(x) for x in light],
+                "irradiance": {"type": "rgb", "value": [float(irradiance)] * 3},
+            },
+            # Mitsuba's spheres have their poles on the z axis, the atlas's on the y axis.
+            "ball": {"type": "sphere", "radius": BALL_RADIUS, "to_world": transform.rotate([1, 0, 0], -90), "bsdf": bsdf},
+        }
+    )
+    return np.array(mi.render(scene, spp=1)).astype(np.float64)
+
+
+def ball_scene(report, name):
+    """The first ball of the manifest that this specimen has a picture of, seen through pixels' centres; None without."""
+    for scene in tomllib.loads(report["manifest_text"]).get("scene", []):
+        plain = not {"turn", "environment", "pixel_samples"} & set(scene)
+        if scene["shape"] == "sphere" and plain and scene.get("specimen", name) == name:
+            return scene
+    return None
+
+
+# Mistakes
+
+
+def with_layers(bsdf, change):
+    """The plugin with its tables, [row, column, layer, channel], changed in place."""
+    tables = bsdf.tables
+    texels = np.array(tables.texels).reshape(tables.rows, tables.columns, tables.count, 4)
+    tables.texels = mi.Float(np.ascontiguousarray(change(texels)).ravel())
+    return bsdf
+
+
+def half_a_texel(bsdf):
+    step = (bsdf.u_axis["last"] - bsdf.u_axis["first"]) / (bsdf.u_axis["samples"] - 1)
+    bsdf.u_axis = {**bsdf.u_axis, "first": bsdf.u_axis["first"] + step / 2, "last": bsdf.u_axis["last"] + step / 2}
+    return bsdf
+
+
+def without_scale(bsdf, scales):
+    def change(texels):
+        return texels / np.array(scales, np.float32)[:, None]
+
+    return with_layers(bsdf, change)
+
+
+def right(version, name, about, power_sums, scene, picture):
+    """Every check and how much of what is allowed it takes."""
+    bsdf = load(version, name)
+    yield "values", values_error(bsdf, about["check_values"])
+    yield "colours", colour_error(bsdf, load(version, name, colours="srgb"), about["check_values"])
+    # Tables that serve certain scenes alone have no sums in the report, and answer for no other direction.
+    if power_sums:
+        yield "frame", frame_error(bsdf, load(version, name, turn_deg=20))
+        for theta_deg in (0, 30, 75):
+            yield f"density at {theta_deg} deg", density_error(bsdf, bsdf, theta_deg)
+        yield "power", power_error(bsdf, power_sums)
+    if picture is not None:
+        yield "picture", picture_error(bsdf, scene, picture)
+
+
+def mistakes(version, name, about, power_sums, scene, picture):
+    """What was done wrong, and how much of what is allowed the check takes that is to find it."""
+
+    def swapped():
+        return with_layers(load(version, name), lambda texels: texels[::-1, ::-1].transpose(1, 0, 2, 3))
+
+    def upside_down():
+        return with_layers(load(version, name), lambda texels: texels[::-1])
+
+    checks = about["check_values"]
+    scales = [entry["scale"] for entry in about["tables"]["tables"]]
+    yield "u and v exchanged: values", values_error(swapped(), checks)
+    yield "y downwards: values", values_error(upside_down(), checks)
+    # Tables of 32-bit floats have a scale of 1.
+    if scales[0] != 1:
+        yield "scales left out: values", values_error(without_scale(load(version, name), scales), checks)
+    yield "half a texel beside: values", values_error(half_a_texel(load(version, name)), checks)
+    yield "sRGB left as XYZ: colours", colour_error(load(version, name), load(version, name), checks)
+    yield "turn left out: frame", frame_error(load(version, name), load(version, name))
+    uneven = load(version, name)
+    uneven.table_area *= 1.1
+    yield "share of the tables off by a tenth: density", density_error(load(version, name), uneven, 30)
+    yield "factor of 1.02: power", power_error(load(version, name, scale=1.02), power_sums)
+    if picture is not None:
+        yield "u and v exchanged: picture", picture_error(swapped(), scene, picture)
+        yield "y downwards: picture", picture_error(upside_down(), scene, picture)
+        yield "turned by a degree: picture", picture_error(load(version, name, turn_deg=1), scene, picture)
+
+
+def material(version, report, entry):
+    """What a specimen is checked with."""
+    name = entry["name"]
+    about = json.loads((version / name / "specimen.json").read_text())
+    scene = ball_scene(report, name)
+    picture = np.array(mi.Bitmap(str(version / name / "scenes" / f"{scene['name']}.exr"))) if scene else None
+    return version, name, about, entry["power_sums"], scene, picture
+
+
+def tell(what, errors, passes, otherwise):
+    """Prints the errors as they come, and whether all of them are as they should be."""
+    fine = True
+    print(f"{what}:", flush=True)
+    for check, error in errors:
+        # Written so that NaN does not pass.
+        well = passes(error)
+        print(f"  {check} {error:.2g}{'' if well else '   ' + otherwise}", flush=True)
+        fine &= well
+    return fine
+
+
+def main(atlas):
+    version = atlas / (atlas / "latest").read_text().strip() if (atlas / "latest").is_file() else atlas
+    report = json.loads((version / "report.json").read_text())
+    print("Errors as shares of what is allowed.")
+    fine = all(
+        [
+            tell(entry["name"], right(*material(version, report, entry)), lambda error: error <= 1, "FAILED")
+            for entry in report["specimens"]
+        ]
+    )
+    # The mistakes want tables that answer everywhere, of a structure without symmetry.
+    entry = next((entry for entry in report["specimens"] if entry["power_sums"]), None)
+    if entry:
+        errors = mistakes(*material(version, report, entry))
+        fine &= tell(f"{entry['name']} with mistakes, to be found", errors, lambda error: error > 1, "NOT FOUND")
+    return None if fine else "The checks failed."
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1])) if len(sys.argv) == 2 else __doc__)
