@@ -90,7 +90,11 @@ pub fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<Scen
 
 fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Result<SceneSection> {
     let item = section.require("shape", "shape = \"sphere\"")?;
-    let kind = if mesh::names_a_file(&item) { MESH } else { item.choice(&KINDS.map(|kind| (kind.word, kind)))? };
+    let kind = if mesh::names_a_file(&item) {
+        MESH
+    } else {
+        item.choice_besides(&KINDS.map(|kind| (kind.word, kind)), mesh::EXAMPLE)?
+    };
     refuse_foreign_keys(section, kind)?;
     let whole = |key: &str, [low, high]: [usize; 2], default: usize| match section.get(key) {
         Some(item) => item.integer_within(low, high, ""),
