@@ -67,6 +67,7 @@ pub const SPECIMEN: Keys = Keys {
         "blend_nm",
         "max_missing_share",
         "material",
+        "albedo",
         "coherence",
         "windows",
         "measured",

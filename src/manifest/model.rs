@@ -83,6 +83,8 @@ pub struct SpecimenSection {
     pub max_missing_share: f64,
     /// The manifest's optics with this specimen's own settings in their place.
     pub optics: OpticsConfig,
+    /// Albedo of a pigment below the structure, linear sRGB.
+    pub albedo: Option<[f64; 3]>,
     /// Measured reflectance to compare with.
     pub measured: Option<MeasuredConfig>,
 }

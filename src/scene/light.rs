@@ -120,23 +120,10 @@ fn samples_of(scene: &Scene, light: &Light) -> Vec<LightSample> {
 mod tests {
     use super::*;
     use crate::ground::direction::dot;
-    use crate::scene::animation::Turn;
-    use crate::scene::model::Exposure;
 
     fn scene(diameter_deg: f64, light_samples: usize, pixel_samples: usize) -> Scene {
-        Scene {
-            name: "light".into(),
-            shape: Shape::Sphere,
-            lights: vec![Light { direction: [0.6, -1.0, 2.0], angular_diameter_deg: diameter_deg, irradiance: 3.0 }],
-            environment: None,
-            turn: Turn::default(),
-            animation: None,
-            size_px: 4,
-            exposure: Exposure::Auto,
-            specimen: None,
-            light_samples,
-            pixel_samples,
-        }
+        let light = Light { direction: [0.6, -1.0, 2.0], angular_diameter_deg: diameter_deg, irradiance: 3.0 };
+        Scene { light_samples, pixel_samples, ..Scene::still("light", Shape::Sphere, vec![light], 4) }
     }
 
     #[test]

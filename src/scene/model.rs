@@ -35,6 +35,13 @@ pub struct Light {
     pub irradiance: f64,
 }
 
+impl Light {
+    /// A point of unit irradiance.
+    pub fn point(direction: Vec3) -> Self {
+        Self { direction, angular_diameter_deg: 0.0, irradiance: 1.0 }
+    }
+}
+
 /// What the picture shows.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase", deny_unknown_fields)]
@@ -130,6 +137,26 @@ pub struct Scene {
     /// pixel's centre. Light and pixel are sampled together: the larger count is used for both.
     #[serde(default = "one_sample")]
     pub pixel_samples: usize,
+}
+
+impl Scene {
+    /// A still of every specimen, sampled once per light and pixel, exposed automatically, without surroundings. What
+    /// else a scene needs goes before it: `Scene { light_samples: 16, ..Scene::still(..) }`.
+    pub fn still(name: &str, shape: Shape, lights: Vec<Light>, size_px: usize) -> Self {
+        Self {
+            name: name.into(),
+            shape,
+            lights,
+            environment: None,
+            turn: Turn::default(),
+            animation: None,
+            size_px,
+            exposure: Exposure::Auto,
+            specimen: None,
+            light_samples: 1,
+            pixel_samples: 1,
+        }
+    }
 }
 
 fn one() -> f64 {

@@ -175,6 +175,8 @@ fn use_in_a_renderer(example: &SpecimenFile) -> String {
 - Linear sRGB (D65): `R = 3.2404542 X - 1.5371385 Y - 0.4985314 Z`, `G = -0.9692660 X + 1.8760108 Y + 0.0415560 Z`,
   `B = 0.0556434 X - 0.2040259 Y + 1.0572252 Z`. Pure diffraction colours lie outside sRGB: convert after summing over lights,
   and expect negative components.
+- Where `specimen.json` has a `pigment`, the pictures show one below the structure besides `f`; the tables do not hold it. It
+  adds `(1 - R(wi_z)) (1 - R(wo_z)) pigment.xyz_per_sr`, with the `R` of the factors above at `c = wi_z` and `c = wo_z`.
 - Sample the lobe apart from the body: it is narrow and round in (u, v) about the mirror direction.
 - `usable_radius` = {usable_radius}: beyond this `sqrt(u^2 + v^2)` the scan's sampling cannot answer; what the tables hold there is
   zero or doubtful.

@@ -17,11 +17,12 @@ use crate::ground::files;
 use crate::ground::metrics;
 use crate::ground::png_image::{encode_animation, heat_map, side_by_side, write_png};
 use crate::optics::config::OpticsConfig;
+use crate::optics::pigment::{Pigment, pigment_xyz};
 use crate::render::cpu;
 use crate::scene::animation::{self, Animation, Axis, Moving};
 use crate::scene::model::{Scene, Shape, exposure_factor};
 use crate::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
+use crate::tables::evaluate::{Interpolation, surface_xyz};
 use crate::tables::model::TableSet;
 use crate::tables::plan::lobe_width;
 
@@ -49,6 +50,8 @@ pub struct SceneWork {
     /// Every `stride`-th pixel is compared.
     stride: usize,
     subset: ShadingSamples,
+    /// What lies below the structure, which the reference does not know of.
+    pigment: Option<Pigment>,
 }
 
 /// Renders a scene from the tables and lists the pairs its reference needs.
@@ -57,13 +60,13 @@ pub struct SceneWork {
 /// A scene that cannot be rendered.
 pub fn render_tables(scene: &Scene, set: &TableSet) -> Result<SceneWork> {
     let started = Instant::now();
-    let image = cpu::render(scene, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo))?;
+    let image = cpu::render(scene, &|wi, wo| surface_xyz(set, Interpolation::Bilinear, wi, wo))?;
     let seconds = started.elapsed().as_secs_f64();
     let unserved = image.rows().into_iter().filter(|xyz| xyz.iter().any(|value| value.is_nan())).count();
     let stride = reference_stride(scene);
     let subset = samples_of(scene, 0..scene.size_px, stride)?;
     let exposure = exposure_factor(scene.exposure, &image);
-    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, unserved, stride, subset })
+    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, unserved, stride, subset, pigment: set.pigment })
 }
 
 /// Of how many pixels in each direction one has a reference.
@@ -105,7 +108,7 @@ impl SceneWork {
         };
         let picture = |index: usize| -> Result<Array3<u8>> {
             let scene = animation::frame(&self.scene, animation, index);
-            let image = cpu::render(&scene, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo))?;
+            let image = cpu::render(&scene, &|wi, wo| surface_xyz(set, Interpolation::Bilinear, wi, wo))?;
             if image.iter().any(|value| value.is_nan()) {
                 return Err(Error::limit(
                     format!(
@@ -126,9 +129,15 @@ impl SceneWork {
         matches!(&self.scene.shape, Shape::Mesh(mesh) if mesh.shown.is_some())
     }
 
-    /// The reference picture, from the BRDF at [`Self::pairs`].
+    /// The reference picture, from the BRDF at [`Self::pairs`] and the pigment.
     pub fn expected(&self, reference: &[Xyz]) -> Array3<f32> {
-        gather(&self.subset, reference)
+        let Some(pigment) = &self.pigment else { return gather(&self.subset, reference) };
+        let shown = |((wi, wo), brdf): ((Vec3, Vec3), &Xyz)| {
+            let below = pigment_xyz(pigment, wi, wo);
+            std::array::from_fn(|c| brdf[c] + below[c])
+        };
+        let shown: Vec<Xyz> = self.pairs().zip(reference).map(shown).collect();
+        gather(&self.subset, &shown)
     }
 
     /// Both shares of a scene together.
