@@ -47,7 +47,8 @@ pub struct GBuffer {
 /// Gathers the geometry of a scene.
 ///
 /// # Errors
-/// `Error::Call` for a scene that cannot be rendered, or whose specimen no camera sees (hemisphere, screen);
+/// `Error::Call` for a scene that cannot be rendered, has an environment, or whose specimen no camera sees (hemisphere,
+/// screen);
 /// `Error::Limit` beyond [`POINTS_MAX`].
 pub fn gbuffer(scene: &Scene) -> Result<GBuffer> {
     check(scene)?;
@@ -57,6 +58,12 @@ pub fn gbuffer(scene: &Scene) -> Result<GBuffer> {
             scene.name
         )));
     };
+    if scene.environment.is_some() {
+        return Err(Error::Call(format!(
+            "scene \"{}\": frames are drawn under lights; samples of an environment differ from pixel to pixel",
+            scene.name
+        )));
+    }
     let lights = light_samples(scene);
     let (offsets, layer_of_light) = layers(&lights);
     let side = scene.size_px;

@@ -20,5 +20,6 @@ pub mod screen;
 pub mod snake;
 pub mod sphere;
 pub mod surface;
+pub mod surroundings;
 pub mod tangents;
 pub mod triangles;

@@ -7,7 +7,7 @@ use crate::ground::colour::auto_exposure;
 use crate::ground::direction::{Vec3, dot};
 use crate::ground::error::{Error, Result};
 use crate::scene::animation::{Animation, Axis, Moving, Turn};
-use crate::scene::environment::Environment;
+use crate::scene::environment::{Environment, scalar_irradiance};
 
 use super::mesh::{self, MeshShape};
 
@@ -214,8 +214,8 @@ fn check_lights(scene: &Scene) -> Checked {
     if scene.environment.is_some() && (screen || scene.shape == Shape::Hemisphere) {
         return Err("environment: this shape has one light and no surroundings".into());
     }
-    if scene.environment.as_ref().is_some_and(|environment| environment.directions.is_empty()) {
-        return Err("environment: it has no directions".into());
+    if scene.environment.as_ref().is_some_and(|environment| scalar_irradiance(environment) <= 0.0) {
+        return Err("environment: its image has not been read".into());
     }
     if scene.lights.is_empty() && scene.environment.is_none() && !screen {
         return Err("light: at least one is needed, as [{ direction = [x, y, z] }]".into());

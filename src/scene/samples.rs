@@ -11,10 +11,10 @@ use crate::ground::direction::Vec3;
 use crate::ground::error::{Error, Result};
 
 use super::frame::to_local;
-use super::light::{LightSample, light_samples};
+use super::light::{LightSample, environment_count, light_samples, pixel_offset};
 use super::model::{Scene, Shape, check};
 use super::surface::{self, LitHit, Surface};
-use super::{hemisphere, screen};
+use super::{hemisphere, screen, surroundings};
 
 /// Most samples one [`ShadingSamples`] may hold: 1.9 GB.
 pub const SAMPLES_TOTAL_MAX: usize = 1 << 26;
@@ -71,15 +71,17 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
     Ok(match (surface::surface(scene), &scene.shape) {
         (Some(surface), _) => {
             let lights = light_samples(scene);
-            gather(scene, &rows, &columns, |xy, out| gather_surface(&lights, width, xy, &surface, out))
+            gather(&rows, &columns, |pixel, out| gather_surface(scene, &lights, pixel, &surface, out))
         }
         (None, Shape::Screen { .. }) => {
             let setup = screen::setup(scene);
-            gather(scene, &rows, &columns, |xy, out| screen::gather_pixel(&setup, width, xy, out))
+            gather(&rows, &columns, |pixel, out| screen::gather_pixel(&setup, width, centre(scene, pixel), out))
         }
         (None, _) => {
             let lights = light_samples(scene);
-            gather(scene, &rows, &columns, |xy, out| hemisphere::gather_pixel(&lights, width, xy, out))
+            gather(&rows, &columns, |pixel, out| {
+                hemisphere::gather_pixel(&lights, width, centre(scene, pixel), out);
+            })
         }
     })
 }
@@ -88,7 +90,7 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
 pub fn samples_per_pixel(scene: &Scene) -> usize {
     match &scene.shape {
         Shape::Screen { .. } => screen::sample_count(scene),
-        _ => light_samples(scene).len(),
+        _ => light_samples(scene).len() + environment_count(scene),
     }
 }
 
@@ -117,25 +119,44 @@ pub fn push(out: &mut RowSamples, wi: Vec3, wo: Vec3, weight: f64) {
 }
 
 /// Reflected radiance of a surface seen by a camera: the weight is irradiance times `cos_theta_i`.
-fn gather_surface(lights: &[LightSample], pixel_width: f64, xy: [f64; 2], surface: &Surface, out: &mut RowSamples) {
+fn gather_surface(scene: &Scene, lights: &[LightSample], pixel: [usize; 2], surface: &Surface, out: &mut RowSamples) {
+    let (middle, width) = (centre(scene, pixel), pixel_width(scene));
     // Samples of a light often look through one point of the pixel: what they see is found once.
     let mut last: Option<([f64; 2], Option<LitHit>)> = None;
-    for light in lights {
-        let at = position(xy, light.pixel_offset, pixel_width);
-        let seen = match last {
-            Some((before, seen)) if before == at => seen,
+    let mut seen = |offset| {
+        let at = position(middle, offset, width);
+        let found = match last {
+            Some((before, found)) if before == at => found,
             _ => surface::hit(surface, at),
         };
-        last = Some((at, seen));
-        let Some(LitHit { hit, lifted }) = seen else {
-            continue;
-        };
-        let wi = to_local(&hit.frame, light.direction);
-        let wo = to_local(&hit.frame, hit.to_viewer);
-        if wi[2] > 0.0 && wo[2] > 0.0 && surface::is_lit(surface, lifted, light.direction) {
-            push(out, wi, wo, light.irradiance * wi[2]);
+        last = Some((at, found));
+        found
+    };
+    let mut add = |seen: &LitHit, direction: Vec3, irradiance: f64| {
+        let frame = &seen.hit.frame;
+        let (wi, wo) = (to_local(frame, direction), to_local(frame, seen.hit.to_viewer));
+        if wi[2] > 0.0 && wo[2] > 0.0 && surface::is_lit(surface, seen.lifted, direction) {
+            push(out, wi, wo, irradiance * wi[2]);
+        }
+    };
+    for light in lights {
+        if let Some(seen) = seen(light.pixel_offset) {
+            add(&seen, light.direction, light.irradiance);
         }
     }
+    let Some(environment) = &scene.environment else { return };
+    let (count, place) = (environment_count(scene), surroundings::morton(pixel[0], pixel[1]));
+    for index in 0..count {
+        let Some(seen) = seen(pixel_offset(scene, index)) else { continue };
+        if let Some((direction, irradiance)) = surroundings::sample(environment, &seen.hit, place, index, count) {
+            add(&seen, direction, irradiance);
+        }
+    }
+}
+
+/// Picture coordinates of the centre of the pixel at a row and a column.
+fn centre(scene: &Scene, [row, column]: [usize; 2]) -> [f64; 2] {
+    pixel_centre(scene, row, column)
 }
 
 /// Picture coordinates of a position in a pixel.
@@ -144,19 +165,14 @@ pub fn position([x, y]: [f64; 2], [dx, dy]: [f64; 2], pixel_width: f64) -> [f64;
 }
 
 /// Runs the pixel function over the rows in parallel and joins the results in order.
-fn gather(
-    scene: &Scene,
-    rows: &[usize],
-    columns: &[usize],
-    pixel: impl Fn([f64; 2], &mut RowSamples) + Sync,
-) -> ShadingSamples {
+fn gather(rows: &[usize], columns: &[usize], pixel: impl Fn([usize; 2], &mut RowSamples) + Sync) -> ShadingSamples {
     let gathered: Vec<RowSamples> = rows
         .par_iter()
         .map(|&row| {
             let mut out = RowSamples::default();
             for &column in columns {
                 let before = out.weight.len();
-                pixel(pixel_centre(scene, row, column), &mut out);
+                pixel([row, column], &mut out);
                 out.counts.push((out.weight.len() - before) as u32);
             }
             out

@@ -20,6 +20,7 @@ use crate::optics::config::OpticsConfig;
 use crate::optics::pigment::{Pigment, pigment_xyz};
 use crate::render::cpu;
 use crate::scene::animation::{self, Animation, Axis, Moving};
+use crate::scene::light::environment_count;
 use crate::scene::model::{Scene, Shape, exposure_factor};
 use crate::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
 use crate::tables::evaluate::{Interpolation, surface_xyz};
@@ -234,19 +235,19 @@ impl SceneWork {
 }
 
 /// What a user must know about the pictures of a specimen: an environment's directions further apart than the
-/// coherence lobe is wide at half maximum.
+/// coherence lobe is wide at half maximum. Only around the mirror direction are there more of them.
 pub fn warnings(scenes: &[&Scene], optics: &OpticsConfig) -> Vec<String> {
     let longest_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[1];
     let width = (8.0 * 2f64.ln()).sqrt() * lobe_width(optics.sigma_nm, longest_nm);
     let mut warnings = Vec::new();
-    for scene in scenes {
-        let Some(environment) = &scene.environment else { continue };
-        let count = scene.light_samples.max(scene.pixel_samples).min(environment.directions.len());
+    for scene in scenes.iter().filter(|scene| scene.environment.is_some()) {
+        let count = environment_count(scene);
         let distance = (4.0 * std::f64::consts::PI / count as f64).sqrt();
         if distance > width {
             warnings.push(format!(
-                "scene \"{}\": the {count} directions that stand for its environment are up to {:.0} degrees apart, lobes \
-                 {:.1} degrees wide: a mirror-like surface shows them as dots",
+                "scene \"{}\": the {count} directions that a pixel sees of its environment are up to {:.0} degrees apart, \
+                 lobes {:.1} degrees wide: orders of diffraction away from the mirror direction are grainy; light_samples smooths \
+                 them",
                 scene.name,
                 distance.to_degrees(),
                 width.to_degrees()
