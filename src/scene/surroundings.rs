@@ -37,7 +37,7 @@ pub fn sample(environment: &Environment, hit: &Hit, place: u64, index: usize, co
     let of_light = count - of_lobe;
     let wo = to_local(&hit.frame, hit.to_viewer);
     let point = |counted: usize| plane_far(place * counted as u64 + index as u64 / 2);
-    let direction = if index % 2 == 0 {
+    let direction = if index.is_multiple_of(2) {
         direction_by_light(environment, point(of_light))
     } else {
         to_world(&hit.frame, around_mirror(wo, point(of_lobe))?)
