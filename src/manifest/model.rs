@@ -159,7 +159,7 @@ pub struct SceneSection {
     /// The lights; exactly one for a hemisphere, and for a screen, whose beam it stands for (the
     /// shape holds the beam's direction, so this one's is +z).
     pub lights: Vec<LightSection>,
-    /// Light from all around, as the directions that stand for it.
+    /// Light from all around.
     pub environment: Option<Environment>,
     /// Frames besides the still.
     pub animation: Option<Animation>,

@@ -241,13 +241,14 @@ pub fn warnings(scenes: &[&Scene], optics: &OpticsConfig) -> Vec<String> {
     let width = (8.0 * 2f64.ln()).sqrt() * lobe_width(optics.sigma_nm, longest_nm);
     let mut warnings = Vec::new();
     for scene in scenes.iter().filter(|scene| scene.environment.is_some()) {
-        let count = environment_count(scene);
-        let distance = (4.0 * std::f64::consts::PI / count as f64).sqrt();
+        // Half of them lie around the mirror direction.
+        let by_light = environment_count(scene).div_ceil(2);
+        let distance = (4.0 * std::f64::consts::PI / by_light as f64).sqrt();
         if distance > width {
             warnings.push(format!(
-                "scene \"{}\": the {count} directions that a pixel sees of its environment are up to {:.0} degrees apart, \
-                 lobes {:.1} degrees wide: orders of diffraction away from the mirror direction are grainy; light_samples smooths \
-                 them",
+                "scene \"{}\": away from the mirror direction a pixel sees its environment in {by_light} directions, up to {:.0} \
+                 degrees apart where lobes are {:.1} degrees wide: orders of diffraction there are grainy; more \
+                 light_samples smooth them",
                 scene.name,
                 distance.to_degrees(),
                 width.to_degrees()
