@@ -1,4 +1,4 @@
-//! Frame time of a sphere by number of tables: `cargo run --release --example frame_time [SIZE_PX [FRAMES]]`.
+//! Frame time of the coiled snake by number of tables: `cargo run --release --example frame_time [SIZE_PX [FRAMES]]`.
 //!
 //! Smooth made-up tables of 501 x 501 texels: the time does not depend on their values. Chebyshev sets have a coherent
 //! lobe; 24 tables are what the published powers of w need for an error of 1e-6 at 250 nm of depth.
@@ -10,8 +10,8 @@ use diffraction_atlas::render::gpu::Gpu;
 use diffraction_atlas::render::gpu_frame::{Frame, FramePlan, time_frames};
 use diffraction_atlas::render::gpu_layout::table_image;
 use diffraction_atlas::render::gpu_tables::upload;
-use diffraction_atlas::scene::animation::Turn;
-use diffraction_atlas::scene::model::{Exposure, Light, Scene, Shape};
+use diffraction_atlas::scene::gbuffer::gbuffer;
+use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::tables::model::{Basis, Lobe, TableSet};
 use ndarray::Array3;
 
@@ -44,6 +44,7 @@ fn set(basis: Basis, count: usize) -> TableSet {
             shadowing: true,
         },
         served: None,
+        pigment: None,
         usable_radius: 2.0,
     }
 }
@@ -58,19 +59,8 @@ fn main() -> Result<()> {
     }
     let info = gpu.info();
     println!("{} ({}), {} {}", info.adapter, info.kind, info.backend, info.driver);
-    let scene = Scene {
-        name: "sphere".into(),
-        shape: Shape::Sphere,
-        lights: vec![Light { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.0, irradiance: 1.0 }],
-        environment: None,
-        turn: Turn::default(),
-        animation: None,
-        size_px,
-        exposure: Exposure::Auto,
-        specimen: None,
-        light_samples: 1,
-        pixel_samples: 1,
-    };
+    let light = Light::point([0.3, 0.2, 1.0]);
+    let surfaces = gbuffer(&Scene::still("snake", Shape::Snake, vec![light], size_px))?;
     let mut base_ms = None;
     for (basis, count) in [
         (Basis::Chebyshev, 2),
@@ -81,7 +71,7 @@ fn main() -> Result<()> {
         (Basis::Taylor, 40),
     ] {
         let tables = upload(&gpu, &table_image(&set(basis, count))?)?;
-        let frame = Frame::new(&gpu, &tables, &scene, 1.0)?;
+        let frame = Frame::new(&gpu, &tables, &surfaces, 1.0)?;
         let [time] = time_frames([&frame], plan)?;
         let base = *base_ms.get_or_insert(time.median_ms);
         println!(

@@ -32,19 +32,7 @@ fn config(size: usize) -> TablesConfig {
 }
 
 fn scene(shape: Shape, lights: Vec<Light>) -> Scene {
-    Scene {
-        name: "s".into(),
-        shape,
-        lights,
-        size_px: 40,
-        exposure: Exposure::Auto,
-        specimen: None,
-        light_samples: 6,
-        pixel_samples: 1,
-        environment: None,
-        turn: Default::default(),
-        animation: None,
-    }
+    Scene { light_samples: 6, ..Scene::still("s", shape, lights, 40) }
 }
 
 fn light(direction: [f64; 3], angular_diameter_deg: f64) -> Light {

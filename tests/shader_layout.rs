@@ -48,15 +48,16 @@ fn structs_have_the_same_bytes() {
         grid_last,
         first_column,
         first_row,
+        pigment,
         table_scales,
         cross_scales
     });
     assert_eq!(layout_in_shader(&check, "TableParams"), params);
     assert_eq!(layout_in_shader(&check, "ShadingSample"), layout_in_rust!(ShadingSample { wi, weight, wo }));
     assert_eq!(layout_in_shader(&check, "Run"), layout_in_rust!(Run { first, count }));
-    let params = layout_in_rust!(FrameParams { size_px, radius, light_count, exposure });
+    let params = layout_in_rust!(FrameParams { size_px, light_count, lit_words, exposure });
     assert_eq!(layout_in_shader(&frame, "FrameParams"), params);
-    let light = layout_in_rust!(FrameLight { direction, irradiance, pixel_offset, unused });
+    let light = layout_in_rust!(FrameLight { direction, irradiance, layer });
     assert_eq!(layout_in_shader(&frame, "FrameLight"), light);
 }
 
@@ -80,15 +81,26 @@ fn lists_of_scales_hold_every_layer() {
 }
 
 /// Shader functions with their counterparts, file by file in the order of both.
-const COUNTERPARTS: [(&str, &[&str]); 7] = [
+const COUNTERPARTS: [(&str, &[&str]); 8] = [
     (include_str!("../src/ground/direction.rs"), &["wave_vector_change", "geometry_factor", "v_cavity_shadowing"]),
     (include_str!("../src/optics/fresnel.rs"), &["reflectance", "cos_half_angle"]),
+    (include_str!("../src/optics/pigment.rs"), &["pigment_xyz"]),
     (include_str!("../src/optics/reference.rs"), &["prefactor"]),
     (include_str!("../src/tables/plan.rs"), &["w_reach"]),
     (include_str!("../src/ground/chebyshev.rs"), &["shifted_values"]),
     (
         include_str!("../src/tables/evaluate.rs"),
-        &["brdf_xyz", "window_power", "serves", "share_of_range", "t_of", "lobe_value", "expansion", "sample"],
+        &[
+            "surface_xyz",
+            "brdf_xyz",
+            "window_power",
+            "serves",
+            "share_of_range",
+            "t_of",
+            "lobe_value",
+            "expansion",
+            "sample",
+        ],
     ),
     (include_str!("../src/ground/colour.rs"), &["xyz_to_linear_srgb"]),
 ];

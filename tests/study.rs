@@ -6,7 +6,7 @@ use diffraction_atlas::ground::spectrum::Illuminant;
 use diffraction_atlas::height::HeightField;
 use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::report::study_page::study_files;
-use diffraction_atlas::scene::model::{Exposure, Light, Scene, Shape};
+use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::progress::Silent;
 use diffraction_atlas::stages::stability::{Guard, Stability, StabilityCase};
 use diffraction_atlas::stages::study::{MethodRow, SpecimenStudy, Study, StudyConfig, StudySpecimen, run_study};
@@ -42,19 +42,7 @@ fn specimen(depth_nm: f64) -> StudySpecimen {
 }
 
 fn ball() -> Scene {
-    Scene {
-        name: "ball".into(),
-        shape: Shape::Sphere,
-        lights: vec![Light { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.0, irradiance: 1.0 }],
-        size_px: 24,
-        exposure: Exposure::Auto,
-        specimen: None,
-        light_samples: 1,
-        pixel_samples: 1,
-        environment: None,
-        turn: Default::default(),
-        animation: None,
-    }
+    Scene::still("ball", Shape::Sphere, vec![Light::point([0.3, 0.2, 1.0])], 24)
 }
 
 fn config() -> StudyConfig {

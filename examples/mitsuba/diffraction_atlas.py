@@ -11,7 +11,8 @@ Parameters:
 - `atlas`: an atlas (its latest version is taken), one of its versions, or the folder of a specimen.
 - `specimen`: name of the specimen; not needed where `atlas` is its folder or holds only one.
 - `turn_deg`: turns the structure about the normal, counter-clockwise seen from outside. Its x axis otherwise runs along
-  the texture coordinate u (`dp_du`), its y axis at a right angle to the left of it, mirrored coordinates or not. A mesh
+  the texture coordinate u (`dp_du`), its y axis at a right angle to the left of it, mirrored coordinates or not (the
+  program's own pictures of meshes mirror the structure with the coordinates). A mesh
   without texture coordinates has no such direction: give it some.
 - `scale`: a factor on the BRDF, 1 by default.
 - `look_up`: "linear" (default) between texels as graphics hardware, or "cubic", slower and more accurate.

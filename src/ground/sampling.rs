@@ -10,6 +10,15 @@ pub fn plane(index: usize) -> [f64; 2] {
     STEP.map(|step| (0.5 + (index + 1) as f64 * step).fract())
 }
 
+/// The same point, exact for indices that 64-bit floats cannot tell apart any more.
+pub fn plane_far(index: u64) -> [f64; 2] {
+    // The same steps in units of 2^-64; multiples of them wrap around just as fractions do.
+    const STEP: [u64; 2] = [0xc13f_a9a9_02a6_328f, 0x91e1_0da5_c79e_7b1c];
+    STEP.map(|step| {
+        ((1u64 << 63).wrapping_add(index.wrapping_add(1).wrapping_mul(step)) >> 11) as f64 / (1u64 << 53) as f64
+    })
+}
+
 /// Point `index` of the same kind in [0, 1)⁴.
 pub fn four(index: usize) -> [f64; 4] {
     // Powers of 1/g for the real root g of x⁵ = x + 1.
@@ -90,6 +99,17 @@ mod tests {
             cells[(x * 5.0) as usize * 5 + (y * 5.0) as usize] += 1;
         }
         assert!(cells.iter().all(|&c| (30..=50).contains(&c)), "{cells:?}");
+    }
+
+    #[test]
+    fn far_points_continue_the_near_ones() {
+        let apart = |a: [f64; 2], b: [f64; 2]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!((0..1000).all(|index| apart(plane(index), plane_far(index as u64)) < 1e-12));
+        // Neighbours keep their distance however far out: 1/g and 1/g² of the side, up to whole sides.
+        let [a, b] = [plane_far(1 << 50), plane_far((1 << 50) + 1)];
+        for (step, c) in [(0.754_877_666_246_692_8, 0), (0.569_840_290_998_053_3, 1)] {
+            assert!(((b[c] - a[c] - step).rem_euclid(1.0) + 1e-12) % 1.0 < 1e-11);
+        }
     }
 
     #[test]

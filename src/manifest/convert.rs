@@ -47,6 +47,7 @@ pub fn specimen_config(section: &SpecimenSection) -> SpecimenConfig {
             blend_nm: section.blend_nm,
         },
         optics: section.optics.clone(),
+        albedo: section.albedo,
         measured: section.measured.clone(),
     }
 }

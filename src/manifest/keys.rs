@@ -67,6 +67,7 @@ pub const SPECIMEN: Keys = Keys {
         "blend_nm",
         "max_missing_share",
         "material",
+        "albedo",
         "coherence",
         "windows",
         "measured",
@@ -189,12 +190,21 @@ fn in_another_unit(unknown: &str, names: &[&'static str]) -> Option<(&'static st
     })
 }
 
-/// What to say of a key that a table does not take; `value` is its number, where it is one.
-pub fn unknown_key(unknown: &str, keys: &Keys, value: Option<f64>) -> String {
+/// Keys of [`SCENE`] that people expect to name a mesh's file.
+const MESH_FILE_WORDS: &[&str] = &["mesh", "model", "obj", "gltf", "glb", "geometry", "file", "path"];
+
+/// What to say of a key that a table does not take; `number` and `text` are its value, where it is one.
+pub fn unknown_key(unknown: &str, keys: &Keys, number: Option<f64>, text: Option<&str>) -> String {
     let table = keys.table;
+    if keys.table == SCENE.table && MESH_FILE_WORDS.contains(&unknown.to_lowercase().as_str()) {
+        let file = text.filter(|text| text.contains('.')).unwrap_or("body.obj");
+        return format!(
+            "unknown key `{unknown}` in {table}: a mesh file stands in the shape's place, `shape = {file:?}`"
+        );
+    }
     if let Some((name, factor)) = in_another_unit(unknown, keys.names) {
         let converted =
-            value.map_or(String::new(), |value| format!(" (here {name} = {})", round_to_9_digits(value * factor)));
+            number.map_or(String::new(), |value| format!(" (here {name} = {})", round_to_9_digits(value * factor)));
         return format!(
             "unknown key `{unknown}` in {table}: this quantity is given as `{name}`{converted}; \
              the unit is the last word of the key"
@@ -244,11 +254,11 @@ mod tests {
 
     #[test]
     fn another_unit_is_named_and_converted() {
-        let message = unknown_key("sigma_nm", &COHERENCE, Some(16250.0));
+        let message = unknown_key("sigma_nm", &COHERENCE, Some(16250.0), None);
         assert!(message.contains("`sigma_um`") && message.contains("sigma_um = 16.25)"), "{message}");
-        let message = unknown_key("tilt_rad", &SCENE, Some(0.5));
+        let message = unknown_key("tilt_rad", &SCENE, Some(0.5), None);
         assert!(message.contains("tilt_deg = 28.6478898)"), "{message}");
-        assert!(unknown_key("memory_gib", &TABLES, Some(2.0)).contains("memory_mib = 2048)"));
+        assert!(unknown_key("memory_gib", &TABLES, Some(2.0), None).contains("memory_mib = 2048)"));
     }
 
     #[test]
@@ -261,7 +271,7 @@ mod tests {
             ("tolerance", &GPU, "belongs in [tables]"),
             ("zzz", &GPU, "expected one of `check`, `frame_time`"),
         ] {
-            let message = unknown_key(unknown, keys, None);
+            let message = unknown_key(unknown, keys, None, None);
             assert!(message.contains(expected), "{message}");
         }
     }

@@ -11,6 +11,9 @@ use crate::scene::camera::{self, Camera, Field};
 use crate::scene::mesh::{self, COORDINATE_MAX, MeshShape, Model};
 use crate::stages::shared_scenes::FOLDER as SHARED_FOLDER;
 
+/// How a mesh is given in the shape's place.
+pub const EXAMPLE: &str = "the name of a mesh file such as \"body.obj\"";
+
 /// Whether a shape is a file rather than a word.
 pub fn names_a_file(item: &Item) -> bool {
     item.as_text().is_some_and(|text| text.contains('.'))

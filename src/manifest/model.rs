@@ -83,6 +83,8 @@ pub struct SpecimenSection {
     pub max_missing_share: f64,
     /// The manifest's optics with this specimen's own settings in their place.
     pub optics: OpticsConfig,
+    /// Albedo of a pigment below the structure, linear sRGB.
+    pub albedo: Option<[f64; 3]>,
     /// Measured reflectance to compare with.
     pub measured: Option<MeasuredConfig>,
 }
@@ -157,7 +159,7 @@ pub struct SceneSection {
     /// The lights; exactly one for a hemisphere, and for a screen, whose beam it stands for (the
     /// shape holds the beam's direction, so this one's is +z).
     pub lights: Vec<LightSection>,
-    /// Light from all around, as the directions that stand for it.
+    /// Light from all around.
     pub environment: Option<Environment>,
     /// Frames besides the still.
     pub animation: Option<Animation>,

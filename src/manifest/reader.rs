@@ -46,7 +46,7 @@ impl<'s> Section<'s> {
             .filter(|(key, _)| !keys.names.contains(&key.get_ref().as_ref()))
             .min_by_key(|(key, _)| key.span().start);
         if let Some((key, value)) = unknown {
-            let message = keys::unknown_key(key.get_ref(), keys, as_number(value.get_ref()));
+            let message = keys::unknown_key(key.get_ref(), keys, as_number(value.get_ref()), value.get_ref().as_str());
             return Err(source.error(key.span(), message));
         }
         Ok(Self { source, table, span, path })
@@ -242,8 +242,14 @@ impl<'s> Item<'s> {
 
     /// One of a few words.
     pub fn choice<T: Copy>(&self, options: &[(&str, T)]) -> Result<T> {
+        self.choice_besides(options, "")
+    }
+
+    /// One of a few words where something else, read elsewhere, would also do; `besides` says what, or is empty.
+    pub fn choice_besides<T: Copy>(&self, options: &[(&str, T)], besides: &str) -> Result<T> {
         let words: Vec<&str> = options.iter().map(|(word, _)| *word).collect();
         let list = words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
+        let list = if besides.is_empty() { list } else { format!("{list}, or {besides}") };
         let Some(text) = self.as_text() else {
             return Err(self.expected(&format!("one of {list}")));
         };

@@ -90,7 +90,11 @@ pub fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<Scen
 
 fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Result<SceneSection> {
     let item = section.require("shape", "shape = \"sphere\"")?;
-    let kind = if mesh::names_a_file(&item) { MESH } else { item.choice(&KINDS.map(|kind| (kind.word, kind)))? };
+    let kind = if mesh::names_a_file(&item) {
+        MESH
+    } else {
+        item.choice_besides(&KINDS.map(|kind| (kind.word, kind)), mesh::EXAMPLE)?
+    };
     refuse_foreign_keys(section, kind)?;
     let whole = |key: &str, [low, high]: [usize; 2], default: usize| match section.get(key) {
         Some(item) => item.integer_within(low, high, ""),
@@ -104,7 +108,6 @@ fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Res
     let samples = if section.has("environment") { defaults::ENVIRONMENT_SAMPLES } else { defaults::LIGHT_SAMPLES };
     let light_samples = whole("light_samples", [1, SAMPLES_MAX], samples)?;
     let pixel_samples = whole("pixel_samples", [1, SAMPLES_MAX], defaults::PIXEL_SAMPLES)?;
-    let directions = light_samples.max(pixel_samples);
     let size_px = whole("size_px", SIZE_PX, defaults::SIZE_PX)?;
     Ok(SceneSection {
         name,
@@ -113,7 +116,7 @@ fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Res
         shape,
         size_px,
         exposure: section.get("exposure").map_or(Ok(ExposureSection::Auto), |item| exposure(&item))?,
-        environment: section.get("environment").map(|item| environment(&item, base, directions)).transpose()?,
+        environment: section.get("environment").map(|item| environment(&item, base)).transpose()?,
         light_samples,
         pixel_samples,
         specimen: section.get("specimen").map(|item| one_of(&item, specimens)).transpose()?,
@@ -242,7 +245,7 @@ fn light(item: &Item, shape: &ShapeSection) -> Result<LightSection> {
 }
 
 /// An image of all directions, alone or with how it is turned and scaled.
-fn environment(item: &Item, base: &Path, directions: usize) -> Result<Environment> {
+fn environment(item: &Item, base: &Path) -> Result<Environment> {
     let (mut rotate_deg, mut scale) = (defaults::ENVIRONMENT_ROTATE_DEG, defaults::ENVIRONMENT_SCALE);
     let mut file = item.clone();
     if item.is_table() {
@@ -257,8 +260,7 @@ fn environment(item: &Item, base: &Path, directions: usize) -> Result<Environmen
         }
     }
     let path = base.join(file.text_not_empty()?);
-    environment::load(&path, rotate_deg, scale, directions)
-        .map_err(|why| file.error(format!("cannot light a scene: {why}")))
+    environment::load(&path, rotate_deg, scale).map_err(|why| file.error(format!("cannot light a scene: {why}")))
 }
 
 fn direction(item: &Item, shape: &ShapeSection) -> Result<[f64; 3]> {

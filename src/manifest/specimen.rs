@@ -10,7 +10,7 @@ use super::name;
 use super::optics;
 use super::reader::{Item, Section};
 use crate::ground::error::Result;
-use crate::optics::config::OpticsConfig;
+use crate::optics::config::{Material, OpticsConfig};
 use crate::stages::measured::MeasuredConfig;
 
 /// Largest lateral length and pitch: 1 mm, beyond any structure that diffracts visibly.
@@ -65,9 +65,20 @@ fn read(section: &Section, name: String, mut optics: OpticsConfig, base: &Path) 
         despike: section.get("despike").map(|item| despike(&item)).transpose()?,
         blend_nm: blend.transpose()?,
         max_missing_share: missing.transpose()?.unwrap_or(defaults::MAX_MISSING_SHARE),
+        albedo: section.get("albedo").map(|item| albedo(&item, &optics)).transpose()?,
         optics,
         measured: section.get("measured").map(|item| measured(&item, base)).transpose()?,
     })
+}
+
+/// A pigment's colour, below a surface that light passes.
+fn albedo(item: &Item, optics: &OpticsConfig) -> Result<[f64; 3]> {
+    let list = item.list_of::<3>("linear sRGB such as [0.45, 0.16, 0.05]")?;
+    let [r, g, b] = list.each_ref().map(|item| item.number_within(0.0, 1.0, ""));
+    if !matches!(optics.material, Material::Dielectric { .. }) {
+        return Err(item.error("needs a transparent material to shine through, such as `material = { n = 1.56 }`"));
+    }
+    Ok([r?, g?, b?])
 }
 
 /// Paths and patterns, or one of them without brackets.

@@ -1,8 +1,9 @@
-//! Optics floor: Fresnel reflectance, coherence windows, the transforms of `exp(i s h)`, the reference.
+//! Optics floor: Fresnel reflectance, a pigment below, coherence windows, the transforms of `exp(i s h)`, the reference.
 
 pub mod config;
 pub mod fresnel;
 pub mod kernel;
+pub mod pigment;
 pub mod powers;
 pub mod reference;
 pub mod spectra;

@@ -25,6 +25,7 @@ use crate::ground::chebyshev;
 use crate::ground::direction::{Vec3, Xyz, dot, wave_vector_change};
 use crate::optics::config::{Material, OpticsConfig};
 use crate::optics::fresnel::{cos_half_angle, reflectance};
+use crate::optics::pigment::Pigment;
 use crate::optics::reference::prefactor;
 use crate::scene::samples::{ShadingSamples, pixel_range};
 use crate::tables::evaluate::{Interpolation, sample, window_power};
@@ -68,7 +69,10 @@ pub fn bound_image(set: &TableSet, samples: &ShadingSamples) -> Array3<f32> {
             let mut bound = [0.0; 3];
             for index in pixel_range(samples, row, column) {
                 let (wi, wo) = (samples.wi[index].map(f64::from), samples.wo[index].map(f64::from));
-                let of_sample = sample_bound(set, &tables, &cross, wi, wo);
+                let mut of_sample = sample_bound(set, &tables, &cross, wi, wo);
+                if let Some(pigment) = &set.pigment {
+                    add(&mut of_sample, pigment_bound(pigment, wi, wo));
+                }
                 for (sum, value) in bound.iter_mut().zip(of_sample) {
                     *sum += f64::from(samples.weight[index]) * value;
                 }
@@ -116,6 +120,16 @@ fn sample_bound(set: &TableSet, tables: &Layers, cross: &Layers, wi: Vec3, wo: V
     std::array::from_fn(|c| front * (error[c] * (1.0 + relative) + relative * value[c].abs()))
 }
 
+/// The pigment's share: two reflectances, their product, and what the sums round of it.
+fn pigment_bound(pigment: &Pigment, wi: Vec3, wo: Vec3) -> Xyz {
+    let material = Material::Dielectric { n: pigment.n };
+    let [(passed_i, error_i), (passed_o, error_o)] =
+        [wi, wo].map(|v| (1.0 - reflectance(material, v[2]), reflectance_error(material, v[2], 0.0) + 2.0 * U));
+    let error = passed_i * error_o + passed_o * error_i + error_i * error_o;
+    let rounding = (RUN_SAMPLES_MAX + 12) as f64 * U;
+    pigment.xyz_per_sr.map(|c| c * (error + rounding * passed_i * passed_o))
+}
+
 fn add(sum: &mut Xyz, more: Xyz) {
     sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
 }
@@ -134,11 +148,7 @@ fn power_values(count: usize, w: f64) -> BasisValues {
     BasisValues { values, errors }
 }
 
-/// Relative error of reflectance, geometry and shadowing.
-///
-/// An amplitude of reflection is a quotient whose denominator is at least as large as either term of its numerator, hence
-/// off by some ulp of 1, more where the root `cos_t` starts from a cancelled `1 - sin²/n²`; `R` then by
-/// `2 sqrt(R)` times that. The half angle's cosine `c` comes from `1 + wi·wo`, off by `8 u`.
+/// Relative error of reflectance, geometry and shadowing. The half angle's cosine `c` comes from `1 + wi·wo`, off by `8 u`.
 pub fn front_error(optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> f64 {
     let one_plus = (1.0 + dot(wi, wo)).max(f64::MIN_POSITIVE);
     let cosine = cos_half_angle(wi, wo).max(f64::MIN_POSITIVE);
@@ -147,17 +157,26 @@ pub fn front_error(optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> f64 {
     if optics.shadowing {
         relative += 16.0 * ULP + 8.0 * ULP / cosine;
     }
-    let index = match optics.material {
-        Material::Ideal => return relative,
+    let error = reflectance_error(optics.material, cosine, cosine_error);
+    relative + error.min(1.0) / reflectance(optics.material, cosine).max(f64::MIN_POSITIVE)
+}
+
+/// Absolute error of the reflectance at a cosine that is off by so much.
+///
+/// An amplitude of reflection is a quotient whose denominator is at least as large as either term of its numerator, hence
+/// off by some ulp of 1, more where the root `cos_t` starts from a cancelled `1 - sin²/n²`; `R` then by
+/// `2 sqrt(R)` times that.
+fn reflectance_error(material: Material, cosine: f64, cosine_error: f64) -> f64 {
+    let index = match material {
+        Material::Ideal => return 0.0,
         Material::Dielectric { n } => Complex::new(n, 0.0),
         Material::Conductor { n, k } => Complex::new(n, k),
     };
     let cos2_t = (Complex::new(1.0, 0.0) - (1.0 - cosine * cosine).max(0.0) / (index * index)).norm();
     let amplitude_error = ULP * (24.0 + 4.0 / cos2_t.max(U));
-    let value = reflectance(optics.material, cosine);
-    let moved = [-cosine_error, cosine_error].map(|d| (reflectance(optics.material, cosine + d) - value).abs());
-    let error = 2.0 * value.sqrt() * amplitude_error + amplitude_error.powi(2) + moved[0].max(moved[1]);
-    relative + error.min(1.0) / value.max(f64::MIN_POSITIVE)
+    let value = reflectance(material, cosine);
+    let moved = [-cosine_error, cosine_error].map(|d| (reflectance(material, cosine + d) - value).abs());
+    2.0 * value.sqrt() * amplitude_error + amplitude_error.powi(2) + moved[0].max(moved[1])
 }
 
 /// Where `t` lies in the range of what is served at a position in texels, and how far that may be off: by the error of

@@ -1,22 +1,27 @@
 //! What an interactive program draws, on the GPU: one frame's pixels, and how long a frame takes.
+//!
+//! The lighting pass of a deferred renderer. Surfaces and shadows are gathered on the CPU and uploaded once, 48 bytes a
+//! point and a bit a light; what is drawn and timed is all that the tables take part in: reading the surface, bringing
+//! the directions into its frame, the BRDF of every light that is not shaded, colour.
 
 use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
 
 use super::gpu::Gpu;
-use super::gpu_layout::{FrameLight, FrameParams, SIDE_MAX};
-use super::gpu_tables::{GpuTables, entry};
+use super::gpu_layout::{FrameLight, FrameParams, LAYERS_MAX, SIDE_MAX};
+use super::gpu_tables::{GpuTables, entry, texture, write_layer};
 use super::wgsl;
 use crate::ground::error::{Error, Result};
-use crate::scene::light::light_samples;
-use crate::scene::model::{Scene, Shape, check};
-use crate::scene::sphere;
+use crate::scene::gbuffer::GBuffer;
+use crate::scene::light::LightSample;
 
 /// Most frames in a batch: two entries each of a query set, which holds 4096.
 const BATCH_MAX: usize = 2048;
 /// Bytes of a pixel: four half floats.
 const PIXEL_BYTES: usize = 8;
+/// Bytes of a storage binding that every WebGPU device grants.
+const BINDING_BYTES_MAX: usize = 128 << 20;
 /// Bytes of the texels that one bilinear look-up of a table touches.
 const LOOK_UP_BYTES: f64 = 4.0 * 8.0;
 
@@ -67,7 +72,9 @@ pub struct FrameTime {
     pub tables: usize,
     /// Light samples per pixel.
     pub light_samples: usize,
-    /// Texel reads in GB/s at the median, every look-up of a lit pixel counted as four texels: an upper bound of what
+    /// Pairs of directions shaded in a frame: light samples of all pixels that show the surface lit.
+    pub evaluations: u64,
+    /// Texel reads in GB/s at the median, every look-up of a table counted as four texels: an upper bound of what
     /// leaves the cache.
     pub texel_gb_per_s: f64,
     /// How it was measured.
@@ -84,52 +91,37 @@ pub struct Frame<'a> {
     target: wgpu::Texture,
     size_px: usize,
     light_samples: usize,
+    evaluations: u64,
 }
 
 impl<'a> Frame<'a> {
-    /// Prepares a sphere; `exposure` brings XYZ to display values.
+    /// Uploads the geometry; `exposure` brings XYZ to display values.
     ///
     /// # Errors
-    /// `Error::Call` for another shape or a picture larger than a texture, `Error::Gpu`.
-    pub fn new(gpu: &'a Gpu, tables: &'a GpuTables, scene: &Scene, exposure: f32) -> Result<Self> {
-        check(scene)?;
-        if scene.shape != Shape::Sphere || scene.size_px > SIDE_MAX {
-            return Err(Error::Call(format!(
-                "scene \"{}\": frames are drawn of shape = \"sphere\" with size_px up to {SIDE_MAX}, not {:?} with {}",
-                scene.name, scene.shape, scene.size_px
-            )));
+    /// `Error::Limit` for a picture larger than every GPU takes, `Error::Gpu`.
+    pub fn new(gpu: &'a Gpu, tables: &'a GpuTables, buffer: &GBuffer, exposure: f32) -> Result<Self> {
+        let lit_bytes = size_of_val(buffer.lit.as_slice());
+        if buffer.size_px > SIDE_MAX || buffer.layers > LAYERS_MAX || lit_bytes > BINDING_BYTES_MAX {
+            let (name, side, layers) = (&buffer.scene, buffer.size_px, buffer.layers);
+            return Err(Error::limit(
+                format!(
+                    "a frame of scene \"{name}\" needs {layers} textures of {side} x {side} pixels and {lit_bytes} bytes of \
+                     shadows; every GPU takes {LAYERS_MAX} of {SIDE_MAX} x {SIDE_MAX} and {BINDING_BYTES_MAX} bytes"
+                ),
+                "lower its size_px, light_samples or pixel_samples",
+            ));
         }
-        if scene.turn.angle_deg != 0.0 {
-            return Err(Error::Call(format!(
-                "scene \"{}\": frames are drawn of an object that is not turned",
-                scene.name
-            )));
-        }
-        let lights: Vec<FrameLight> = light_samples(scene)
-            .iter()
-            .map(|light| FrameLight {
-                direction: light.direction.map(|c| c as f32),
-                irradiance: light.irradiance as f32,
-                pixel_offset: light.pixel_offset.map(|c| c as f32),
-                unused: [0.0; 2],
-            })
-            .collect();
-        let params = FrameParams {
-            size_px: scene.size_px as f32,
-            radius: sphere::RADIUS as f32,
-            light_count: lights.len() as u32,
-            exposure,
-        };
         gpu.guarded("prepare a frame", || {
             let layout = frame_layout(gpu);
             Self {
                 gpu,
                 tables,
                 pipeline: pipeline(gpu, tables, &layout),
-                group: frame_group(gpu, &layout, &params, &lights),
-                target: target(gpu, scene.size_px as u32),
-                size_px: scene.size_px,
-                light_samples: lights.len(),
+                group: frame_group(gpu, &layout, buffer, exposure),
+                target: target(gpu, buffer.size_px as u32),
+                size_px: buffer.size_px,
+                light_samples: buffer.lights.len(),
+                evaluations: buffer.evaluations(),
             }
         })
     }
@@ -181,8 +173,7 @@ impl<'a> Frame<'a> {
     fn summary(&self, mut times_ms: Vec<f64>, frames: usize) -> FrameTime {
         times_ms.sort_unstable_by(f64::total_cmp);
         let median_ms = times_ms[times_ms.len() / 2];
-        let disc = std::f64::consts::PI * (0.5 * sphere::RADIUS * self.size_px as f64).powi(2);
-        let look_ups = disc * (self.light_samples * self.tables.table_count) as f64;
+        let look_ups = self.evaluations as f64 * self.tables.table_count as f64;
         FrameTime {
             median_ms,
             shortest_ms: times_ms[0],
@@ -190,6 +181,7 @@ impl<'a> Frame<'a> {
             size_px: self.size_px,
             tables: self.tables.table_count,
             light_samples: self.light_samples,
+            evaluations: self.evaluations,
             texel_gb_per_s: look_ups * LOOK_UP_BYTES / (median_ms * 1e6),
             clock: clock(self.gpu),
         }
@@ -350,25 +342,40 @@ fn target(gpu: &Gpu, side: u32) -> wgpu::Texture {
 }
 
 fn frame_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
-    let types = [wgpu::BufferBindingType::Uniform, wgpu::BufferBindingType::Storage { read_only: true }];
+    let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
+    let list = buffer(wgpu::BufferBindingType::Storage { read_only: true });
+    let vectors = wgpu::BindingType::Texture {
+        sample_type: wgpu::TextureSampleType::Float { filterable: false },
+        view_dimension: wgpu::TextureViewDimension::D2Array,
+        multisampled: false,
+    };
+    let types = [buffer(wgpu::BufferBindingType::Uniform), list, list, vectors, vectors, vectors];
     let entries: Vec<wgpu::BindGroupLayoutEntry> = (0u32..)
         .zip(types)
         .map(|(binding, ty)| wgpu::BindGroupLayoutEntry {
             binding,
             visibility: wgpu::ShaderStages::FRAGMENT,
-            ty: wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None },
+            ty,
             count: None,
         })
         .collect();
     gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("frame"), entries: &entries })
 }
 
-fn frame_group(
-    gpu: &Gpu,
-    layout: &wgpu::BindGroupLayout,
-    params: &FrameParams,
-    lights: &[FrameLight],
-) -> wgpu::BindGroup {
+fn frame_group(gpu: &Gpu, layout: &wgpu::BindGroupLayout, surfaces: &GBuffer, exposure: f32) -> wgpu::BindGroup {
+    let light = |(light, &layer): (&LightSample, &u32)| FrameLight {
+        direction: light.direction.map(|c| c as f32),
+        irradiance: light.irradiance as f32,
+        layer,
+        unused: [0; 3],
+    };
+    let lights: Vec<FrameLight> = surfaces.lights.iter().zip(&surfaces.layer_of_light).map(light).collect();
+    let params = FrameParams {
+        size_px: surfaces.size_px as u32,
+        light_count: lights.len() as u32,
+        lit_words: surfaces.lit_words as u32,
+        exposure,
+    };
     let buffer = |bytes: &[u8], usage| {
         let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("frame"),
@@ -379,12 +386,38 @@ fn frame_group(
         gpu.queue.write_buffer(&buffer, 0, bytes);
         buffer
     };
-    let params = buffer(bytemuck::bytes_of(params), wgpu::BufferUsages::UNIFORM);
-    let lights = buffer(bytemuck::cast_slice(lights), wgpu::BufferUsages::STORAGE);
+    let params = buffer(bytemuck::bytes_of(&params), wgpu::BufferUsages::UNIFORM);
+    let lights = buffer(bytemuck::cast_slice(&lights), wgpu::BufferUsages::STORAGE);
+    let lit = buffer(bytemuck::cast_slice(&surfaces.lit), wgpu::BufferUsages::STORAGE);
+    let padded = |[x, y, z]: [f32; 3]| [x, y, z, 0.0];
+    let normals: Vec<[f32; 4]> = surfaces.normal.iter().copied().map(padded).collect();
+    let viewers: Vec<[f32; 4]> = surfaces.to_viewer.iter().copied().map(padded).collect();
+    let [tangents, normals, viewers] =
+        [&surfaces.tangent, &normals, &viewers].map(|vectors| vector_view(gpu, surfaces, vectors));
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("frame"),
         layout,
-        entries: &[entry(0, params.as_entire_binding()), entry(1, lights.as_entire_binding())],
+        entries: &[
+            entry(0, params.as_entire_binding()),
+            entry(1, lights.as_entire_binding()),
+            entry(2, lit.as_entire_binding()),
+            entry(3, wgpu::BindingResource::TextureView(&tangents)),
+            entry(4, wgpu::BindingResource::TextureView(&normals)),
+            entry(5, wgpu::BindingResource::TextureView(&viewers)),
+        ],
+    })
+}
+
+/// One vector of every surface point, as a texture.
+fn vector_view(gpu: &Gpu, surfaces: &GBuffer, vectors: &[[f32; 4]]) -> wgpu::TextureView {
+    let side = surfaces.size_px;
+    let texture = texture(gpu, wgpu::TextureFormat::Rgba32Float, [side, side, surfaces.layers]);
+    for (layer, texels) in vectors.chunks_exact(side * side).enumerate() {
+        write_layer(gpu, &texture, [side, side], layer, bytemuck::cast_slice(texels));
+    }
+    texture.create_view(&wgpu::TextureViewDescriptor {
+        dimension: Some(wgpu::TextureViewDimension::D2Array),
+        ..Default::default()
     })
 }
 
@@ -412,7 +445,7 @@ fn pipeline(gpu: &Gpu, tables: &GpuTables, group: &wgpu::BindGroupLayout) -> wgp
         multisample: Default::default(),
         fragment: Some(wgpu::FragmentState {
             module: &module,
-            entry_point: Some(wgsl::SHADE_SPHERE),
+            entry_point: Some(wgsl::SHADE_SURFACES),
             compilation_options: Default::default(),
             targets: &[Some(FORMAT.into())],
         }),

@@ -47,6 +47,8 @@ pub struct TableParams {
     pub first_column: f32,
     /// Likewise.
     pub first_row: f32,
+    /// XYZ of the pigment below in 1/sr, and 1 where there is one.
+    pub pigment: [f32; 4],
     /// Scale of each table, four to a vector.
     pub table_scales: [[f32; 4]; LAYERS_MAX / 4],
     /// Scale of each patch.
@@ -82,11 +84,11 @@ pub struct Run {
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub struct FrameParams {
     /// Pixels along each side.
-    pub size_px: f32,
-    /// The sphere's radius as a share of half the picture's side.
-    pub radius: f32,
+    pub size_px: u32,
     /// Entries of the list of lights.
     pub light_count: u32,
+    /// Words that hold a pixel's shadows.
+    pub lit_words: u32,
     /// Factor that brings XYZ to display values.
     pub exposure: f32,
 }
@@ -99,10 +101,10 @@ pub struct FrameLight {
     pub direction: [f32; 3],
     /// Irradiance on a surface that faces it.
     pub irradiance: f32,
-    /// Position in the pixel, y up.
-    pub pixel_offset: [f32; 2],
+    /// Layer of the surfaces that it is shaded on.
+    pub layer: u32,
     /// Fills the stride of 32 bytes.
-    pub unused: [f32; 2],
+    pub unused: [u32; 3],
 }
 
 /// Layers of half floats, `[layer][row][column]`, the fourth channel unused.
@@ -181,6 +183,10 @@ pub fn table_image(set: &TableSet) -> Result<TableImage> {
         grid_last: (set.size() - 1) as f32,
         first_column: first[1] as f32,
         first_row: first[0] as f32,
+        pigment: set.pigment.map_or([0.0; 4], |pigment| {
+            let [x, y, z] = pigment.xyz_per_sr.map(|c| c as f32);
+            [x, y, z, 1.0]
+        }),
         table_scales: packed(&tables.scales),
         cross_scales: packed(&cross.scales),
     };

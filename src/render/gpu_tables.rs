@@ -91,9 +91,9 @@ fn table_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
     gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("tables"), entries: &entries })
 }
 
-fn texture(gpu: &Gpu, format: wgpu::TextureFormat, [width, height, layers]: [usize; 3]) -> wgpu::Texture {
+pub(super) fn texture(gpu: &Gpu, format: wgpu::TextureFormat, [width, height, layers]: [usize; 3]) -> wgpu::Texture {
     gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("tables"),
+        label: Some("texels"),
         size: wgpu::Extent3d { width: width as u32, height: height as u32, depth_or_array_layers: layers as u32 },
         mip_level_count: 1,
         sample_count: 1,
@@ -114,7 +114,7 @@ fn half_texture(gpu: &Gpu, layers: &HalfLayers) -> wgpu::Texture {
     texture
 }
 
-fn write_layer(gpu: &Gpu, texture: &wgpu::Texture, [width, height]: [usize; 2], layer: usize, bytes: &[u8]) {
+pub(super) fn write_layer(gpu: &Gpu, texture: &wgpu::Texture, [width, height]: [usize; 2], layer: usize, bytes: &[u8]) {
     let to = wgpu::TexelCopyTextureInfo {
         texture,
         mip_level: 0,

@@ -4,7 +4,7 @@
 pub const TABLES: &str = include_str!("shaders/tables.wgsl");
 /// Compute entry point [`SHADE_RUNS`].
 const CHECK: &str = include_str!("shaders/check.wgsl");
-/// Entry points [`FULL_SCREEN`] and [`SHADE_SPHERE`].
+/// Entry points [`FULL_SCREEN`] and [`SHADE_SURFACES`].
 const FRAME: &str = include_str!("shaders/frame.wgsl");
 /// Fragment entry point [`SHADE_MATERIAL`].
 const MATERIAL: &str = include_str!("shaders/material.wgsl");
@@ -14,7 +14,7 @@ pub const SHADE_RUNS: &str = "shade_runs";
 /// Vertex entry point of [`frame`].
 pub const FULL_SCREEN: &str = "full_screen";
 /// Fragment entry point of [`frame`].
-pub const SHADE_SPHERE: &str = "shade_sphere";
+pub const SHADE_SURFACES: &str = "shade_surfaces";
 /// Fragment entry point of [`material`].
 pub const SHADE_MATERIAL: &str = "shade_material";
 
@@ -23,7 +23,7 @@ pub fn check() -> String {
     [TABLES, CHECK].join("\n")
 }
 
-/// Source that draws a sphere.
+/// Source that shades the stored surfaces of a frame.
 pub fn frame() -> String {
     [TABLES, FRAME].join("\n")
 }

@@ -39,6 +39,10 @@ pub fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
         facts.push(fact("Coherence", coherence(optics)));
         facts.push(fact("Material", material(optics)));
     }
+    if let Some(pigment) = &specimen.pigment {
+        let [r, g, b] = pigment.albedo.map(|share| numbers::round_number(share, 3));
+        facts.push(fact("Pigment below", format!("albedo {r}, {g}, {b} (linear sRGB), in pictures only")));
+    }
     if let Some(built) = &specimen.build {
         facts.push(fact("Tables", tables(built)));
         facts.push(fact("Texels", texels(built)));

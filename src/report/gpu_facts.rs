@@ -142,8 +142,12 @@ fn frame_times(frames: &FrameComparison) -> Value {
     };
     context! {
         about => format!(
-            "A sphere of {0} × {0} pixels under one light from the tables of {1}; {2} frames each, in turns, by {clock}.",
-            time.size_px, frames.specimen, numbers::count(time.frames as u64)
+            "The coiled snake in {0} × {0} pixels under one light, {1} pairs of directions a frame, from the tables of {2}: the \
+             lighting pass over stored surfaces, {3} frames each, in turns, by {clock}.",
+            time.size_px,
+            numbers::count(time.evaluations),
+            frames.specimen,
+            numbers::count(time.frames as u64)
         ),
         methods,
         ratio => frames.ratio().map(|ratio| numbers::number(ratio, 3)),

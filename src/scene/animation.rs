@@ -104,7 +104,7 @@ pub fn frame(scene: &Scene, animation: &Animation, frame: usize) -> Scene {
         Moving::Light => {
             moved.lights.iter_mut().for_each(|light| light.direction = turned(light.direction, turn));
             if let Some(environment) = &mut moved.environment {
-                environment.directions.iter_mut().for_each(|direction| *direction = turned(*direction, turn));
+                environment.turn = turn;
             }
         }
     }

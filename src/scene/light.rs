@@ -8,7 +8,6 @@ use std::f64::consts::TAU;
 
 use crate::ground::direction::{Vec3, normalise};
 
-use super::environment::Environment;
 use super::frame::{about, to_world};
 use super::model::{Light, Scene, Shape};
 
@@ -78,25 +77,19 @@ pub fn direction_to(light: &Light, [radius_squared, angle]: [f64; 2]) -> Vec3 {
     to_world(&about(normalise(light.direction)), local)
 }
 
-/// Samples of every light of a scene, light after light (for a hemisphere of the first one only), then of its
-/// environment.
+/// Samples of every light of a scene, light after light; for a hemisphere of the first one only. Those of an environment
+/// differ from pixel to pixel: see `surroundings`.
 pub fn light_samples(scene: &Scene) -> Vec<LightSample> {
     let used = match scene.shape {
         Shape::Hemisphere => 1,
         _ => scene.lights.len(),
     };
-    let lights = scene.lights.iter().take(used);
-    let around = scene.environment.iter().flat_map(|environment| samples_around(scene, environment));
-    lights.flat_map(|light| samples_of(scene, light)).chain(around).collect()
+    scene.lights.iter().take(used).flat_map(|light| samples_of(scene, light)).collect()
 }
 
-/// Equal shares of the environment's light.
-fn samples_around(scene: &Scene, environment: &Environment) -> impl Iterator<Item = LightSample> {
-    let count = scene.light_samples.max(scene.pixel_samples).min(environment.directions.len());
-    let irradiance = environment.scalar_irradiance / count as f64;
-    let sample =
-        move |(index, &direction)| LightSample { direction, irradiance, pixel_offset: pixel_offset(scene, index) };
-    environment.directions.iter().take(count).enumerate().map(sample)
+/// Number of samples of the environment in each pixel.
+pub fn environment_count(scene: &Scene) -> usize {
+    if scene.environment.is_some() { scene.light_samples.max(scene.pixel_samples) } else { 0 }
 }
 
 fn samples_of(scene: &Scene, light: &Light) -> Vec<LightSample> {
@@ -120,23 +113,10 @@ fn samples_of(scene: &Scene, light: &Light) -> Vec<LightSample> {
 mod tests {
     use super::*;
     use crate::ground::direction::dot;
-    use crate::scene::animation::Turn;
-    use crate::scene::model::Exposure;
 
     fn scene(diameter_deg: f64, light_samples: usize, pixel_samples: usize) -> Scene {
-        Scene {
-            name: "light".into(),
-            shape: Shape::Sphere,
-            lights: vec![Light { direction: [0.6, -1.0, 2.0], angular_diameter_deg: diameter_deg, irradiance: 3.0 }],
-            environment: None,
-            turn: Turn::default(),
-            animation: None,
-            size_px: 4,
-            exposure: Exposure::Auto,
-            specimen: None,
-            light_samples,
-            pixel_samples,
-        }
+        let light = Light { direction: [0.6, -1.0, 2.0], angular_diameter_deg: diameter_deg, irradiance: 3.0 };
+        Scene { light_samples, pixel_samples, ..Scene::still("light", Shape::Sphere, vec![light], 4) }
     }
 
     #[test]

@@ -20,7 +20,7 @@ use super::bvh::{self, Ray};
 use super::camera::{self, Camera, View};
 use super::frame::add_scaled;
 use super::model::{Scene, Shape};
-use super::samples::{Hit, LitHit};
+use super::surface::{Hit, LitHit};
 use super::tangents::{self, RawMesh};
 use super::triangles::{TriangleMesh, first_hit, is_open, surface};
 

@@ -7,7 +7,7 @@ use crate::ground::colour::auto_exposure;
 use crate::ground::direction::{Vec3, dot};
 use crate::ground::error::{Error, Result};
 use crate::scene::animation::{Animation, Axis, Moving, Turn};
-use crate::scene::environment::Environment;
+use crate::scene::environment::{Environment, scalar_irradiance};
 
 use super::mesh::{self, MeshShape};
 
@@ -33,6 +33,13 @@ pub struct Light {
     /// Relative luminous irradiance on a surface facing the light.
     #[serde(default = "one")]
     pub irradiance: f64,
+}
+
+impl Light {
+    /// A point of unit irradiance.
+    pub fn point(direction: Vec3) -> Self {
+        Self { direction, angular_diameter_deg: 0.0, irradiance: 1.0 }
+    }
 }
 
 /// What the picture shows.
@@ -132,6 +139,26 @@ pub struct Scene {
     pub pixel_samples: usize,
 }
 
+impl Scene {
+    /// A still of every specimen, sampled once per light and pixel, exposed automatically, without surroundings. What
+    /// else a scene needs goes before it: `Scene { light_samples: 16, ..Scene::still(..) }`.
+    pub fn still(name: &str, shape: Shape, lights: Vec<Light>, size_px: usize) -> Self {
+        Self {
+            name: name.into(),
+            shape,
+            lights,
+            environment: None,
+            turn: Turn::default(),
+            animation: None,
+            size_px,
+            exposure: Exposure::Auto,
+            specimen: None,
+            light_samples: 1,
+            pixel_samples: 1,
+        }
+    }
+}
+
 fn one() -> f64 {
     1.0
 }
@@ -187,8 +214,8 @@ fn check_lights(scene: &Scene) -> Checked {
     if scene.environment.is_some() && (screen || scene.shape == Shape::Hemisphere) {
         return Err("environment: this shape has one light and no surroundings".into());
     }
-    if scene.environment.as_ref().is_some_and(|environment| environment.directions.is_empty()) {
-        return Err("environment: it has no directions".into());
+    if scene.environment.as_ref().is_some_and(|environment| scalar_irradiance(environment) <= 0.0) {
+        return Err("environment: its image has not been read".into());
     }
     if scene.lights.is_empty() && scene.environment.is_none() && !screen {
         return Err("light: at least one is needed, as [{ direction = [x, y, z] }]".into());

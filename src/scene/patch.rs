@@ -5,7 +5,7 @@ use crate::ground::direction::{Vec3, dot, normalise};
 use super::animation::{Turn, carried};
 use super::frame::{self, Frame, add_scaled};
 use super::model::Shape;
-use super::samples::Hit;
+use super::surface::Hit;
 
 /// Space left around the square, as a factor on its largest picture coordinate.
 const MARGIN: f64 = 1.04;

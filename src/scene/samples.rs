@@ -10,11 +10,11 @@ use rayon::prelude::*;
 use crate::ground::direction::Vec3;
 use crate::ground::error::{Error, Result};
 
-use super::animation::{Turn, back, carried, turned};
-use super::frame::{Frame, to_local};
-use super::light::{LightSample, light_samples};
+use super::frame::to_local;
+use super::light::{LightSample, environment_count, light_samples, pixel_offset};
 use super::model::{Scene, Shape, check};
-use super::{hemisphere, mesh, patch, screen, snake, sphere};
+use super::surface::{self, LitHit, Surface};
+use super::{hemisphere, screen, surroundings};
 
 /// Most samples one [`ShadingSamples`] may hold: 1.9 GB.
 pub const SAMPLES_TOTAL_MAX: usize = 1 << 26;
@@ -47,24 +47,6 @@ pub struct RowSamples {
     weight: Vec<f32>,
 }
 
-/// What a camera ray meets.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hit {
-    /// Frame of the surface there.
-    pub frame: Frame,
-    /// Unit vector to the viewer in the world.
-    pub to_viewer: Vec3,
-}
-
-/// What a camera ray meets on a body that may stand in its own light.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LitHit {
-    /// Frame and viewer.
-    pub hit: Hit,
-    /// Where rays to lights start.
-    pub lifted: Vec3,
-}
-
 /// The samples of a whole picture: 28 bytes each. Refuses scenes that fail `model::check` and
 /// pictures beyond [`SAMPLES_TOTAL_MAX`]; `samples_of` takes those in parts.
 pub fn samples(scene: &Scene) -> Result<ShadingSamples> {
@@ -85,52 +67,20 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
             "lower its size_px, light_samples or pixel_samples",
         ));
     }
-    Ok(match &scene.shape {
-        Shape::Hemisphere => {
+    let width = pixel_width(scene);
+    Ok(match (surface::surface(scene), &scene.shape) {
+        (Some(surface), _) => {
             let lights = light_samples(scene);
-            gather(scene, &rows, &columns, |xy, out| {
-                hemisphere::gather_pixel(&lights, pixel_width(scene), xy, out);
-            })
+            gather(&rows, &columns, |pixel, out| gather_surface(scene, &lights, pixel, &surface, out))
         }
-        Shape::Sphere => {
-            let lights = light_samples(scene);
-            gather(scene, &rows, &columns, |xy, out| {
-                gather_surface(&lights, pixel_width(scene), xy, |xy| in_picture(scene.turn, xy, sphere::hit), out);
-            })
-        }
-        Shape::Snake => {
-            let lights = light_samples(scene);
-            let snake = snake::snake();
-            gather(scene, &rows, &columns, |xy, out| {
-                let hit = |xy| turned_in_picture(scene.turn, xy, |xy| snake::hit(snake, xy));
-                let is_lit = |from, direction| {
-                    let [from, direction] = [from, direction].map(|v| turned(v, back(scene.turn)));
-                    snake::is_lit(snake, from, direction)
-                };
-                gather_body(&lights, pixel_width(scene), xy, hit, is_lit, out);
-            })
-        }
-        Shape::Mesh(shape) => {
-            let lights = light_samples(scene);
-            let view = mesh::view(shape, scene.turn);
-            gather(scene, &rows, &columns, |xy, out| {
-                let hit = |xy| mesh::hit(&view, xy);
-                let is_lit = |from, direction| mesh::is_lit(&view, from, direction);
-                gather_body(&lights, pixel_width(scene), xy, hit, is_lit, out);
-            })
-        }
-        Shape::Patch { .. } => {
-            let lights = light_samples(scene);
-            let view = patch::turned(&patch::view(&scene.shape), scene.turn);
-            gather(scene, &rows, &columns, |xy, out| {
-                let hit = |xy| patch::hit(&view, xy);
-                gather_surface(&lights, pixel_width(scene), xy, hit, out);
-            })
-        }
-        Shape::Screen { .. } => {
+        (None, Shape::Screen { .. }) => {
             let setup = screen::setup(scene);
-            gather(scene, &rows, &columns, |xy, out| {
-                screen::gather_pixel(&setup, pixel_width(scene), xy, out);
+            gather(&rows, &columns, |pixel, out| screen::gather_pixel(&setup, width, centre(scene, pixel), out))
+        }
+        (None, _) => {
+            let lights = light_samples(scene);
+            gather(&rows, &columns, |pixel, out| {
+                hemisphere::gather_pixel(&lights, width, centre(scene, pixel), out);
             })
         }
     })
@@ -140,7 +90,7 @@ pub fn samples_of(scene: &Scene, rows: Range<usize>, stride: usize) -> Result<Sh
 pub fn samples_per_pixel(scene: &Scene) -> usize {
     match &scene.shape {
         Shape::Screen { .. } => screen::sample_count(scene),
-        _ => light_samples(scene).len(),
+        _ => light_samples(scene).len() + environment_count(scene),
     }
 }
 
@@ -169,82 +119,60 @@ pub fn push(out: &mut RowSamples, wi: Vec3, wo: Vec3, weight: f64) {
 }
 
 /// Reflected radiance of a surface seen by a camera: the weight is irradiance times `cos_theta_i`.
-fn gather_surface(
-    lights: &[LightSample],
-    pixel_width: f64,
-    [x, y]: [f64; 2],
-    hit: impl Fn([f64; 2]) -> Option<Hit>,
-    out: &mut RowSamples,
-) {
-    for light in lights {
-        let [dx, dy] = light.pixel_offset;
-        let Some(hit) = hit([x + dx * pixel_width, y + dy * pixel_width]) else {
-            continue;
-        };
-        let wi = to_local(&hit.frame, light.direction);
-        let wo = to_local(&hit.frame, hit.to_viewer);
-        push(out, wi, wo, light.irradiance * wi[2]);
-    }
-}
-
-/// What a camera ray meets of an object turned about the viewing axis: what the ray through the point turned
-/// back meets of the object as it is.
-fn in_picture(turn: Turn, xy: [f64; 2], hit: impl Fn([f64; 2]) -> Option<Hit>) -> Option<Hit> {
-    let lifted = [0.0; 3];
-    Some(turned_in_picture(turn, xy, |xy| Some(LitHit { hit: hit(xy)?, lifted }))?.hit)
-}
-
-/// The same for a body that casts shadows on itself.
-fn turned_in_picture(turn: Turn, [x, y]: [f64; 2], hit: impl Fn([f64; 2]) -> Option<LitHit>) -> Option<LitHit> {
-    let [x, y, _] = turned([x, y, 0.0], back(turn));
-    let LitHit { hit: Hit { frame, to_viewer }, lifted } = hit([x, y])?;
-    let hit = Hit { frame: carried(&frame, turn), to_viewer: turned(to_viewer, turn) };
-    Some(LitHit { hit, lifted: turned(lifted, turn) })
-}
-
-/// As [`gather_surface`], for a body that casts shadows on itself.
-fn gather_body(
-    lights: &[LightSample],
-    pixel_width: f64,
-    [x, y]: [f64; 2],
-    hit: impl Fn([f64; 2]) -> Option<LitHit>,
-    is_lit: impl Fn(Vec3, Vec3) -> bool,
-    out: &mut RowSamples,
-) {
+fn gather_surface(scene: &Scene, lights: &[LightSample], pixel: [usize; 2], surface: &Surface, out: &mut RowSamples) {
+    let (middle, width) = (centre(scene, pixel), pixel_width(scene));
     // Samples of a light often look through one point of the pixel: what they see is found once.
     let mut last: Option<([f64; 2], Option<LitHit>)> = None;
+    let mut seen = |offset| {
+        let at = position(middle, offset, width);
+        let found = match last {
+            Some((before, found)) if before == at => found,
+            _ => surface::hit(surface, at),
+        };
+        last = Some((at, found));
+        found
+    };
+    let mut add = |seen: &LitHit, direction: Vec3, irradiance: f64| {
+        let frame = &seen.hit.frame;
+        let (wi, wo) = (to_local(frame, direction), to_local(frame, seen.hit.to_viewer));
+        if wi[2] > 0.0 && wo[2] > 0.0 && surface::is_lit(surface, seen.lifted, direction) {
+            push(out, wi, wo, irradiance * wi[2]);
+        }
+    };
     for light in lights {
-        let at = [x + light.pixel_offset[0] * pixel_width, y + light.pixel_offset[1] * pixel_width];
-        let seen = match last {
-            Some((before, seen)) if before == at => seen,
-            _ => hit(at),
-        };
-        last = Some((at, seen));
-        let Some(LitHit { hit, lifted }) = seen else {
-            continue;
-        };
-        let wi = to_local(&hit.frame, light.direction);
-        let wo = to_local(&hit.frame, hit.to_viewer);
-        if wi[2] > 0.0 && wo[2] > 0.0 && is_lit(lifted, light.direction) {
-            push(out, wi, wo, light.irradiance * wi[2]);
+        if let Some(seen) = seen(light.pixel_offset) {
+            add(&seen, light.direction, light.irradiance);
+        }
+    }
+    let Some(environment) = &scene.environment else { return };
+    let (count, place) = (environment_count(scene), surroundings::morton(pixel[0], pixel[1]));
+    for index in 0..count {
+        let Some(seen) = seen(pixel_offset(scene, index)) else { continue };
+        if let Some((direction, irradiance)) = surroundings::sample(environment, &seen.hit, place, index, count) {
+            add(&seen, direction, irradiance);
         }
     }
 }
 
+/// Picture coordinates of the centre of the pixel at a row and a column.
+fn centre(scene: &Scene, [row, column]: [usize; 2]) -> [f64; 2] {
+    pixel_centre(scene, row, column)
+}
+
+/// Picture coordinates of a position in a pixel.
+pub fn position([x, y]: [f64; 2], [dx, dy]: [f64; 2], pixel_width: f64) -> [f64; 2] {
+    [x + dx * pixel_width, y + dy * pixel_width]
+}
+
 /// Runs the pixel function over the rows in parallel and joins the results in order.
-fn gather(
-    scene: &Scene,
-    rows: &[usize],
-    columns: &[usize],
-    pixel: impl Fn([f64; 2], &mut RowSamples) + Sync,
-) -> ShadingSamples {
+fn gather(rows: &[usize], columns: &[usize], pixel: impl Fn([usize; 2], &mut RowSamples) + Sync) -> ShadingSamples {
     let gathered: Vec<RowSamples> = rows
         .par_iter()
         .map(|&row| {
             let mut out = RowSamples::default();
             for &column in columns {
                 let before = out.weight.len();
-                pixel(pixel_centre(scene, row, column), &mut out);
+                pixel([row, column], &mut out);
                 out.counts.push((out.weight.len() - before) as u32);
             }
             out

@@ -61,6 +61,8 @@ pub struct SpecimenConfig {
     pub prepare: PrepareConfig,
     /// The optics.
     pub optics: OpticsConfig,
+    /// Albedo of a pigment below the structure, linear sRGB.
+    pub albedo: Option<[f64; 3]>,
     /// Measured reflectance to compare with.
     pub measured: Option<MeasuredConfig>,
 }

@@ -39,6 +39,7 @@ pub(super) fn describe(
         extent_um: [nx * 1e-3, ny * 1e-3],
         statistics: ingested.statistics.first().cloned(),
         optics: Some(specimen.optics.clone()),
+        pigment: set.pigment,
         build: Some(BuildResult {
             basis: set.basis,
             tables: set.tables.len(),
@@ -119,6 +120,7 @@ pub(super) fn specimen_file(
         preparation: json!({ "settings": specimen.prepare, "done": ingested.preparation }),
         statistics: to_value(&ingested.statistics),
         optics: specimen.optics.clone(),
+        pigment: set.pigment,
         build: result.build.as_ref().map(|build| build.record.clone()).unwrap_or_default(),
         tables,
         errors: to_value(&result.errors),
@@ -182,6 +184,7 @@ fn nothing_yet(specimen: &SpecimenConfig) -> SpecimenResult {
         extent_um: [0.0, 0.0],
         statistics: None,
         optics: None,
+        pigment: None,
         build: None,
         lobe: None,
         errors: Vec::new(),

@@ -188,11 +188,13 @@ fn use_in_a_renderer(example: &SpecimenFile) -> String {
 - Linear sRGB (D65): `R = 3.2404542 X - 1.5371385 Y - 0.4985314 Z`, `G = -0.9692660 X + 1.8760108 Y + 0.0415560 Z`,
   `B = 0.0556434 X - 0.2040259 Y + 1.0572252 Z`. Pure diffraction colours lie outside sRGB: convert after summing over lights,
   and expect negative components.
-- On a mesh, lay x along the texture coordinate u, as the program does, and y at a right angle to the left of it seen from
-  outside, whether the coordinates are mirrored or not.
+- On a mesh the program lays x along the texture coordinate u and y at a right angle to it, on the side to which v grows:
+  where the coordinates are mirrored, so is the structure.
 - To sample directions: `cos(theta_o) d(omega_o) = du dv`, so a density over (u, v) times `cos(theta_o)` is one over
   directions. Sample the lobe apart from the body: it is narrow and round in (u, v) about the mirror direction, where
   `t = cos(theta_i)` and `G = w^2`: it reflects `R` times the integral of `coherent` over (u, v), to a good approximation.
+- Where `specimen.json` has a `pigment`, the pictures show one below the structure besides `f`; the tables do not hold it. It
+  adds `(1 - R(wi_z)) (1 - R(wo_z)) pigment.xyz_per_sr`, with the `R` of the factors above at `c = wi_z` and `c = wo_z`.
 - `usable_radius` = {usable_radius}: beyond this `sqrt(u^2 + v^2)` the scan's sampling cannot answer; what the tables hold there is
   zero or doubtful.
 - `prefilter_width` = {prefilter_width}: each texel is the mean over a square of this side in u and v (0: a point sample). Blur that the

@@ -3,6 +3,9 @@
 //! Equal error: of all numbers of the published tables, the smallest that is as good as the atlas's tables in every
 //! region of directions, or as good as that series ever gets there. Errors are those of the tables as the GPU holds them,
 //! in half floats, with cubic look-ups: what the linear look-ups of hardware add depends on the grid, which is the same.
+//!
+//! The frame is the coiled snake under one light: scales that each lie a little differently look tables up all over the
+//! place, where a ball's neighbouring pixels share texels.
 
 use std::path::Path;
 
@@ -23,7 +26,8 @@ use crate::render::gpu::Gpu;
 use crate::render::gpu_frame::{Frame, FramePlan, FrameTime, copy_gb_per_s, time_frames};
 use crate::render::gpu_layout::{TableImage, peak, table_image};
 use crate::render::gpu_tables::upload;
-use crate::scene::model::{Exposure, Light, Scene, Shape};
+use crate::scene::gbuffer::{GBuffer, gbuffer};
+use crate::scene::model::{Light, Scene, Shape};
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
 use crate::tables::model::{Basis, Storage, TableSet, TablesConfig};
@@ -70,8 +74,10 @@ pub fn compare(
     };
     let atlas_image = table_image(&atlas)?;
     let taylor_image = taylor.as_ref().map(|(set, _)| table_image(set)).transpose()?;
+    let light = Light::point([0.3, 0.2, 1.0]);
+    let surfaces = gbuffer(&Scene::still("frame", Shape::Snake, vec![light], SIZE_PX))?;
     let ((atlas_time, taylor_time), copy_gb_per_s) =
-        stage.thread().run("time frames", move |gpu| time(gpu, &atlas_image, taylor_image.as_ref()))?;
+        stage.thread().run("time frames", move |gpu| time(gpu, &surfaces, &atlas_image, taylor_image.as_ref()))?;
     let taylor = taylor.zip(taylor_time).map(|((_, error_p95), time)| MethodFrame { error_p95, time });
     Ok(FrameComparison {
         specimen: specimen.name.clone(),
@@ -125,27 +131,19 @@ fn equal_count(errors: &[[f64; 3]], target: [f64; 3]) -> usize {
 }
 
 /// Frame times of both sets, and the bandwidth of copying.
-fn time(gpu: &Gpu, atlas: &TableImage, taylor: Option<&TableImage>) -> Result<((FrameTime, Option<FrameTime>), f64)> {
-    let scene = Scene {
-        name: "frame".into(),
-        shape: Shape::Sphere,
-        lights: vec![Light { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.0, irradiance: 1.0 }],
-        size_px: SIZE_PX,
-        exposure: Exposure::Auto,
-        specimen: None,
-        light_samples: 1,
-        pixel_samples: 1,
-        environment: None,
-        turn: Default::default(),
-        animation: None,
-    };
+fn time(
+    gpu: &Gpu,
+    surfaces: &GBuffer,
+    atlas: &TableImage,
+    taylor: Option<&TableImage>,
+) -> Result<((FrameTime, Option<FrameTime>), f64)> {
     let plan = FramePlan::suited_to(gpu);
     let atlas = upload(gpu, atlas)?;
-    let atlas = Frame::new(gpu, &atlas, &scene, 1.0)?;
+    let atlas = Frame::new(gpu, &atlas, surfaces, 1.0)?;
     let times = match taylor {
         Some(taylor) => {
             let taylor = upload(gpu, taylor)?;
-            let [atlas, taylor] = time_frames([&atlas, &Frame::new(gpu, &taylor, &scene, 1.0)?], plan)?;
+            let [atlas, taylor] = time_frames([&atlas, &Frame::new(gpu, &taylor, surfaces, 1.0)?], plan)?;
             (atlas, Some(taylor))
         }
         None => {

@@ -17,7 +17,7 @@ use crate::render::gpu_layout::table_image;
 use crate::render::gpu_tables::{GpuTables, shade, upload};
 use crate::scene::model::{Scene, exposure_factor};
 use crate::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
+use crate::tables::evaluate::{Interpolation, surface_xyz};
 use crate::tables::model::{Storage, TableSet};
 use crate::tables::taylor::unit_roundoff;
 
@@ -114,7 +114,7 @@ pub fn check_specimen(gpu: &Gpu, set: &TableSet, scenes: &[Scene]) -> Result<Vec
 /// # Errors
 /// As [`check_specimen`].
 pub fn check_uploaded(gpu: &Gpu, tables: &GpuTables, set: &TableSet, scene: &Scene) -> Result<GpuSceneCheck> {
-    let by_cpu = cpu::render(scene, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo))?;
+    let by_cpu = cpu::render(scene, &|wi, wo| surface_xyz(set, Interpolation::Bilinear, wi, wo))?;
     check_picture(&|samples| shade(gpu, tables, samples), set, scene, &by_cpu, 1)
 }
 
@@ -154,7 +154,7 @@ pub fn check_reference(
     let drawn = draw(shade, set, scene, stride)?;
     let samples = samples_of(scene, 0..scene.size_px, stride)?;
     let [linear, cubic] = [Interpolation::Bilinear, Interpolation::Cubic]
-        .map(|look_up| cpu::shade(&samples, &|wi, wo| brdf_xyz(set, look_up, wi, wo)));
+        .map(|look_up| cpu::shade(&samples, &|wi, wo| surface_xyz(set, look_up, wi, wo)));
     let pictures = CpuPictures { published: &every(by_cpu, stride), linear: &linear, cubic: &cubic };
     Ok(compare_with_reference(reference, pictures, &drawn.image, &drawn.bound, white, limit))
 }
@@ -354,6 +354,7 @@ pub fn difference_picture(by_cpu: &Array3<f32>, by_gpu: &Array3<f32>, bound: &Ar
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::model::{Light, Shape};
 
     fn image(value: f32) -> Array3<f32> {
         Array3::from_elem((2, 3, 3), value)
@@ -439,23 +440,9 @@ mod tests {
 
     #[test]
     fn bands_cover_every_row_that_is_compared() {
-        let scene = |size_px, light_samples| Scene {
-            name: "s".into(),
-            shape: crate::scene::model::Shape::Sphere,
-            lights: vec![crate::scene::model::Light {
-                direction: [0.0, 0.0, 1.0],
-                angular_diameter_deg: 1.0,
-                irradiance: 1.0,
-            }],
-            size_px,
-            exposure: Default::default(),
-            specimen: None,
-            light_samples,
-            pixel_samples: 1,
-            environment: None,
-            turn: Default::default(),
-            animation: None,
-        };
+        let disc = Light { angular_diameter_deg: 1.0, ..Light::point([0.0, 0.0, 1.0]) };
+        let scene =
+            |size_px, light_samples| Scene { light_samples, ..Scene::still("s", Shape::Sphere, vec![disc], size_px) };
         for (size_px, light_samples, stride) in [(7, 16, 1), (1000, 4096, 3), (512, 4096, 4), (5, 1, 8)] {
             let bands = bands(&scene(size_px, light_samples), stride);
             assert!(bands.iter().all(|band| band.start % stride == 0));

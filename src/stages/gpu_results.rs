@@ -129,6 +129,6 @@ impl FrameComparison {
             (Some(taylor), Some(ratio)) => format!("the published method's {}, {ratio:.2} times as long", one(taylor)),
             _ => "the published method is refused".into(),
         };
-        format!("{}: a frame of {side}² from {}; {published}", self.specimen, one(&self.atlas))
+        format!("{}: the snake in {side}² pixels from {}; {published}", self.specimen, one(&self.atlas))
     }
 }

@@ -339,6 +339,7 @@ fn decode_tables(bytes: &[u8], source: &Source, plan: &BuildPlan) -> Option<(Tab
         prefilter_width: header.prefilter_width,
         optics: source.optics.clone(),
         served: plan.domain.as_ref().and_then(Domain::served),
+        pigment: None,
         usable_radius: header.usable_radius,
     };
     rest.is_empty().then_some((set, header.record, header.build_s))

@@ -31,11 +31,11 @@ use crate::ground::error::{Error, Result};
 use crate::ground::files;
 use crate::ground::png_image::write_png;
 use crate::height::HeightField;
+use crate::optics::pigment::pigment;
 use crate::render::cpu;
-use crate::scene::animation::Turn;
-use crate::scene::model::{Exposure, Light, Scene, Shape};
+use crate::scene::model::{Light, Scene, Shape};
 use crate::tables::build;
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
+use crate::tables::evaluate::{Interpolation, surface_xyz};
 use crate::tables::model::TableSet;
 use crate::tables::storage::{read_tables, write_tables};
 
@@ -251,7 +251,10 @@ fn run_specimen(
     let (built, record, build_s) =
         clock.stage("build tables", steps as u64, || known.tables(&source, &plan, &|n| helpers.progress.advance(n)))?;
     let stored = clock.stage("store tables", 0, || write_tables(&folder, &built, config.tables.storage))?;
-    let set = clock.stage("read back", 0, || read_tables(&folder, &stored, optics))?;
+    let set = clock.stage("read back", 0, || {
+        let pigment = specimen.albedo.map(|albedo| pigment(albedo, optics)).transpose()?;
+        Ok(TableSet { pigment, ..read_tables(&folder, &stored, optics)? })
+    })?;
     let works = clock.stage("render scenes", 0, || {
         wanted.iter().map(|scene| render_tables(scene, &set)).collect::<Result<Vec<SceneWork>>>()
     })?;
@@ -348,20 +351,10 @@ fn preview(set: &TableSet, result: &SpecimenResult, folder: &Path) -> Result<Opt
 
 /// A ball under a sun high to the right.
 fn write_preview(set: &TableSet, folder: &Path) -> Result<()> {
-    let scene = Scene {
-        name: "preview".into(),
-        shape: Shape::Sphere,
-        lights: vec![Light { direction: [0.5, 0.5, 1.0], angular_diameter_deg: 0.53, irradiance: 1.0 }],
-        environment: None,
-        turn: Turn::default(),
-        animation: None,
-        size_px: PREVIEW_PX,
-        exposure: Exposure::Auto,
-        specimen: None,
-        light_samples: 16,
-        pixel_samples: 4,
-    };
-    let image = cpu::render(&scene, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo))?;
+    let sun = Light { angular_diameter_deg: 0.53, ..Light::point([0.5, 0.5, 1.0]) };
+    let still = Scene::still("preview", Shape::Sphere, vec![sun], PREVIEW_PX);
+    let scene = Scene { light_samples: 16, pixel_samples: 4, ..still };
+    let image = cpu::render(&scene, &|wi, wo| surface_xyz(set, Interpolation::Bilinear, wi, wo))?;
     let exposure = crate::scene::model::exposure_factor(scene.exposure, &image);
     write_png(&folder.join("preview.png"), &crate::ground::colour::to_srgb8(&image, exposure))
 }

@@ -74,6 +74,7 @@ mod tests {
                 shadowing: false,
             },
             served: Some(Served { size: 5, first: [1, 3], range }),
+            pigment: None,
             usable_radius: 2.0,
         };
         let picture = reached_picture(&set).unwrap();

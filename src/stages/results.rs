@@ -11,6 +11,7 @@ use super::serve::Budget;
 use crate::ground::error::{Error, Result};
 pub use crate::height::statistics::{Period, Statistics};
 use crate::optics::config::OpticsConfig;
+use crate::optics::pigment::Pigment;
 use crate::stages::measured::MeasuredResult;
 use crate::tables::model::{Basis, BuildRecord, Storage};
 
@@ -104,6 +105,9 @@ pub struct SpecimenResult {
     pub statistics: Option<Statistics>,
     /// The optics the tables were computed for.
     pub optics: Option<OpticsConfig>,
+    /// What pictures show below the structure.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pigment: Option<Pigment>,
     /// What was built; `None` where building failed.
     pub build: Option<BuildResult>,
     /// The coherent lobe, for tables that keep it apart.

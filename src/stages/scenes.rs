@@ -17,11 +17,13 @@ use crate::ground::files;
 use crate::ground::metrics;
 use crate::ground::png_image::{encode_animation, heat_map, side_by_side, write_png};
 use crate::optics::config::OpticsConfig;
+use crate::optics::pigment::{Pigment, pigment_xyz};
 use crate::render::cpu;
 use crate::scene::animation::{self, Animation, Axis, Moving};
+use crate::scene::light::environment_count;
 use crate::scene::model::{Scene, Shape, exposure_factor};
 use crate::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
+use crate::tables::evaluate::{Interpolation, surface_xyz};
 use crate::tables::model::TableSet;
 use crate::tables::plan::lobe_width;
 
@@ -49,6 +51,8 @@ pub struct SceneWork {
     /// Every `stride`-th pixel is compared.
     stride: usize,
     subset: ShadingSamples,
+    /// What lies below the structure, which the reference does not know of.
+    pigment: Option<Pigment>,
 }
 
 /// Renders a scene from the tables and lists the pairs its reference needs.
@@ -57,13 +61,13 @@ pub struct SceneWork {
 /// A scene that cannot be rendered.
 pub fn render_tables(scene: &Scene, set: &TableSet) -> Result<SceneWork> {
     let started = Instant::now();
-    let image = cpu::render(scene, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo))?;
+    let image = cpu::render(scene, &|wi, wo| surface_xyz(set, Interpolation::Bilinear, wi, wo))?;
     let seconds = started.elapsed().as_secs_f64();
     let unserved = image.rows().into_iter().filter(|xyz| xyz.iter().any(|value| value.is_nan())).count();
     let stride = reference_stride(scene);
     let subset = samples_of(scene, 0..scene.size_px, stride)?;
     let exposure = exposure_factor(scene.exposure, &image);
-    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, unserved, stride, subset })
+    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, unserved, stride, subset, pigment: set.pigment })
 }
 
 /// Of how many pixels in each direction one has a reference.
@@ -105,7 +109,7 @@ impl SceneWork {
         };
         let picture = |index: usize| -> Result<Array3<u8>> {
             let scene = animation::frame(&self.scene, animation, index);
-            let image = cpu::render(&scene, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo))?;
+            let image = cpu::render(&scene, &|wi, wo| surface_xyz(set, Interpolation::Bilinear, wi, wo))?;
             if image.iter().any(|value| value.is_nan()) {
                 return Err(Error::limit(
                     format!(
@@ -126,9 +130,15 @@ impl SceneWork {
         matches!(&self.scene.shape, Shape::Mesh(mesh) if mesh.shown.is_some())
     }
 
-    /// The reference picture, from the BRDF at [`Self::pairs`].
+    /// The reference picture, from the BRDF at [`Self::pairs`] and the pigment.
     pub fn expected(&self, reference: &[Xyz]) -> Array3<f32> {
-        gather(&self.subset, reference)
+        let Some(pigment) = &self.pigment else { return gather(&self.subset, reference) };
+        let shown = |((wi, wo), brdf): ((Vec3, Vec3), &Xyz)| {
+            let below = pigment_xyz(pigment, wi, wo);
+            std::array::from_fn(|c| brdf[c] + below[c])
+        };
+        let shown: Vec<Xyz> = self.pairs().zip(reference).map(shown).collect();
+        gather(&self.subset, &shown)
     }
 
     /// Both shares of a scene together.
@@ -225,19 +235,20 @@ impl SceneWork {
 }
 
 /// What a user must know about the pictures of a specimen: an environment's directions further apart than the
-/// coherence lobe is wide at half maximum.
+/// coherence lobe is wide at half maximum. Only around the mirror direction are there more of them.
 pub fn warnings(scenes: &[&Scene], optics: &OpticsConfig) -> Vec<String> {
     let longest_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[1];
     let width = (8.0 * 2f64.ln()).sqrt() * lobe_width(optics.sigma_nm, longest_nm);
     let mut warnings = Vec::new();
-    for scene in scenes {
-        let Some(environment) = &scene.environment else { continue };
-        let count = scene.light_samples.max(scene.pixel_samples).min(environment.directions.len());
-        let distance = (4.0 * std::f64::consts::PI / count as f64).sqrt();
+    for scene in scenes.iter().filter(|scene| scene.environment.is_some()) {
+        // Half of them lie around the mirror direction.
+        let by_light = environment_count(scene).div_ceil(2);
+        let distance = (4.0 * std::f64::consts::PI / by_light as f64).sqrt();
         if distance > width {
             warnings.push(format!(
-                "scene \"{}\": the {count} directions that stand for its environment are up to {:.0} degrees apart, lobes \
-                 {:.1} degrees wide: a mirror-like surface shows them as dots",
+                "scene \"{}\": away from the mirror direction a pixel sees its environment in {by_light} directions, up to {:.0} \
+                 degrees apart where lobes are {:.1} degrees wide: orders of diffraction there are grainy; more \
+                 light_samples smooth them",
                 scene.name,
                 distance.to_degrees(),
                 width.to_degrees()

@@ -12,7 +12,7 @@ use crate::tables::model::TableSet;
 /// Name of the file that describes the others.
 pub const INDEX: &str = "textures.json";
 
-/// Writes `params.bin` (the block `TableParams`, 2096 bytes, little-endian), the texels of the three textures row by row and
+/// Writes `params.bin` (the block `TableParams`, 2112 bytes, little-endian), the texels of the three textures row by row and
 /// layer by layer without padding, and [`INDEX`] with their sizes and formats.
 ///
 /// # Errors

@@ -9,6 +9,7 @@ use crate::ground::direction::{Vec3, Xyz};
 use crate::ground::error::{Error, Result};
 use crate::ground::json;
 use crate::optics::config::OpticsConfig;
+use crate::optics::pigment::Pigment;
 use crate::tables::model::{BuildRecord, TableSet};
 use crate::tables::storage::{self, StoredTables};
 
@@ -53,6 +54,9 @@ pub struct SpecimenFile {
     pub statistics: Value,
     /// The optics the tables were computed for.
     pub optics: OpticsConfig,
+    /// What pictures show below the structure; not part of the tables.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pigment: Option<Pigment>,
     /// What was chosen while building.
     pub build: BuildRecord,
     /// The tables' files, axes, scales and formula.
@@ -82,7 +86,8 @@ pub fn read(folder: &Path) -> Result<SpecimenFile> {
 /// Reads a specimen with its tables.
 pub fn load(folder: &Path) -> Result<(SpecimenFile, TableSet)> {
     let specimen = read(folder)?;
-    let tables = storage::read_tables(folder, &specimen.tables, &specimen.optics)?;
+    let mut tables = storage::read_tables(folder, &specimen.tables, &specimen.optics)?;
+    tables.pigment = specimen.pigment;
     Ok((specimen, tables))
 }
 

@@ -243,7 +243,16 @@ mod tests {
             })
         };
         let tables = vec![table(4.0, 0.5, -0.25), table(1.0, -0.125, 2.0), table(-0.5, 0.75, 0.0)];
-        TableSet { basis, tables, lobe, prefilter_width: 0.0, optics: optics(), served: None, usable_radius: 2.0 }
+        TableSet {
+            basis,
+            tables,
+            lobe,
+            prefilter_width: 0.0,
+            optics: optics(),
+            served: None,
+            pigment: None,
+            usable_radius: 2.0,
+        }
     }
 
     const ANGLES: [f64; 4] = [35.0, 20.0, 61.0, 250.0];

@@ -313,6 +313,7 @@ fn build_chebyshev(
         prefilter_width: plan.filter.width,
         optics: optics.clone(),
         served: plan.domain.as_ref().and_then(Domain::served),
+        pigment: None,
         usable_radius: usable,
     };
     Ok((set, record))

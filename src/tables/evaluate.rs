@@ -6,6 +6,7 @@ use super::model::{Basis, Lobe, Served, TableSet};
 use super::plan::w_reach;
 use crate::ground::chebyshev;
 use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
+use crate::optics::pigment::pigment_xyz;
 use crate::optics::reference::prefactor;
 
 /// How values between texels are found.
@@ -15,6 +16,18 @@ pub enum Interpolation {
     Bilinear,
     /// Four by four texels, the cubic through each four: for offline use.
     Cubic,
+}
+
+/// What a surface shows in 1/sr: the BRDF and, where there is one, the pigment below it. As [`brdf_xyz`] otherwise.
+pub fn surface_xyz(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> Xyz {
+    let brdf = brdf_xyz(set, interpolation, wi, wo);
+    match &set.pigment {
+        None => brdf,
+        Some(pigment) => {
+            let below = pigment_xyz(pigment, wi, wo);
+            std::array::from_fn(|c| brdf[c] + below[c])
+        }
+    }
 }
 
 /// XYZ of the BRDF in 1/sr; zero for directions not above the surface, not a number for those that the tables do not

@@ -4,6 +4,7 @@ use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 
 use crate::optics::config::OpticsConfig;
+use crate::optics::pigment::Pigment;
 
 /// Which expansion in `w` the tables hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -113,6 +114,8 @@ pub struct TableSet {
     pub optics: OpticsConfig,
     /// What they can answer for; `None` for every pair of directions above the surface.
     pub served: Option<Served>,
+    /// What pictures show below the structure; the tables do not contain it, nor does the BRDF.
+    pub pigment: Option<Pigment>,
     /// Radius of the (u, v) disc that the scans' sampling can answer for; beyond it is zero or doubtful.
     pub usable_radius: f64,
 }

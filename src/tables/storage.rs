@@ -213,6 +213,7 @@ pub fn read_tables(folder: &Path, stored: &StoredTables, optics: &OpticsConfig) 
         prefilter_width: stored.prefilter_width,
         optics: optics.clone(),
         served: stored.served.as_ref().map(|served| read_served(folder, served, shape)).transpose()?,
+        pigment: None,
         usable_radius: stored.usable_radius,
     })
 }

@@ -151,6 +151,7 @@ pub fn build_taylor(
         prefilter_width: plan.filter.width,
         optics: optics.clone(),
         served: None,
+        pigment: None,
         usable_radius: fields.iter().map(|f| usable_radius(optics, f.pitch_nm)).fold(2.0, f64::min),
     };
     Ok((set, record))

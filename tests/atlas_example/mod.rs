@@ -41,7 +41,16 @@ pub fn random_tables(seed: u64, basis: Basis, size: usize) -> TableSet {
         radius_max: 0.046_875_1,
         cross: (0..3).map(|_| random_array(&mut random, (7, 7, 3), true)).collect(),
     });
-    TableSet { basis, tables, lobe, prefilter_width: 0.008, optics: optics(true), served: None, usable_radius: 1.71 }
+    TableSet {
+        basis,
+        tables,
+        lobe,
+        prefilter_width: 0.008,
+        optics: optics(true),
+        served: None,
+        pigment: None,
+        usable_radius: 1.71,
+    }
 }
 
 /// Directions all over the hemisphere, every fourth near the mirror direction, where the lobe is.
@@ -83,6 +92,7 @@ pub fn write_specimen(version: &Path, name: &str, set: &TableSet, storage: Stora
         preparation: json!({"level": "plane"}),
         statistics: json!({"rms_nm": 26.4}),
         optics: set.optics.clone(),
+        pigment: None,
         build: BuildRecord { transforms: 12, windows: 1, ..BuildRecord::default() },
         tables: stored,
         errors: json!({"basis": {"p95": 1.2e-4}}),

@@ -1,7 +1,10 @@
 //! Every kind of table set, in every kind of scene, agrees with the CPU within the derived bound.
 
 use diffraction_atlas::optics::config::{Material, Windows};
-use diffraction_atlas::stages::gpu_check::check_specimen;
+use diffraction_atlas::optics::pigment::pigment;
+use diffraction_atlas::render::gpu_layout::table_image;
+use diffraction_atlas::render::gpu_tables::upload;
+use diffraction_atlas::stages::gpu_check::{check_specimen, check_uploaded};
 use diffraction_atlas::tables::model::{Basis, TableSet};
 use half::f16;
 
@@ -38,6 +41,18 @@ fn lobe_without_cross_term_on_a_dielectric() {
     let set = build_set(Basis::Chebyshev, Windows::Grid, Material::Dielectric { n: 1.56 }, false);
     assert!(set.lobe.as_ref().is_some_and(|lobe| lobe.cross.is_empty()));
     agrees("mean", &set);
+}
+
+#[test]
+fn a_pigment_below_the_structure() {
+    let mut set = build_set(Basis::Chebyshev, Windows::Grid, Material::Dielectric { n: 1.56 }, true);
+    set.pigment = Some(pigment([0.4, 0.2, 0.1], &set.optics).unwrap());
+    agrees("pigment", &set);
+    // A pigment 0.1 % off is another picture.
+    let Some(gpu) = gpu("pigment") else { return };
+    let tables = upload(gpu, &table_image(&set).unwrap()).unwrap();
+    set.pigment.iter_mut().for_each(|pigment| pigment.xyz_per_sr[1] *= 1.001);
+    assert!(!check_uploaded(gpu, &tables, &set, &sphere(32)).unwrap().passed);
 }
 
 #[test]

@@ -6,8 +6,7 @@ use diffraction_atlas::ground::spectrum::Illuminant;
 use diffraction_atlas::height::HeightField;
 use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::render::gpu::Gpu;
-use diffraction_atlas::scene::animation::Turn;
-use diffraction_atlas::scene::model::{Exposure, Light, Scene, Shape};
+use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::serve::{Source, domain_of, plan_without};
 use diffraction_atlas::tables::build::{build, build_planned};
 use diffraction_atlas::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
@@ -87,20 +86,9 @@ pub fn served_set(scene: &Scene) -> TableSet {
 
 /// A sphere under a lamp and the sun.
 pub fn sphere(size_px: usize) -> Scene {
-    let light = |direction, angular_diameter_deg| Light { direction, angular_diameter_deg, irradiance: 1.0 };
-    Scene {
-        name: "sphere".into(),
-        shape: Shape::Sphere,
-        lights: vec![light([0.3, 0.2, 1.0], 0.0), light([-0.8, 0.5, 0.4], 8.0)],
-        environment: None,
-        turn: Turn::default(),
-        animation: None,
-        size_px,
-        exposure: Exposure::Auto,
-        specimen: None,
-        light_samples: 5,
-        pixel_samples: 1,
-    }
+    let disc = Light { angular_diameter_deg: 8.0, ..Light::point([-0.8, 0.5, 0.4]) };
+    let still = Scene::still("sphere", Shape::Sphere, vec![Light::point([0.3, 0.2, 1.0]), disc], size_px);
+    Scene { light_samples: 5, ..still }
 }
 
 /// Every kind of picture, small.

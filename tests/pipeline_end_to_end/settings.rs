@@ -1,6 +1,6 @@
 //! Optics, tables and scans other than the usual ones, each held against what it must come to.
 
-use diffraction_atlas::ground::exr_image::check_file;
+use diffraction_atlas::ground::exr_image::{check_file, read_rgb};
 use serde_json::Value;
 
 use crate::evaluation::{COLUMNS, directions, values};
@@ -197,4 +197,40 @@ fn a_tiled_scan_without_seams_is_the_same_wherever_it_is_cut() {
     let (a, b) = (tables(&place, "rough"), tables(&place, "turned"));
     // Half tables whose rounding may fall either way.
     assert!(worst(&a, &b) < 5e-3, "{:e}", worst(&a, &b));
+}
+
+/// A white pigment adds what passes the surface twice, and that to pictures alone: drawn from tables and from the reference
+/// alike, while tables, `eval` and the values to test readers with stay as they were.
+#[test]
+fn a_pigment_lies_below_the_structure_in_pictures_alone() {
+    let place = fine_place();
+    let specimen = |name: &str, rest: &str| ROUGH.replace("\"rough\"", &format!("\"{name}\"")) + rest;
+    let scene = "[[scene]]\nname = \"tile\"\nshape = \"patch\"\nwidth_mm = 1\ndistance_mm = 1000\nsize_px = 16\n\
+        light = { direction = [3, 0, 4], angular_diameter_deg = 0, irradiance = 2 }\n";
+    let checked = HEAD.replace("\"off\"", "\"auto\"");
+    place.publish(&[&checked, FINE, &specimen("bare", ""), &specimen("dyed", "albedo = [1, 1, 1]\n"), scene].concat());
+    let read = |file: &str| read_rgb(&place.path(&format!("out/small/v0001/{file}"))).unwrap().0;
+    let bytes = |file: &str| std::fs::read(place.path(&format!("out/small/v0001/{file}"))).unwrap();
+    assert_eq!(bytes("bare/table.000.exr"), bytes("dyed/table.000.exr"));
+    assert_eq!(tables(&place, "bare"), tables(&place, "dyed"));
+    let json = ["bare", "dyed"].map(|name| specimen_json(&place, name));
+    assert_eq!(json[0]["check_values"], json[1]["check_values"]);
+    assert!(json[0].get("pigment").is_none());
+    // n = 1.5 at cosine 1 and 0.8, from the two polarisations' closed forms.
+    let (cos_i, cos_t) = (0.8f64, (1.0f64 - 0.36 / 2.25).sqrt());
+    let s = ((cos_i - 1.5 * cos_t) / (cos_i + 1.5 * cos_t)).powi(2);
+    let p = ((1.5 * cos_i - cos_t) / (1.5 * cos_i + cos_t)).powi(2);
+    let expected = 2.0 * 0.8 / std::f64::consts::PI * (1.0 - 0.04) * (1.0 - 0.5 * (s + p));
+    for kind in ["tile.exr", "tile.reference.exr"] {
+        let added = read(&format!("dyed/scenes/{kind}")) - read(&format!("bare/scenes/{kind}"));
+        // The middle half of the square, which the camera sees from within 0.03 degrees of the normal.
+        let side = added.dim().0;
+        for (row, column) in (side / 4..3 * side / 4).flat_map(|r| (side / 4..3 * side / 4).map(move |c| (r, c))) {
+            // A white's Y, read from 32-bit pictures.
+            let found = f64::from(added[[row, column, 1]]);
+            assert!((found / expected - 1.0).abs() < 3e-4, "{kind}: {found} for {expected}");
+        }
+    }
+    let report = place.json("out/small/v0001/report.json");
+    assert_eq!(report["failures"].as_array().unwrap().len(), 0, "{}", report["failures"]);
 }

@@ -119,6 +119,7 @@ fn truncated() -> SpecimenResult {
         extent_um: [24.9856, 25.6],
         statistics: None,
         optics: None,
+        pigment: None,
         build: None,
         lobe: None,
         errors: vec![],
@@ -171,6 +172,7 @@ fn specimen(
         extent_um: field.extent_nm().map(|extent| extent * 1e-3),
         statistics: Some(statistics(field, periods.clone())),
         optics: Some(optics()),
+        pigment: None,
         build: Some(build()),
         lobe: Some(LobeResult { radius_max: 0.142, cross_tables: 4, power_share: Some(0.37) }),
         errors: errors(),
@@ -404,6 +406,7 @@ fn gpu_result() -> GpuResult {
         size_px: 1024,
         tables,
         light_samples: 1,
+        evaluations: 420_000,
         texel_gb_per_s: 3.1,
         clock: Clock::Timestamps,
     };

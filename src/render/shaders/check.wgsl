@@ -25,7 +25,7 @@ fn shade_runs(@builtin(global_invocation_id) id: vec3<u32>) {
     var sum = vec3<f32>(0.0, 0.0, 0.0);
     var unserved = 0.0;
     for (var index = run.first; index < run.first + run.count; index = index + 1u) {
-        let xyz = brdf_xyz(samples[index].wi, samples[index].wo);
+        let xyz = surface_xyz(samples[index].wi, samples[index].wo);
         if serves(xyz) {
             sum = sum + samples[index].weight * xyz;
         } else {

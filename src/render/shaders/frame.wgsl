@@ -1,11 +1,11 @@
-// A sphere under disc lights, one full-screen triangle: what an interactive program draws. Follows tables.wgsl.
+// The lighting pass of an interactive program: stored surfaces under distant lights. Follows tables.wgsl.
 
 struct FrameParams {
     // Pixels along each side.
-    size_px: f32,
-    // The sphere's radius as a share of half the picture's side.
-    radius: f32,
+    size_px: u32,
     light_count: u32,
+    // Words of `lit` for each pixel.
+    lit_words: u32,
     // Factor that brings XYZ to display values.
     exposure: f32,
 }
@@ -14,13 +14,19 @@ struct FrameLight {
     // Unit vector in the world.
     direction: vec3<f32>,
     irradiance: f32,
-    // Position in the pixel, in pixels from its centre, y up.
-    pixel_offset: vec2<f32>,
-    unused: vec2<f32>,
+    // Layer of the surfaces that this light is shaded on.
+    layer: u32,
 }
 
 @group(1) @binding(0) var<uniform> frame: FrameParams;
 @group(1) @binding(1) var<storage, read> lights: array<FrameLight>;
+// Bit `light % 32` of word `light / 32` is set where nothing shades a pixel from the light.
+@group(1) @binding(2) var<storage, read> lit: array<u32>;
+// World vectors, one texel a pixel: the structure's x axis with the sign of its y axis against normal x tangent, the
+// outward normal, the direction to the viewer.
+@group(1) @binding(3) var tangents: texture_2d_array<f32>;
+@group(1) @binding(4) var normals: texture_2d_array<f32>;
+@group(1) @binding(5) var viewers: texture_2d_array<f32>;
 
 @vertex
 fn full_screen(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
@@ -29,31 +35,30 @@ fn full_screen(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32
 }
 
 @fragment
-fn shade_sphere(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+fn shade_surfaces(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    let at = vec2<i32>(position.xy);
+    let first_word = (u32(at.y) * frame.size_px + u32(at.x)) * frame.lit_words;
     var sum = vec3<f32>(0.0, 0.0, 0.0);
     for (var index = 0u; index < frame.light_count; index = index + 1u) {
-        let light = lights[index];
-        let x = 2.0 * (position.x + light.pixel_offset.x) / frame.size_px - 1.0;
-        let y = 1.0 - 2.0 * (position.y - light.pixel_offset.y) / frame.size_px;
-        let at = vec2<f32>(x, y) / frame.radius;
-        let z_squared = 1.0 - dot(at, at);
-        if z_squared > 0.0 {
-            // The tangent follows the circles of latitude, the bitangent points to the pole at +y.
-            let normal = vec3<f32>(at, sqrt(z_squared));
-            let along = vec3<f32>(normal.z, 0.0, -normal.x);
-            let tangent = along / max(length(along), 1e-12);
-            let bitangent = cross(normal, tangent);
-            let to_light = light.direction;
-            let wi = vec3<f32>(dot(tangent, to_light), dot(bitangent, to_light), dot(normal, to_light));
-            let wo = vec3<f32>(tangent.z, bitangent.z, normal.z);
-            if wi.z > 0.0 {
-                let brdf = brdf_xyz(wi, wo);
-                if !serves(brdf) {
-                    return vec4<f32>(1.0, 0.0, 1.0, 1.0);
-                }
-                sum = sum + light.irradiance * wi.z * brdf;
-            }
+        if ((lit[first_word + index / 32u] >> (index % 32u)) & 1u) == 0u {
+            continue;
         }
+        let light = lights[index];
+        let tangent = textureLoad(tangents, at, light.layer, 0);
+        let normal = textureLoad(normals, at, light.layer, 0).xyz;
+        let to_viewer = textureLoad(viewers, at, light.layer, 0).xyz;
+        let bitangent = tangent.w * cross(normal, tangent.xyz);
+        let wi = in_frame(tangent.xyz, bitangent, normal, light.direction);
+        let wo = in_frame(tangent.xyz, bitangent, normal, to_viewer);
+        let shown = surface_xyz(wi, wo);
+        if !serves(shown) {
+            return vec4<f32>(1.0, 0.0, 1.0, 1.0);
+        }
+        sum = sum + light.irradiance * wi.z * shown;
     }
     return vec4<f32>(xyz_to_linear_srgb(frame.exposure * sum), 1.0);
+}
+
+fn in_frame(tangent: vec3<f32>, bitangent: vec3<f32>, normal: vec3<f32>, v: vec3<f32>) -> vec3<f32> {
+    return vec3<f32>(dot(tangent, v), dot(bitangent, v), dot(normal, v));
 }

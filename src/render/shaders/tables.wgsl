@@ -33,6 +33,8 @@ struct TableParams {
     grid_last: f32,
     first_column: f32,
     first_row: f32,
+    // XYZ of the pigment below the structure in 1/sr, and 1 where there is one.
+    pigment: vec4<f32>,
     // Value of a layer = texel times scale; four scales to a vector.
     table_scales: array<vec4<f32>, 64>,
     cross_scales: array<vec4<f32>, 64>,
@@ -117,6 +119,14 @@ fn cos_half_angle(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
     return sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));
 }
 
+// XYZ of the pigment's BRDF in 1/sr; 0 for directions not above the surface.
+fn pigment_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
+    if !(wi.z > 0.0 && wo.z > 0.0) {
+        return vec3<f32>(0.0, 0.0, 0.0);
+    }
+    return (1.0 - reflectance(wi.z)) * (1.0 - reflectance(wo.z)) * params.pigment.xyz;
+}
+
 // Reflectance, geometry and shadowing; 0 for directions not above the surface.
 fn prefactor(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
     if !(wi.z > 0.0 && wo.z > 0.0) {
@@ -151,6 +161,15 @@ fn shifted_values(t: f32) -> Recurrence {
 fn powers(w: f32) -> Recurrence {
     let first = (1.0 / w) / w;
     return Recurrence(first, 1.0 / w, w, 0.0);
+}
+
+// What the surface shows in 1/sr: the BRDF and, where there is one, the pigment below it. As `brdf_xyz` otherwise.
+fn surface_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
+    let brdf = brdf_xyz(wi, wo);
+    if params.pigment.w == 0.0 || !serves(brdf) {
+        return brdf;
+    }
+    return brdf + pigment_xyz(wi, wo);
 }
 
 // XYZ of the BRDF in 1/sr; 0 for directions not above the surface, UNSERVED for those that the tables do not serve.

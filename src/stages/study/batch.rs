@@ -246,6 +246,7 @@ fn without_tables(set: &TableSet, storage: Storage) -> TableSet {
         prefilter_width: set.prefilter_width,
         optics: set.optics.clone(),
         served: None,
+        pigment: None,
         usable_radius: set.usable_radius,
     }
 }
@@ -288,6 +289,7 @@ mod tests {
                 shadowing: false,
             },
             served: None,
+            pigment: None,
             usable_radius: 2.0,
         }
     }

@@ -5,8 +5,8 @@ use crate::render::gpu::Gpu;
 use crate::render::gpu_frame::{Frame, FramePlan, time_frames};
 use crate::render::gpu_layout::table_image;
 use crate::render::gpu_tables::upload;
-use crate::scene::model::{Exposure, Light, Scene, Shape};
-use crate::scene::samples::samples;
+use crate::scene::gbuffer::{GBuffer, gbuffer};
+use crate::scene::model::{Light, Scene, Shape};
 use crate::tables::model::TableSet;
 
 /// Side of the frame, and lights per pixel: some 20 000 pairs of directions.
@@ -17,8 +17,7 @@ const LIGHT_SAMPLES: usize = 4;
 #[derive(Debug)]
 pub struct GpuClock {
     gpu: Gpu,
-    scene: Scene,
-    directions: usize,
+    surfaces: GBuffer,
 }
 
 impl GpuClock {
@@ -28,22 +27,9 @@ impl GpuClock {
     /// `Error::Gpu` if there is one and it fails.
     pub fn open() -> Result<Option<Self>> {
         let Some(gpu) = Gpu::open()? else { return Ok(None) };
-        let light = Light { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.53, irradiance: 1.0 };
-        let scene = Scene {
-            name: "ball".into(),
-            shape: Shape::Sphere,
-            lights: vec![light],
-            size_px: SIDE_PX,
-            exposure: Exposure::Ev(0.0),
-            specimen: None,
-            light_samples: LIGHT_SAMPLES,
-            pixel_samples: 1,
-            environment: None,
-            turn: Default::default(),
-            animation: None,
-        };
-        let directions = samples(&scene)?.weight.len();
-        Ok(Some(Self { gpu, scene, directions }))
+        let light = Light { angular_diameter_deg: 0.53, ..Light::point([0.3, 0.2, 1.0]) };
+        let scene = Scene { light_samples: LIGHT_SAMPLES, ..Scene::still("ball", Shape::Sphere, vec![light], SIDE_PX) };
+        Ok(Some(Self { gpu, surfaces: gbuffer(&scene)? }))
     }
 
     /// The adapter for people; says where it is software.
@@ -59,8 +45,8 @@ impl GpuClock {
     /// `Error::Gpu`; `Error::Limit` for more tables than a texture has layers.
     pub fn seconds_per_direction(&self, set: &TableSet) -> Result<f64> {
         let tables = upload(&self.gpu, &table_image(set)?)?;
-        let frame = Frame::new(&self.gpu, &tables, &self.scene, 1.0)?;
+        let frame = Frame::new(&self.gpu, &tables, &self.surfaces, 1.0)?;
         let [time] = time_frames([&frame], FramePlan::suited_to(&self.gpu))?;
-        Ok(time.median_ms * 1e-3 / self.directions.max(1) as f64)
+        Ok(time.median_ms * 1e-3 / time.evaluations.max(1) as f64)
     }
 }
