@@ -34,7 +34,7 @@ specimen stand in its `specimen.json`, and each EXR header repeats what concerns
 
 - `tables.tables`: `file` and `scale` of each table, in the order of n; `tables.u`, `tables.v`: their axes; `tables.basis`.
 - `tables.lobe`: `radius_max`, and `coherent` and `cross.patches` with `file` and `scale`; `null` where there is none.
-- `optics.material`: `\"ideal\"`, or a `dielectric` of index `n`, or a `conductor` of `n + i k`; `optics.shadowing`; `optics.illuminant`.
+- `optics.material`: `\"ideal\"`, or a `dielectric` of index `n`, or a `conductor` of `n + i k`; `optics.shadowing`.
 - `check_values`: directions and X, Y, Z to test an implementation with, from linear look-ups.
 
 `scenes/` in a specimen's folder holds the pictures the tables were checked by, and `scenes/` beside `atlas.json`, where there
