@@ -215,7 +215,7 @@ fn number(value: Option<f64>) -> String {
         Some(0.0) => "0".into(),
         Some(v) if v.is_infinite() => "∞".into(),
         Some(v) if v.is_nan() => "no number".into(),
-        Some(v) if (0.01..1000.0).contains(&v.abs()) => {
+        Some(v) if (0.01..10_000.0).contains(&v.abs()) => {
             let decimals = (2 - v.abs().log10().floor() as i32).max(0) as usize;
             format!("{v:.decimals$}")
         }
@@ -262,7 +262,14 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        let cases = [(0.0, "0"), (0.012345, "0.0123"), (12.345, "12.3"), (1.0e-5, "1.0e-5"), (f64::NAN, "no number")];
+        let cases = [
+            (0.0, "0"),
+            (0.012345, "0.0123"),
+            (12.345, "12.3"),
+            (1_137.4, "1137"),
+            (1.0e-5, "1.0e-5"),
+            (f64::NAN, "no number"),
+        ];
         for (value, text) in cases {
             assert_eq!(number(Some(value)), text);
         }

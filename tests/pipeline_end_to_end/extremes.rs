@@ -29,7 +29,7 @@ fn every(step: usize, height: f32) -> Vec<(usize, f32)> {
 }
 
 #[test]
-fn heights_that_are_no_surface_are_refused_by_name_and_nothing_is_published() {
+fn scans_that_are_no_surface_are_refused_by_name_and_nothing_is_published() {
     let place = Place::empty();
     let missing = "samples are missing";
     let metre = "more than a metre";
@@ -39,15 +39,16 @@ fn heights_that_are_no_surface_are_refused_by_name_and_nothing_is_published() {
         ("third_infinite", every(3, f32::INFINITY), missing),
         ("one_1e30", vec![(77, 1e30)], metre),
         ("one_minus_1e30", vec![(77, -1e30)], metre),
-        ("one_largest", vec![(77, f32::MAX)], metre),
+        ("one_3e38", vec![(77, 3e38)], metre),
         ("all_1e30", every(1, 1e30), metre),
         // Below a metre a unit may be meant; as a relief that diffracts it is refused before tables are computed.
         ("one_1_cm", vec![(77, 1e7)], "from valley to peak"),
+        ("pitch_1_mm", vec![], "samples lie 1000.0000 µm apart"),
     ];
     let mut manifest = [HEAD, LASERS].concat();
     for (name, replaced, _) in &bad {
         write_floats(&place, name, [48; 2], replaced);
-        manifest += &specimen(name, "100");
+        manifest += &specimen(name, if *name == "pitch_1_mm" { "1e6" } else { "100" });
     }
     place.write("m.toml", &manifest);
     let run = place.call("--quiet run m.toml").ended(1);
@@ -56,7 +57,7 @@ fn heights_that_are_no_surface_are_refused_by_name_and_nothing_is_published() {
         let line = run.stderr.split("failed: ").find(|line| line.starts_with(&format!("{name} ")));
         assert!(line.is_some_and(|line| line.contains(cause)), "{name}: {}", run.stderr);
     }
-    assert!(run.stderr.ends_with("8 failed; the rest is done\n"), "{}", run.stderr);
+    assert!(run.stderr.ends_with("9 failed; the rest is done\n"), "{}", run.stderr);
     assert!(place.versions().is_empty(), "{:?}", place.versions());
 }
 
@@ -67,6 +68,8 @@ fn odd_scans_and_pitches_far_apart_give_tables_that_agree_with_the_scan() {
     let odd = [
         ("few_nan", [48, 48], few(f32::NAN), "100"),
         ("few_infinite", [48, 48], few(f32::NEG_INFINITY), "100"),
+        // The largest float marks what an instrument missed.
+        ("few_largest", [48, 48], few(f32::MAX), "100"),
         ("minus_zero", [48, 48], few(-0.0), "100"),
         ("denormal", [48, 48], few(1e-40), "100"),
         ("flat", [48, 48], every(1, 7.0), "100"),
@@ -76,7 +79,6 @@ fn odd_scans_and_pitches_far_apart_give_tables_that_agree_with_the_scan() {
         ("column", [1, 64], vec![], "100"),
         ("pitch_1_nm", [48, 48], vec![], "1"),
         ("pitch_1_um", [48, 48], vec![], "1000"),
-        ("pitch_1_mm", [48, 48], vec![], "1e6"),
         ("oblong", [48, 48], vec![], "[10, 200]"),
     ];
     let mut manifest = [HEAD, LASERS].concat();

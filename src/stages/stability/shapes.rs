@@ -17,9 +17,11 @@ use crate::optics::spectra::bandwidth_nm;
 use crate::tables::build::grid;
 use crate::tables::evaluate::{Interpolation, window_power};
 use crate::tables::model::{Basis, TableSet, TablesConfig};
+use crate::tables::plan::lobe_width;
 
 pub fn cases() -> Vec<StabilityCase> {
-    let single = vec![zeros(), not_numbers(), flat(), line(), nyquist(), smallest_table(), smallest_scan()];
+    let single =
+        vec![between_samples(), zeros(), not_numbers(), flat(), line(), nyquist(), smallest_table(), smallest_scan()];
     [surfaces(), pitches(), unusable(), single].concat()
 }
 
@@ -122,6 +124,17 @@ fn unusable() -> Vec<StabilityCase> {
         }
     }
     cases
+}
+
+/// A window that falls between samples: its lobe, `λ/(2√2 πσ)` wide, covers a hundred times what the sampling answers for,
+/// `λ/2` over the pitch. Guard: the refusal.
+fn between_samples() -> StabilityCase {
+    let (pitch_nm, sigma_nm) = (1e6, 2_000.0);
+    let accepted = tables(&relief([32, 32], [pitch_nm; 2], 200.0), &laser(532.0, sigma_nm), &config(Basis::Chebyshev));
+    let share = lobe_width(sigma_nm, 532.0) / (0.5 * 532.0 / pitch_nm);
+    let note = "lobe's width over the radius that the sampling answers for: none where it is refused";
+    let measured = if accepted.is_ok() { share } else { 0.0 };
+    case("pitch 1 mm, window of 2 um", note, measured, 1.0).guarded("refusal", share)
 }
 
 /// Negative zero and denormals are heights like any other, to the last bit zero. Guard: missing samples are marked apart;
