@@ -23,7 +23,7 @@ fn faults(case: &StabilityCase) -> Vec<String> {
     let StabilityCase { name, measured, bound, half, guard, .. } = case;
     let without = guard.without;
     let wrong = [
-        (!(measured <= bound), format!("{name}: {measured:e} of {bound:e}")),
+        (measured.is_nan() || measured > bound, format!("{name}: {measured:e} of {bound:e}")),
         (!half.is_none_or(|share| share <= 1.0), format!("{name}: halves deviate by {half:?} of their rounding")),
         (without <= *bound, format!("{name}: {without:e} without {} keeps {bound:e}", guard.what)),
         (case.verdict() != Verdict::Kept, format!("{name}: {:?}", case.verdict())),
