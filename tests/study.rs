@@ -8,7 +8,7 @@ use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::report::study_page::study_files;
 use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::progress::Silent;
-use diffraction_atlas::stages::stability::{Guard, Stability, StabilityCase};
+use diffraction_atlas::stages::stability::{DepthRow, GrazingRow, Guard, SeriesRow, Stability, StabilityCase};
 use diffraction_atlas::stages::study::{MethodRow, SpecimenStudy, Study, StudyConfig, StudySpecimen, run_study};
 use ndarray::Array2;
 
@@ -117,12 +117,25 @@ fn stability() -> Stability {
             note: "what".into(),
             measured: 1e-3,
             bound: 1e-2,
-            guard: Some(guard),
+            guard,
             half: Some(0.5),
         }],
-        depths: Vec::new(),
-        series: Vec::new(),
-        grazing: Vec::new(),
+        depths: vec![DepthRow {
+            depth_nm: 321.0,
+            tables: 11,
+            transforms: 22,
+            error: 1.23e-3,
+            four_tables: 4.56,
+            half: 0.789,
+        }],
+        series: vec![SeriesRow {
+            depth_nm: 654.0,
+            terms: 33,
+            digits_lost: 4.32,
+            errors: [0.654, 1.0e-4, 1.0e-9],
+            predicted: [0.543, 2.0e-4, 2.0e-9],
+        }],
+        grazing: vec![GrazingRow { t: 3e-3, divided: 2.34e-3, whole: 34.5 }],
     }
 }
 
@@ -143,7 +156,7 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
     let study = run_study(&[named], &config, &Silent);
     let files = study_files(&study, &stability()).unwrap();
     let text = |name: &str| String::from_utf8(files.iter().find(|f| f.0 == name).unwrap().1.clone()).unwrap();
-    let html = text("study.html");
+    let html = text("report.html");
     assert!(html.contains("&lt;b&gt;bold") && !html.contains("<b>bold"), "names are escaped");
     assert!(!html.contains("http://") || html.matches("http://").count() == html.matches("http://www.w3.org/").count());
     for row in &study.specimens[0].methods {
@@ -161,7 +174,17 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
         assert!(roxmltree::Document::parse(text).is_ok() && !text.contains("NaN"), "{name}");
         assert!(text.contains("<polygon") || name.starts_with("stability"), "{name} shows points");
     }
-    assert!(html.contains("a &lt;case&gt;") && html.contains("a &lt;guard&gt;"), "the suite is on the page");
+    for cells in [
+        "<td>a &lt;case&gt;</td><td>what</td><td>1.0e-3</td><td>0.0100</td>\n<td>kept</td><td>∞</td>\n<td>a &lt;guard&gt;</td><td>0.500</td>",
+        "<td>321</td><td>11</td><td>22</td><td>1.2e-3</td><td>4.56</td><td>0.789</td>",
+        "<td>654</td><td>33</td><td>4.32</td>\n<td>0.654 (0.543)</td><td>1.0e-4 (2.0e-4)</td><td>1.0e-9 (2.0e-9)</td>",
+        "<td>3.0e-3</td><td>2.3e-3</td><td>34.5</td>",
+    ] {
+        assert!(html.contains(cells), "the suite is on the page: {cells}");
+    }
+    for part in ["specimen-1", "stability", "depth", "series", "grazing", "cases"] {
+        assert!(html.contains(&format!("href=\"#{part}\"")) && html.contains(&format!("id=\"{part}\"")), "{part}");
+    }
     assert!(html.contains("<img src=\"data:image"), "pictures are in the page");
 }
 

@@ -17,6 +17,10 @@ pub const FADE_SIGMAS: f64 = 4.0;
 /// apart are correlated by `exp(-d²/2σ²)` = 0.14.
 const SPACING_SIGMAS: f64 = 2.0;
 
+/// Most σ from one sample to the next: at four, a lobe's standard deviation `λ/(2√2 πσ)` is 0.9 of all that the sampling
+/// answers for, `λ/2` over the pitch. Beyond, there is nothing to resolve, and every look-up would sum over every line.
+pub const PITCH_SIGMAS_MAX: f64 = 4.0;
+
 /// How the surface around a window continues.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Placement {
@@ -34,8 +38,10 @@ pub enum Placement {
 /// The placements that a configuration averages over, for one scan.
 ///
 /// # Errors
-/// `Error::Limit` if the scan is smaller than `Edge::Fade` allows.
+/// `Error::Limit` if the scan is smaller than `Edge::Fade` allows, or its samples lie further apart than
+/// [`PITCH_SIGMAS_MAX`].
 pub fn placements(field: &HeightField, optics: &OpticsConfig) -> Result<Vec<Placement>> {
+    check_pitch(field, optics.sigma_nm)?;
     if optics.edge == Edge::Tile {
         return Ok(vec![match optics.windows {
             Windows::Grid => Placement::TileMean,
@@ -71,6 +77,23 @@ pub fn placements(field: &HeightField, optics: &OpticsConfig) -> Result<Vec<Plac
         .iter()
         .flat_map(|&y| columns.iter().map(move |&x| Placement::Inside { centre_nm: [x, y] }))
         .collect())
+}
+
+/// Refuses a window that falls between samples.
+fn check_pitch(field: &HeightField, sigma_nm: f64) -> Result<()> {
+    let sampled = field.size().into_iter().zip(field.pitch_nm).filter(|(count, _)| *count > 1);
+    let widest = sampled.map(|(_, pitch)| pitch).fold(0.0, f64::max);
+    if widest <= PITCH_SIGMAS_MAX * sigma_nm {
+        return Ok(());
+    }
+    Err(Error::limit(
+        format!(
+            "samples lie {:.4} µm apart, too far for a coherence window of σ = {:.4} µm to see any structure",
+            widest * 1e-3,
+            sigma_nm * 1e-3
+        ),
+        format!("check the pitch; use a finer scan, or coherence.sigma_um >= {:.4}", widest * 1e-3 / PITCH_SIGMAS_MAX),
+    ))
 }
 
 /// One axis of a window: its samples' positions and amplitudes. The window is the product of two axes.
@@ -163,6 +186,17 @@ mod tests {
         assert!(refused.contains("8.1250") && refused.contains("tile"), "{refused}");
         assert_eq!(placements(&scan, &optics(4_000.0, Windows::Grid)).unwrap().len(), 25);
         assert_eq!(placements(&scan, &optics(4_000.0, Windows::Centre)).unwrap().len(), 1);
+    }
+
+    #[test]
+    fn windows_between_samples_are_refused() {
+        let tiled = |sigma_nm| OpticsConfig { edge: Edge::Tile, ..optics(sigma_nm, Windows::Grid) };
+        assert!(placements(&field(48, 8_000.0), &tiled(2_000.0)).is_ok());
+        let refused = placements(&field(48, 8_000.0), &tiled(1_999.0)).unwrap_err().to_string();
+        assert!(refused.contains("8.0000 µm apart") && refused.contains("sigma_um >= 2.0000"), "{refused}");
+        // One sample along an axis is no sampling of it.
+        let row = HeightField { heights_nm: Array2::zeros((1, 48)), pitch_nm: [100.0, 1e6] };
+        assert!(placements(&row, &tiled(2_000.0)).is_ok());
     }
 
     #[test]

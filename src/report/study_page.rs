@@ -1,5 +1,6 @@
 //! The study as files: a self-contained page, the numbers as JSON, and each plot as SVG.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use minijinja::{Environment, Value, context};
@@ -26,10 +27,14 @@ const KNOB_PLOTS: [(&str, &[&str], &str); 5] = [
 const SHOWN: [&str; 6] =
     ["FFT", "chebyshev, half", "taylor, float", "Stam, random", "Stam, regular", "spherical harmonics"];
 
+/// Name of the page in a study's folder, as in a version of an atlas.
+pub const PAGE: &str = "report.html";
+
 /// A file's name and its bytes.
 pub type File = (String, Vec<u8>);
 
-/// All files of a study: `study.html`, `study.json`, and the SVG pictures, which the page contains as well.
+/// All files of a study: `report.html`, `study.json`, `stability.json`, and the SVG pictures, which the page contains as
+/// well.
 ///
 /// # Errors
 /// `Error::Call` if a plot or the page cannot be made: a defect of the program.
@@ -46,22 +51,30 @@ pub fn study_files(study: &Study, stability: &Stability) -> Result<Vec<File>> {
         of_specimens.push(svgs.map(|(_, svg)| String::from_utf8_lossy(svg).into_owned()).collect());
         strips.push(strip(specimen)?);
     }
-    let mut of_stability = Vec::new();
+    let mut of_stability = BTreeMap::new();
     for (key, figure) in stability_figures(stability) {
         let picture = svg(&figure)?;
-        of_stability.push(picture.clone());
+        of_stability.insert(key, picture.clone());
         pictures.push((format!("stability.{key}.svg"), picture.into_bytes()));
     }
     let failed = |what: &str, error: &dyn std::fmt::Display| Error::Call(format!("writing {what} failed: {error}"));
     let json = serde_json::to_vec_pretty(study).map_err(|e| failed("study.json", &e))?;
     let data = serde_json::to_value(study).map_err(|e| failed("study.json", &e))?;
-    let strips = serde_json::to_value(&strips).map_err(|e| failed("study.html", &e))?;
+    let strips = serde_json::to_value(&strips).map_err(|e| failed(PAGE, &e))?;
     let stability_json = serde_json::to_vec_pretty(stability).map_err(|e| failed("stability.json", &e))?;
+    let stability_data = serde_json::to_value(stability).map_err(|e| failed("stability.json", &e))?;
     let cases = case_rows(stability);
-    let cases = serde_json::to_value(&cases).map_err(|e| failed("study.html", &e))?;
-    let parts = Parts { study: &data, pictures: of_specimens, strips: &strips, cases: &cases, of_stability };
-    let html = page(parts).map_err(|e| failed("study.html", &e))?;
-    let mut files = vec![("study.html".to_owned(), html.into_bytes()), ("study.json".to_owned(), json)];
+    let cases = serde_json::to_value(&cases).map_err(|e| failed(PAGE, &e))?;
+    let parts = Parts {
+        study: &data,
+        pictures: of_specimens,
+        strips: &strips,
+        stability: &stability_data,
+        cases: &cases,
+        of_stability,
+    };
+    let html = page(parts).map_err(|e| failed(PAGE, &e))?;
+    let mut files = vec![(PAGE.to_owned(), html.into_bytes()), ("study.json".to_owned(), json)];
     files.push(("stability.json".to_owned(), stability_json));
     files.extend(pictures);
     Ok(files)
@@ -129,10 +142,10 @@ struct CaseRow<'a> {
     note: &'a str,
     measured: f64,
     bound: f64,
-    guard: Option<&'a str>,
-    without: Option<String>,
+    guard: &'a str,
+    without: String,
     half: Option<f64>,
-    kept: bool,
+    verdict: Verdict,
 }
 
 fn case_rows(stability: &Stability) -> Vec<CaseRow<'_>> {
@@ -143,11 +156,11 @@ fn case_rows(stability: &Stability) -> Vec<CaseRow<'_>> {
             note,
             measured: *measured,
             bound: *bound,
-            guard: guard.as_ref().map(|guard| guard.what.as_str()),
+            guard: &guard.what,
             // JSON has no infinity.
-            without: guard.as_ref().map(|guard| number(Some(guard.without))),
+            without: number(Some(guard.without)),
             half: *half,
-            kept: case.verdict() == Verdict::Kept,
+            verdict: case.verdict(),
         }
     }
     stability.cases.iter().map(row).collect()
@@ -158,8 +171,9 @@ struct Parts<'a> {
     study: &'a serde_json::Value,
     pictures: Vec<Vec<String>>,
     strips: &'a serde_json::Value,
+    stability: &'a serde_json::Value,
     cases: &'a serde_json::Value,
-    of_stability: Vec<String>,
+    of_stability: BTreeMap<&'static str, String>,
 }
 
 fn page(parts: Parts) -> std::result::Result<String, minijinja::Error> {
@@ -170,12 +184,14 @@ fn page(parts: Parts) -> std::result::Result<String, minijinja::Error> {
     environment.add_filter("measure", measure);
     environment.add_template("study.html", include_str!("templates/study.html"))?;
     let safe = |svgs: Vec<String>| -> Vec<Value> { svgs.into_iter().map(Value::from_safe_string).collect() };
+    let of_stability = parts.of_stability.into_iter().map(|(key, svg)| (key, Value::from_safe_string(svg)));
     environment.get_template("study.html")?.render(context! {
         study => template_value(parts.study),
         pictures => parts.pictures.into_iter().map(safe).collect::<Vec<_>>(),
         strips => template_value(parts.strips),
+        stability => template_value(parts.stability),
         cases => template_value(parts.cases),
-        of_stability => safe(parts.of_stability),
+        of_stability => Value::from_pairs(of_stability),
     })
 }
 
@@ -197,8 +213,9 @@ fn number(value: Option<f64>) -> String {
     match value {
         None => "–".into(),
         Some(0.0) => "0".into(),
-        Some(v) if !v.is_finite() => format!("{v}"),
-        Some(v) if (0.01..1000.0).contains(&v.abs()) => {
+        Some(v) if v.is_infinite() => "∞".into(),
+        Some(v) if v.is_nan() => "no number".into(),
+        Some(v) if (0.01..10_000.0).contains(&v.abs()) => {
             let decimals = (2 - v.abs().log10().floor() as i32).max(0) as usize;
             format!("{v:.decimals$}")
         }
@@ -245,7 +262,14 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        let cases = [(0.0, "0"), (0.012345, "0.0123"), (12.345, "12.3"), (1.0e-5, "1.0e-5"), (f64::NAN, "NaN")];
+        let cases = [
+            (0.0, "0"),
+            (0.012345, "0.0123"),
+            (12.345, "12.3"),
+            (1_137.4, "1137"),
+            (1.0e-5, "1.0e-5"),
+            (f64::NAN, "no number"),
+        ];
         for (value, text) in cases {
             assert_eq!(number(Some(value)), text);
         }

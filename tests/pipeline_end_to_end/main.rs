@@ -3,6 +3,7 @@
 mod cache;
 mod damage;
 mod evaluation;
+mod extremes;
 mod faults;
 mod interruption;
 mod measured;
@@ -14,3 +15,6 @@ mod scans;
 mod served;
 mod settings;
 mod versions;
+
+#[path = "../scan_support/mod.rs"]
+mod scan_support;

@@ -7,7 +7,7 @@ use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
 use crate::ground::error::Result;
 use crate::manifest::{self, convert::run_config, convert::specimen_config};
-use crate::report::study_page::write_study;
+use crate::report::study_page::{PAGE, write_study};
 use crate::scene::model::Scene;
 use crate::stages::ingest::ingest;
 use crate::stages::stability::{StabilityCase, Verdict, run_stability};
@@ -64,13 +64,13 @@ pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
     let stability = run_stability(args.thorough, progress.as_ref());
     write_study(&args.out, &study, &stability)?;
     let cases = &stability.cases;
-    failures.extend(cases.iter().filter(|case| case.verdict() == Verdict::Broken).map(broken));
+    failures.extend(cases.iter().filter_map(fault));
     output::print(&format!(
-        "studied {} specimen(s), {} of {} stability cases kept their bound\nstudy     {}\n",
+        "studied {} specimen(s), {} of {} stability cases kept their bound and need their guard\nreport    {}\n",
         study.specimens.len(),
         cases.iter().filter(|case| case.verdict() == Verdict::Kept).count(),
         cases.len(),
-        args.out.join("study.html").display()
+        args.out.join(PAGE).display()
     ))?;
     Ok(if failures.is_empty() { Outcome::Done } else { Outcome::Failures(failures) })
 }
@@ -80,6 +80,15 @@ fn scenes_of(scenes: &[Scene], specimen: &str) -> Vec<Scene> {
     scenes.iter().filter(|scene| scene.specimen.as_ref().is_none_or(|name| name == specimen)).cloned().collect()
 }
 
-fn broken(case: &StabilityCase) -> String {
-    format!("stability, {}: measured {:.2e}, bound {:.2e}", case.name, case.measured, case.bound)
+/// What is wrong with a case, if anything.
+fn fault(case: &StabilityCase) -> Option<String> {
+    let StabilityCase { name, measured, bound, guard, .. } = case;
+    match case.verdict() {
+        Verdict::Kept => None,
+        Verdict::Broken => Some(format!("stability, {name}: measured {measured:.2e}, bound {bound:.2e}")),
+        Verdict::Blind => Some(format!(
+            "stability, {name}: {:.2e} without {}, within the bound of {bound:.2e}: the case shows nothing",
+            guard.without, guard.what
+        )),
+    }
 }

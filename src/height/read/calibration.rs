@@ -87,11 +87,11 @@ fn pitch(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<[f64; 2]>> {
             ));
         }
     };
-    if pitch.value.iter().all(|side| *side > 0.0 && *side < PITCH_MAX_NM) {
+    if pitch.value.iter().all(|side| *side > 0.0 && *side <= PITCH_MAX_NM) {
         Ok(pitch)
     } else {
         Err(Refusal::new(
-            format!("a pitch of {:?} nm ({}) is not between 0 and 1 mm", pitch.value, pitch.from),
+            format!("a pitch of {:?} nm ({}) is not above 0 and at most 1 mm", pitch.value, pitch.from),
             "set `pitch_nm` to the distance between neighbouring samples in nm",
         ))
     }

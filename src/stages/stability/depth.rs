@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::StabilityCase;
 use super::series;
 use super::support::{
-    BOUND, TOLERANCE, case, config, error, half_share, laser, on_texels, optics, relief, scaled, tables,
+    BOUND, Comparison, HALF_AS_MANY, TOLERANCE, case, config, laser, on_texels, optics, refused, relief, scaled, tables,
 };
 use crate::ground::chebyshev::{Interpolant, nodes_for_exponential};
 use crate::tables::forecast;
@@ -18,8 +18,11 @@ use crate::tables::taylor;
 /// Peak-to-valley depths in nm.
 const DEPTHS_NM: [f64; 7] = [1.0, 100.0, 375.0, 1_500.0, 3_000.0, 6_000.0, 20_000.0];
 
+/// Depth in nm from which there are tables enough for the undivided power too.
+const DIVIDED_SHOWS_NM: f64 = 10.0;
+
 /// Depth in nm from which four tables are too few.
-const FOUR_FAIL_NM: f64 = 1_500.0;
+const FOUR_FAIL_NM: f64 = 375.0;
 
 /// Wavelength of the laser in nm: one shows all there is to a depth; a spectrum would only repeat it, hundreds of
 /// times at 20 µm.
@@ -43,38 +46,33 @@ pub struct DepthRow {
 }
 
 /// Every depth with automatic settings, and with four tables.
-pub fn rows() -> Vec<DepthRow> {
-    DEPTHS_NM.into_iter().map(row).collect()
+pub fn rows_and_cases() -> (Vec<DepthRow>, Vec<StabilityCase>) {
+    DEPTHS_NM.into_iter().map(depth).unzip()
 }
 
-fn row(depth_nm: f64) -> DepthRow {
+/// The error at one depth. Guards: the number of tables follows the depth, four are enough up to a few hundred nm only;
+/// and so few as a shallow surface needs cannot hold the power before it is divided by `w²`.
+fn depth(depth_nm: f64) -> (DepthRow, StabilityCase) {
     let field = relief([32, 32], [125.0; 2], depth_nm);
     let optics = laser(VIOLET_NM, 800.0);
-    let found = |config: &TablesConfig| match tables(&field, &optics, config) {
-        Ok(set) => {
-            let pairs = on_texels(&set, [0.05, 1.0]);
-            (error(&set, &field, &pairs), set.tables.len(), half_share(&set, &pairs))
-        }
-        Err(_) => (f64::INFINITY, 0, f64::INFINITY),
-    };
-    let automatic = config(Basis::Chebyshev);
-    let (error, tables, half) = found(&automatic);
-    let s_max = 2.0 * TAU / VIOLET_NM;
-    let transforms = nodes_for_exponential(0.5 * depth_nm, s_max, 1e-3 * TOLERANCE);
-    let four_tables = found(&TablesConfig { count: Some(4), ..automatic.clone() }).0;
-    DepthRow { depth_nm, tables, transforms, error, four_tables, half }
-}
-
-/// The error at one depth. Guard: the number of tables follows the depth; four are enough up to a few hundred nm only.
-pub fn case_of(row: &DepthRow) -> StabilityCase {
+    let transforms = nodes_for_exponential(0.5 * depth_nm, 2.0 * TAU / VIOLET_NM, 1e-3 * TOLERANCE);
+    let name = format!("depth {depth_nm} nm");
+    let none = f64::INFINITY;
+    let row = DepthRow { depth_nm, tables: 0, transforms, error: none, four_tables: none, half: none };
+    let Ok(set) = tables(&field, &optics, &config(Basis::Chebyshev)) else { return (row, refused(&name)) };
+    let found = Comparison::new(&set, &field, on_texels(&set, [0.05, 1.0]));
+    let (error, four_tables, half) = (found.error(), found.with_tables(4), found.half());
+    let row = DepthRow { tables: set.tables.len(), error, four_tables, half, ..row };
     let note = format!("{} tables; 95 % error of Y, tolerance {TOLERANCE} each for basis and wavelengths", row.tables);
-    let kept = case(&format!("depth {} nm", row.depth_nm), &note, row.error, BOUND);
-    let kept = StabilityCase { half: Some(row.half), ..kept };
-    if row.depth_nm < FOUR_FAIL_NM {
-        kept
+    let kept = case(&name, &note, error, BOUND).half(half);
+    let case = if depth_nm < DIVIDED_SHOWS_NM {
+        kept.guarded("tables of the power over w²", found.whole(2))
+    } else if depth_nm < FOUR_FAIL_NM {
+        kept.guarded(HALF_AS_MANY, found.half_as_many())
     } else {
-        kept.guarded("as many tables as the depth asks for", row.four_tables)
-    }
+        kept.guarded("as many tables as the depth asks for; four", four_tables)
+    };
+    (row, case)
 }
 
 pub fn cases() -> Vec<StabilityCase> {
@@ -82,10 +80,17 @@ pub fn cases() -> Vec<StabilityCase> {
 }
 
 /// Nodes needed in depth: `J_n(z)` dies off beyond `n = z + O(z^{1/3})` with `z` half the phase range, so from
-/// 2 to 20 µm the number grows by at most ten.
+/// 2 to 20 µm the number grows by at most ten, and so does what is stored, in halves whatever the depth. Guard: a basis
+/// without cancellation; powers of `w` are as many times more, each with all the digits that cancel.
 fn growth() -> StabilityCase {
     let ratio = nodes_bound(10_000.0, 380.0, 1e-3) as f64 / nodes_bound(1_000.0, 380.0, 1e-3) as f64;
-    case("number of tables, 2 to 20 um", "ratio of the bounds; linear growth means at most 10", ratio, 10.0)
+    let bits = |depth_nm: f64| {
+        let series = taylor::forecast(&[relief([32, 32], [125.0; 2], depth_nm)], 2.0 * TAU / 380.0, 1e-3);
+        series.terms as f64 * (11.0 + series.digits_lost * std::f64::consts::LOG2_10)
+    };
+    let note = "bits stored per texel, 20 um over 2 um; linear growth means at most 10";
+    case("growth from 2 to 20 um", note, ratio, 10.0)
+        .guarded("polynomials that do not cancel; powers of w", bits(20_000.0) / bits(2_000.0))
 }
 
 /// A level far from zero: phases count from mid-range. Guard: without that the nodes, which are counted for the range

@@ -1,7 +1,7 @@
 //! Stability in storage and in the order of sums.
 
 use super::StabilityCase;
-use super::support::{case, config, on_texels, optics, pair_of, relief, tables};
+use super::support::{case, config, on_texels, optics, pair_of, refused, relief, tables};
 use crate::stages::study::stored;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
 use crate::tables::model::{Basis, Storage, TableSet};
@@ -22,7 +22,7 @@ fn threads() -> StabilityCase {
         pool.install(|| tables(&field, &optics(800.0), &config(Basis::Chebyshev)).ok())
     };
     let (Some(one), Some(three)) = (on(1), on(THREADS)) else {
-        return case("one thread and three", "no pool of threads", f64::NAN, 0.0);
+        return refused("one thread and three");
     };
     let values = |set: &TableSet| -> Vec<f32> {
         let lobe = set.lobe.iter().flat_map(|lobe| lobe.coherent.iter());
@@ -46,7 +46,7 @@ fn threads() -> StabilityCase {
 fn halves() -> StabilityCase {
     let field = relief([64, 64], [125.0; 2], 30.0);
     let Ok(set) = tables(&field, &optics(65_000.0), &config(Basis::Chebyshev)) else {
-        return case("half storage", "could not be built", f64::NAN, 0.0);
+        return refused("half storage");
     };
     let halves = stored(&set, Storage::Half);
     let pairs: Vec<_> =

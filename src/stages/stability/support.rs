@@ -2,8 +2,8 @@
 
 use ndarray::Array2;
 
-use super::StabilityCase;
-use crate::ground::chebyshev::shifted_values;
+use super::{Guard, StabilityCase};
+use crate::ground::chebyshev::{gauss_nodes, interpolation_weights, shifted_values};
 use crate::ground::direction::{Vec3, wave_vector_change};
 use crate::ground::error::Result;
 use crate::ground::metrics::relative_error_quantiles;
@@ -15,7 +15,7 @@ use crate::optics::reference::{brdf_xyz_batch, prefactor};
 pub use crate::stages::study::pair_of;
 use crate::stages::study::stored;
 use crate::tables::build::build;
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
+use crate::tables::evaluate::{Interpolation, brdf_xyz, window_power};
 use crate::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 use crate::tables::plan::w_reach;
 use crate::tables::storage::half_scale;
@@ -28,6 +28,12 @@ pub const BOUND: f64 = 2.0 * TOLERANCE;
 
 /// Directions compared per case.
 const DIRECTIONS: usize = 60;
+
+/// Name of the guard that [`Comparison::half_as_many`] takes out.
+pub const HALF_AS_MANY: &str = "as many tables as the depth asks for; half as many";
+
+/// A direction to the light and one to the viewer.
+pub type Pair = (Vec3, Vec3);
 
 /// Samples of a smooth periodic relief of the wanted peak-to-valley depth, centred.
 pub fn relief(size: [usize; 2], pitch_nm: [f64; 2], depth_nm: f64) -> HeightField {
@@ -91,7 +97,7 @@ pub fn tables(field: &HeightField, optics: &OpticsConfig, config: &TablesConfig)
 }
 
 /// Directions on texels, `t` between the two limits, so that no interpolation on the grid enters.
-pub fn on_texels(set: &TableSet, t_range: [f64; 2]) -> Vec<(Vec3, Vec3)> {
+pub fn on_texels(set: &TableSet, t_range: [f64; 2]) -> Vec<Pair> {
     let texel = 4.0 / (set.size() - 1) as f64;
     // The middle of the lobe belongs to its own table, which is not on these texels.
     let nearest = set.lobe.as_ref().map_or(0.0, |lobe| lobe.radius_max.min(0.6));
@@ -109,7 +115,7 @@ pub fn on_texels(set: &TableSet, t_range: [f64; 2]) -> Vec<(Vec3, Vec3)> {
 
 /// Directions on the row of texels at `v = 0`, where a surface without structure along y sends its light, from the
 /// second texel on.
-pub fn on_row(set: &TableSet, t_range: [f64; 2]) -> Vec<(Vec3, Vec3)> {
+pub fn on_row(set: &TableSet, t_range: [f64; 2]) -> Vec<Pair> {
     let texel = 4.0 / (set.size() - 1) as f64;
     let columns = (2..set.size() as i32 / 2).flat_map(|i| [f64::from(-i) * texel, f64::from(i) * texel]);
     columns
@@ -119,30 +125,93 @@ pub fn on_row(set: &TableSet, t_range: [f64; 2]) -> Vec<(Vec3, Vec3)> {
         .collect()
 }
 
-/// 95th percentile of the relative error of Y above 1 % of the mean. NaN anywhere makes it NaN; nothing to
-/// compare makes it infinite, because such a case would prove nothing.
-pub fn error(set: &TableSet, field: &HeightField, pairs: &[(Vec3, Vec3)]) -> f64 {
-    let Ok(reference) = brdf_xyz_batch(std::slice::from_ref(field), &set.optics, pairs) else { return f64::NAN };
-    let exact: Vec<f64> = reference.iter().map(|xyz| xyz[1]).collect();
-    let found: Vec<f64> = pairs.iter().map(|&(wi, wo)| brdf_xyz(set, Interpolation::Cubic, wi, wo)[1]).collect();
-    let mean = exact.iter().sum::<f64>() / exact.len().max(1) as f64;
-    if found.iter().chain(&exact).any(|f| !f.is_finite()) {
-        return f64::NAN;
-    }
-    let quantiles = relative_error_quantiles(&exact, &found, 1e-2 * mean);
-    if quantiles.count < 3 { f64::INFINITY } else { quantiles.p95 }
+/// Tables held against the direct sum of their scan in some directions.
+pub struct Comparison<'a> {
+    pub set: &'a TableSet,
+    pub field: &'a HeightField,
+    pub pairs: Vec<Pair>,
+    /// Y of the direct sum; not a number where it cannot be summed.
+    exact: Vec<f64>,
 }
 
-/// Y of the direct sum for each pair; empty where it cannot be summed.
-pub fn luminance(field: &HeightField, set: &TableSet, pairs: &[(Vec3, Vec3)]) -> Vec<f64> {
-    let reference = brdf_xyz_batch(std::slice::from_ref(field), &set.optics, pairs).unwrap_or_default();
-    reference.iter().map(|xyz| xyz[1]).collect()
+impl<'a> Comparison<'a> {
+    pub fn new(set: &'a TableSet, field: &'a HeightField, pairs: Vec<Pair>) -> Self {
+        let reference = brdf_xyz_batch(std::slice::from_ref(field), &set.optics, &pairs);
+        let exact = reference.map_or(vec![f64::NAN; pairs.len()], |xyz| xyz.iter().map(|xyz| xyz[1]).collect());
+        Self { set, field, pairs, exact }
+    }
+
+    /// 95th percentile of the relative error of Y above 1 % of the mean. NaN anywhere makes it NaN; nothing to
+    /// compare makes it infinite, because such a case would prove nothing.
+    pub fn error(&self) -> f64 {
+        self.error_of(&|wi, wo| brdf_xyz(self.set, Interpolation::Cubic, wi, wo)[1])
+    }
+
+    /// [`Self::error`] of Y found in another way.
+    pub fn error_of(&self, y: &dyn Fn(Vec3, Vec3) -> f64) -> f64 {
+        let found: Vec<f64> = self.pairs.iter().map(|&(wi, wo)| y(wi, wo)).collect();
+        if found.iter().chain(&self.exact).any(|f| f.is_nan()) {
+            return f64::NAN;
+        }
+        let mean = self.exact.iter().sum::<f64>() / self.exact.len().max(1) as f64;
+        let quantiles = relative_error_quantiles(&self.exact, &found, 1e-2 * mean);
+        let nothing_to_compare = quantiles.count < 3 || !quantiles.worst.is_finite();
+        if nothing_to_compare { f64::INFINITY } else { quantiles.p95 }
+    }
+
+    /// [`Self::error`] if the tables were read elsewhere than at `q`.
+    pub fn misread(&self, elsewhere: &dyn Fn(Vec3) -> Vec3) -> f64 {
+        self.error_of(&|wi, wo| {
+            let q = elsewhere(wave_vector_change(wi, wo));
+            prefactor(&self.set.optics, wi, wo) * window_power(self.set, Interpolation::Cubic, q)[1]
+        })
+    }
+
+    /// [`Self::error`] with as many polynomials in `t` for `|w|^power` times everything the set holds, the lobe
+    /// included: 2 as in published tables, 0 for tables without a lobe of its own.
+    pub fn whole(&self, power: i32) -> f64 {
+        let count = self.set.tables.len();
+        let nodes = gauss_nodes(count, 0.0, 1.0);
+        self.error_of(&|wi, wo| {
+            let [u, v, w] = wave_vector_change(wi, wo);
+            let reach = w_reach(u.hypot(v));
+            let weights = interpolation_weights(count, 0.0, 1.0, (w.abs() / reach).min(1.0));
+            let terms = nodes.iter().zip(&weights).map(|(t, weight)| {
+                let w = t * reach;
+                weight * w.powi(power) * window_power(self.set, Interpolation::Cubic, [u, v, w])[1]
+            });
+            prefactor(&self.set.optics, wi, wo) * terms.sum::<f64>() / w.abs().powi(power)
+        })
+    }
+
+    /// [`Self::error`] of tables of another scan, or with other settings; infinite where they are refused.
+    pub fn other(&self, field: &HeightField, optics: &OpticsConfig, config: &TablesConfig) -> f64 {
+        match tables(field, optics, config) {
+            Ok(set) => self.error_of(&|wi, wo| brdf_xyz(&set, Interpolation::Cubic, wi, wo)[1]),
+            Err(_) => f64::INFINITY,
+        }
+    }
+
+    /// [`Self::error`] with this many tables.
+    pub fn with_tables(&self, count: usize) -> f64 {
+        self.other(self.field, &self.set.optics, &TablesConfig { count: Some(count), ..config(Basis::Chebyshev) })
+    }
+
+    /// [`Self::error`] with half as many tables.
+    pub fn half_as_many(&self) -> f64 {
+        self.with_tables(self.set.tables.len() / 2)
+    }
+
+    /// See [`half_share`].
+    pub fn half(&self) -> f64 {
+        half_share(self.set, &self.pairs)
+    }
 }
 
 /// Largest deviation of Y from tables stored as halves, over what rounding allows: each coefficient at its texel moves
 /// by at most 2^-11 of itself, or half a step of the subnormal numbers under the table's scale, 2^-25 of it. Anything
 /// beyond is an overflow, or a value flushed away that shows. The sum is kept in doubles. Pairs lie on texels.
-pub fn half_share(set: &TableSet, pairs: &[(Vec3, Vec3)]) -> f64 {
+fn half_share(set: &TableSet, pairs: &[Pair]) -> f64 {
     let halves = stored(set, Storage::Half);
     let scales: Vec<f64> = set
         .tables
@@ -150,7 +219,7 @@ pub fn half_share(set: &TableSet, pairs: &[(Vec3, Vec3)]) -> f64 {
         .map(|table| f64::from(half_scale(table.iter().fold(0.0f32, |peak, v| peak.max(v.abs())))))
         .collect();
     let last = (set.size() - 1) as f64;
-    let share = |&(wi, wo): &(Vec3, Vec3)| {
+    let share = |&(wi, wo): &Pair| {
         let q = wave_vector_change(wi, wo);
         let [row, column] = [(2.0 - q[1]) / 4.0 * last, (q[0] + 2.0) / 4.0 * last].map(|x| x.round() as usize);
         let t = (q[2].abs() / w_reach(q[0].hypot(q[1])).max(f64::MIN_POSITIVE)).min(1.0);
@@ -173,24 +242,48 @@ pub fn half_share(set: &TableSet, pairs: &[(Vec3, Vec3)]) -> f64 {
     pairs.iter().map(share).fold(0.0, f64::max)
 }
 
-/// The error of one build on texels; infinite where it was refused. And half storage.
-pub fn build_error(field: &HeightField, optics: &OpticsConfig, config: &TablesConfig) -> [f64; 2] {
-    match tables(field, optics, config) {
-        Ok(set) => {
-            let pairs = on_texels(&set, [0.05, 1.0]);
-            [error(&set, field, &pairs), half_share(&set, &pairs)]
-        }
-        Err(_) => [f64::INFINITY; 2],
-    }
+/// What is taken out of a comparison: its name, and the error without it.
+pub struct TakenOut<'a> {
+    pub what: &'a str,
+    pub without: &'a dyn Fn(&Comparison) -> f64,
 }
 
 /// A case that builds tables and compares them on texels; a refusal counts as broken.
-pub fn compared(name: &str, note: &str, field: &HeightField, optics: &OpticsConfig) -> StabilityCase {
-    let [measured, half] = build_error(field, optics, &config(Basis::Chebyshev));
-    StabilityCase { half: Some(half), ..case(name, note, measured, BOUND) }
+pub fn compared(name: &str, field: &HeightField, optics: &OpticsConfig, taken_out: TakenOut) -> StabilityCase {
+    let Ok(set) = tables(field, optics, &config(Basis::Chebyshev)) else { return refused(name) };
+    let found = Comparison::new(&set, field, on_texels(&set, [0.05, 1.0]));
+    case(name, "95 % error of Y on texels", found.error(), BOUND)
+        .half(found.half())
+        .guarded(taken_out.what, (taken_out.without)(&found))
 }
 
-/// A case without a guard to take out.
-pub fn case(name: &str, note: &str, measured: f64, bound: f64) -> StabilityCase {
-    StabilityCase { name: name.into(), note: note.into(), measured, bound, guard: None, half: None }
+/// A figure with its bound, still without what keeps it.
+pub struct Tried {
+    name: String,
+    note: String,
+    measured: f64,
+    bound: f64,
+    half: Option<f64>,
+}
+
+pub fn case(name: &str, note: &str, measured: f64, bound: f64) -> Tried {
+    Tried { name: name.into(), note: note.into(), measured, bound, half: None }
+}
+
+/// A case whose tables could not be built.
+pub fn refused(name: &str) -> StabilityCase {
+    case(name, "its tables could not be built", f64::NAN, 0.0).guarded("nothing", f64::NAN)
+}
+
+impl Tried {
+    /// With the deviation of its tables as halves.
+    pub fn half(self, share: f64) -> Self {
+        Self { half: Some(share), ..self }
+    }
+
+    /// The case, with what keeps it and the figure without that.
+    pub fn guarded(self, what: &str, without: f64) -> StabilityCase {
+        let Self { name, note, measured, bound, half } = self;
+        StabilityCase { name, note, measured, bound, guard: Guard { what: what.into(), without }, half }
+    }
 }
