@@ -50,7 +50,7 @@ fn spectra(field: &HeightField) -> Vec<StabilityCase> {
         compared("a laser line", note, field, &laser(532.0, 800.0)),
         // As many wavelengths as a smooth spectrum would take fall on either side of the gap's edges.
         stepped(compared("a spectrum with a gap", note, field, &gap), field, &gap, 100.0),
-        // The fewest wavelengths, spread over the whole range, leave the eye a handful.
-        stepped(compared("200 to 2500 nm", note, field, &wide), field, &wide, 100.0),
+        // Half the fewest wavelengths, spread over the whole range, leave the eye three or four.
+        stepped(compared("200 to 2500 nm", note, field, &wide), field, &wide, 200.0),
     ]
 }
