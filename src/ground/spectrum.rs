@@ -1,5 +1,11 @@
 //! Illuminants and the CIE 1931 2° observer: what turns a spectral BRDF into XYZ.
 
+mod pulses;
+mod wavenumbers;
+
+pub use pulses::wavenumbers_for_pulses;
+pub use wavenumbers::uniform_wavenumbers;
+
 use serde::{Deserialize, Serialize};
 
 use super::cie_data;
@@ -140,57 +146,6 @@ pub fn uniform_wavelengths(illuminant: &Illuminant, range_nm: [f64; 2], step_nm:
     normalised(wavelengths_nm, weights)
 }
 
-/// Nodes and weights of Gauss and Legendre on [0, 1], exact up to degree 7. A cell of integration is no wider than the
-/// 1 nm between knots of the observer, light is linear between knots too, and the interpolating polynomials have degree 5.
-const GAUSS: [[f64; 2]; 4] = [
-    [0.069_431_844_202_973_71, 0.173_927_422_568_726_93],
-    [0.330_009_478_207_571_9, 0.326_072_577_431_273_07],
-    [0.669_990_521_792_428_1, 0.326_072_577_431_273_07],
-    [0.930_568_155_797_026_3, 0.173_927_422_568_726_93],
-];
-
-/// Product quadrature on `count` uniform wavenumbers (1/λ): the integrand is interpolated by local
-/// polynomials through six nodes and integrated exactly against the illuminant and the observer.
-///
-/// |P|² of a window of width σ has all its structure along 1/λ at lags below about |(u,v)|·σ, while
-/// illuminant and observer are smooth: only lags next to the sampling frequency alias, and the
-/// interpolation suppresses those again (see `tables::plan`).
-///
-/// # Errors
-/// `Error::Call` if the light has no luminous power within the range.
-pub fn uniform_wavenumbers(illuminant: &Illuminant, range_nm: [f64; 2], count: usize) -> Result<SpectralQuadrature> {
-    if let Illuminant::Lines(lines) = illuminant {
-        return lines_quadrature(lines);
-    }
-    let [low, high] = [1.0 / range_nm[1], 1.0 / range_nm[0]];
-    let count = count.max(2);
-    let step = (high - low) / (count - 1) as f64;
-    let wavelengths_nm: Vec<f64> =
-        (0..count).map(|j| if j + 1 == count { range_nm[0] } else { 1.0 / (low + j as f64 * step) }).collect();
-    let mut weights = vec![[0.0; 3]; count];
-    // Nor is a cell wider than the closest wavelengths lie, or nodes between its points would go without weight.
-    let per_nm = (1.0 / (step * range_nm[0] * range_nm[0])).ceil().max(1.0);
-    let cells = ((range_nm[1] - range_nm[0]) * per_nm).ceil() as usize;
-    let cell_nm = (range_nm[1] - range_nm[0]) / cells as f64;
-    let points = count.min(6);
-    for (cell, [place, share]) in (0..cells).flat_map(|cell| GAUSS.map(|point| (cell, point))) {
-        let nm = range_nm[0] + (cell as f64 + place) * cell_nm;
-        let density = observer_2deg(nm).map(|c| illuminant.power(nm) * c * cell_nm * share);
-        let position = (1.0 / nm - low) / step;
-        let start = (position.floor() as isize + 1 - points as isize / 2).clamp(0, (count - points) as isize) as usize;
-        for j in 0..points {
-            let cardinal: f64 = (0..points)
-                .filter(|&m| m != j)
-                .map(|m| (position - (start + m) as f64) / (j as f64 - m as f64))
-                .product();
-            for (sum, d) in weights[start + j].iter_mut().zip(density) {
-                *sum += cardinal * d;
-            }
-        }
-    }
-    normalised(wavelengths_nm, weights)
-}
-
 fn lines_quadrature(lines: &[Line]) -> Result<SpectralQuadrature> {
     let weights = lines.iter().map(|l| observer_2deg(l.wavelength_nm).map(|c| c * l.power)).collect();
     normalised(lines.iter().map(|l| l.wavelength_nm).collect(), weights)
@@ -241,32 +196,6 @@ mod tests {
             // (and halved at 380 and 780 nm) carry below 3e-4 of X and Z.
             assert!((white[0] - x).abs() < 3e-4 && (white[2] - z).abs() < 3e-4, "{illuminant:?} {white:?}");
             assert!((white[1] - 1.0).abs() < 1e-12);
-        }
-    }
-
-    #[test]
-    fn product_weights_integrate_oscillations_like_a_fine_trapezoid() {
-        // Lag 10 µm in 1/λ: 13.5 periods over the visible range. A lamp of lines passes more of it on
-        // to XYZ than daylight does and needs more nodes for the same error.
-        let f = |nm: f64| 1.0 + (std::f64::consts::TAU * 10_000.0 / nm).cos();
-        for (illuminant, nodes) in [(Illuminant::D65, 57), (Illuminant::F(11), 91)] {
-            let fine = integrate(&uniform_wavelengths(&illuminant, [380.0, 780.0], 0.05).unwrap(), f);
-            let coarse = integrate(&uniform_wavenumbers(&illuminant, [380.0, 780.0], nodes).unwrap(), f);
-            for c in 0..3 {
-                assert!((coarse[c] - fine[c]).abs() < 1e-3, "{illuminant:?} {coarse:?} {fine:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn every_wavelength_has_its_weight_however_many_there_are() {
-        for count in [1_000, 30_000] {
-            let q = uniform_wavenumbers(&Illuminant::E, [380.0, 780.0], count).unwrap();
-            // E and the observer are smooth: neighbours weigh alike, where they weigh at all. Sextic weights of cells that
-            // cover a step four times over ripple by a few per cent, those of too few cells by all they have.
-            let visible = q.weights.windows(2).filter(|pair| pair[0][1] > 1e-3 / count as f64);
-            let ripple = visible.map(|pair| (pair[1][1] / pair[0][1] - 1.0).abs()).fold(0.0, f64::max);
-            assert!(ripple < 0.2, "{count}: {ripple}");
         }
     }
 

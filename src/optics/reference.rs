@@ -22,11 +22,12 @@ use crate::height::HeightField;
 /// Fewest wavelengths of the reference; more follow from the window and the direction.
 const WAVELENGTHS_MIN: f64 = 80.0;
 
-/// Wavenumber step of the reference in units of the window's frequency width divided by `|(u, v)|`: what
-/// aliases is then `exp(-(π/0.5)²)`, below rounding.
-pub const FULL_STEP: f64 = 0.5;
+/// Wavenumber step of the reference in units of the window's frequency width divided by `|(u, v)|`: 0.57 standard
+/// deviations of what one line of a periodic surface shows (see [`crate::ground::spectrum::wavenumbers_for_pulses`]), whose
+/// luminance under daylight then errs by 2e-6.
+pub const FULL_STEP: f64 = 0.4;
 
-/// The same for the reference pictures: `exp(-(π/0.9)²)` = 5e-6, invisible.
+/// The same for the reference pictures: 1.3 deviations, of which one line errs by 1e-3 and a pixel by less; invisible.
 pub const PICTURE_STEP: f64 = 0.9;
 
 /// Reflectance, geometry and shadowing: everything in front of the window's power spectrum. Zero for

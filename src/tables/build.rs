@@ -166,7 +166,7 @@ pub fn plan_for(
             "lower tables.size or raise tables.memory_mib",
         ));
     }
-    let at_rim = plan::wavelengths_of(optics, bandwidth, rho_max, config.tolerance, config.wavelength_step_nm);
+    let at_rim = plan::wavelengths_of(optics, bandwidth, [rho_max; 2], config.tolerance, config.wavelength_step_nm);
     Ok(BuildPlan {
         rim: uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, at_rim)?,
         filter: BoxFilter { width, samples: plan::box_samples(optics, width) },
@@ -376,7 +376,7 @@ impl Sums {
         } else {
             let texels = Texels::whole(patch_grid(optics, radius_max));
             let corner = radius_max * std::f64::consts::SQRT_2;
-            let count = plan::wavelengths_needed(optics, plan.bandwidth_nm, corner, 1e-6);
+            let count = plan::wavelengths_needed(optics, plan.bandwidth_nm, corner, w_reach(0.0), 1e-6);
             let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
             let ring = [Ring { rho: [0.0, corner * 1.01], w: [0.0, w_reach(0.0)], quadrature }];
             Some(Cross { sums: PowerSums::new(&texels, nodes.cross), texels, ring })

@@ -5,7 +5,7 @@ use std::f64::consts::{SQRT_2, TAU};
 use super::domain::Domain;
 use crate::ground::chebyshev::nodes_for_exponential;
 use crate::ground::error::Result;
-use crate::ground::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers};
+use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers, wavenumbers_for_pulses};
 use crate::optics::config::OpticsConfig;
 
 /// Texel positions over [-2, 2] in u and v.
@@ -65,30 +65,31 @@ pub struct Ring {
     pub quadrature: SpectralQuadrature,
 }
 
-/// Fewest wavelengths of a continuous spectrum: enough for the observer's curves.
+/// Fewest wavelengths of a continuous spectrum over what the eye sees: enough for whatever is smooth in it.
 const WAVELENGTHS_MIN: usize = 24;
 
-/// Spectra with lines need this many times more: their structure passes high lags on to XYZ.
-const SPIKY_FACTOR: f64 = 1.6;
+/// Share of the tolerance that the wavelength step may take.
+const STEP_SHARE: f64 = 0.5;
 
-/// How many wavelengths a radius needs for a tolerance.
+/// How many wavelengths directions at the radius `rho` need for a tolerance, whose `|w|` is at most `w`.
 ///
-/// Along a direction, `|P|²` as a function of `1/λ` is a sum over pairs of surface points of waves at the
-/// lag `ρ Δx + |w| Δh`; the window weights the lags by `exp(-Δx²/4σ²)`. Sampling with step `δ` folds the
-/// lag `1/δ` onto zero, so `exp(-(1/δ)²/(4 ρ² σ²)) <= tolerance / 3` sets the step: `1/δ = 2 ρ σ
-/// sqrt(ln(3 / tolerance))`, plus the lag of the depth.
-pub fn wavelengths_needed(optics: &OpticsConfig, bandwidth_nm: f64, rho: f64, tolerance: f64) -> usize {
+/// Along a direction, `|P|²` as a function of `1/λ` is a sum over pairs of surface points of waves at the lag
+/// `ρ Δx + |w| Δh`. The window weights `Δx` by `exp(-Δx²/4σ²)`: whatever the surface, its spectrum is made of Gaussian
+/// pulses with the standard deviation `1/(2√2 π σ ρ)`, one for each line of a periodic surface. A grating shows a direction
+/// one of them, where no errors average out, and so each is integrated to the tolerance:
+/// [`wavenumbers_for_pulses`] derives how many wavelengths that takes. Depth modulates pulses by lags up to
+/// `L = 2 |w|` times the half range of the heights. These have at most the variance `L²`; that of waves, of which the
+/// outermost heights meet the outermost seldom, is `L²/4`, and variances of lags add: the pulses are taken to be
+/// narrower by as much.
+pub fn wavelengths_needed(optics: &OpticsConfig, bandwidth_nm: f64, rho: f64, w: f64, tolerance: f64) -> usize {
     let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
-    if let Illuminant::Lines(lines) = &optics.illuminant {
-        return lines.len();
-    }
-    let lag_nm = 2.0 * rho * optics.sigma_nm * (3.0 / tolerance).ln().sqrt() + 4.0 * bandwidth_nm * w_reach(rho);
-    let spiky = matches!(optics.illuminant, Illuminant::F(_) | Illuminant::Tabulated { .. });
-    let factor = if spiky { SPIKY_FACTOR } else { 1.0 };
-    let count = (factor * lag_nm * (1.0 / low_nm - 1.0 / high_nm)).ceil() as usize + 1;
+    // Deviations of lag times 2π.
+    let (window, depth) = (SQRT_2 * TAU * optics.sigma_nm * rho, TAU * bandwidth_nm * w);
     // A range wider than the eye's spreads the same nodes thinner over what it sees.
     let widening = ((1.0 / low_nm - 1.0 / high_nm) / (1.0 / 380.0 - 1.0 / 780.0)).max(1.0);
-    count.max((factor * widening * WAVELENGTHS_MIN as f64) as usize)
+    let fewest = (widening * WAVELENGTHS_MIN as f64) as usize;
+    let deviation = 1.0 / window.hypot(depth);
+    wavenumbers_for_pulses(&optics.illuminant, optics.wavelength_nm, deviation, STEP_SHARE * tolerance, fewest)
 }
 
 /// Rings from the outside in, each narrower by the root of two, until the fewest wavelengths suffice.
@@ -104,10 +105,11 @@ pub fn rings(
 ) -> Result<Vec<Ring>> {
     let mut rings = Vec::new();
     let mut outer = rho_max;
+    let fewest = wavelengths_of(optics, bandwidth_nm, [0.0; 2], tolerance, step_nm);
     loop {
-        let count = wavelengths_of(optics, bandwidth_nm, outer, tolerance, step_nm);
         let inner = outer / SQRT_2;
-        let settled = count == wavelengths_needed(optics, bandwidth_nm, 0.0, tolerance) || step_nm.is_some();
+        let count = wavelengths_of(optics, bandwidth_nm, [inner, outer], tolerance, step_nm).max(fewest);
+        let settled = count == fewest;
         // The interpolation in `w` profits from a small reach even where the wavelengths do not.
         let last = settled && w_reach(inner) > 0.9 * w_reach(0.0) || inner < 0.02;
         let inner_edge = if last { 0.0 } else { inner };
@@ -153,7 +155,7 @@ pub fn rings_of(
         let inner = by_reach.max(outer / FINE_RATIO).min(outer - narrowest).max(0.0);
         let rho = [if inner < narrowest { 0.0 } else { inner }, outer];
         if let Some(w) = domain.w_of_ring(rho) {
-            let count = wavelengths_of(optics, bandwidth_nm, outer, tolerance, step_nm);
+            let count = wavelengths_of(optics, bandwidth_nm, rho, tolerance, step_nm);
             let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
             rings.push(Ring { rho, w, quadrature });
         }
@@ -162,18 +164,18 @@ pub fn rings_of(
     Ok(rings)
 }
 
-/// Wavelengths for a radius: as many as the tolerance asks for, or those of a given step.
+/// Wavelengths for a ring of these radii: as many as the tolerance asks for, or those of a given step.
 pub(super) fn wavelengths_of(
     optics: &OpticsConfig,
     bandwidth_nm: f64,
-    rho: f64,
+    [inner, outer]: [f64; 2],
     tolerance: f64,
     step_nm: Option<f64>,
 ) -> usize {
     let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
     match step_nm {
         Some(step) => ((high_nm - low_nm) / step).ceil() as usize + 1,
-        None => wavelengths_needed(optics, bandwidth_nm, rho, tolerance),
+        None => wavelengths_needed(optics, bandwidth_nm, outer, w_reach(inner), tolerance),
     }
 }
 

@@ -130,13 +130,13 @@ fn refused_series() -> StabilityCase {
 }
 
 /// The forecast of cancellation against the closed form: heights of two levels `d` apart, half each, lose
-/// `log10((1 + exp(s d)) / 2)` digits; the histogram rounds `d` up by at most one part in 512.
+/// `log10(cosh(s d))` digits; the histogram rounds `d` up by at most one part in 512.
 fn cancellation_forecast() -> StabilityCase {
     let heights = ndarray::Array2::from_shape_fn((8, 8), |(row, _)| (row % 2) as f64);
     let s_max = 2.0 * TAU / 380.0;
     let depth_nm = 1_500.0;
     let field = scaled(heights, [125.0; 2], depth_nm);
-    let expected = (0.5 * (1.0 + (s_max * depth_nm).exp())).log10();
+    let expected = (s_max * depth_nm).cosh().log10();
     let found = taylor::forecast(&[field], s_max, TOLERANCE).digits_lost;
     let bound = s_max * depth_nm / 512.0 / std::f64::consts::LN_10;
     // The worst pair of heights alone, as if every pair were that far apart, overstates the loss by log10(2).

@@ -54,7 +54,7 @@ fn spectra(field: &HeightField) -> Vec<StabilityCase> {
         compared("a laser line", field, &laser(LINE_NM, 800.0), line),
         // As many wavelengths as a smooth spectrum would take fall on either side of the gap's edges.
         stepped("a spectrum with a gap", field, &gap, 100.0),
-        // The fewest wavelengths, spread over the whole range, leave the eye a handful.
-        stepped("200 to 2500 nm", field, &wide, 100.0),
+        // Half the fewest wavelengths, spread over the whole range, leave the eye three or four.
+        stepped("200 to 2500 nm", field, &wide, 200.0),
     ]
 }

@@ -7,12 +7,12 @@
 use serde::{Deserialize, Serialize};
 
 use super::batch::{PackedTables, stored};
-use super::sample::floor_per_sr;
 use super::texels::Texels;
 use super::{StudyConfig, StudySpecimen};
 use crate::ground::error::Result;
 use crate::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
 use crate::ground::sampling::{Region, direction_pairs};
+use crate::optics::config::OpticsConfig;
 use crate::stages::measure;
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
@@ -80,35 +80,49 @@ pub fn rows(specimen: &StudySpecimen, config: &StudyConfig, advance: &dyn Fn()) 
     let asked = config.tolerances.iter();
     asked
         .map(|&tolerance| {
-            let found = row(specimen, config, tolerance);
+            let found = row(specimen, &automatic(&specimen.optics, config, tolerance));
             advance();
             found
         })
         .collect()
 }
 
-fn row(specimen: &StudySpecimen, config: &StudyConfig, tolerance: f64) -> Result<ToleranceRow> {
-    let (fields, optics) = (&specimen.fields, &specimen.optics);
-    let needed = resolving_size(optics, tolerance);
-    let storage = if tolerance < HALF_MIN { Storage::Float } else { Storage::Half };
-    let tables = TablesConfig {
+/// The settings with which a tolerance is asked for: everything automatic, but tables no larger than `size_max`.
+pub fn automatic(optics: &OpticsConfig, config: &StudyConfig, tolerance: f64) -> TablesConfig {
+    TablesConfig {
         tolerance,
-        size: Some(needed.min(config.size_max)),
-        storage,
+        size: Some(resolving_size(optics, tolerance).min(config.size_max)),
+        storage: if tolerance < HALF_MIN { Storage::Float } else { Storage::Half },
         prefilter: Prefilter::Auto,
         ..super::methods::tables_config(config, Basis::Chebyshev)
-    };
+    }
+}
+
+/// Builds with these settings and measures against their tolerance; once more in floats where halves do not keep it: a
+/// relative error of 2^-12 of each polynomial is more of their sum where they cancel, as at a grating's vanishing orders.
+///
+/// # Errors
+/// Those of building, and of the transforms.
+pub fn row(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<ToleranceRow> {
+    let found = measured(specimen, tables)?;
+    if found.kept == Kept::Missed && tables.storage == Storage::Half {
+        return measured(specimen, &TablesConfig { storage: Storage::Float, ..tables.clone() });
+    }
+    Ok(found)
+}
+
+fn measured(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<ToleranceRow> {
+    let (fields, optics) = (&specimen.fields, &specimen.optics);
+    let (tolerance, storage) = (tables.tolerance, tables.storage);
     let started = std::time::Instant::now();
-    let (built, record) = build::build(fields, optics, &tables, &|_| ())?;
+    let (built, record) = build::build(fields, optics, tables, &|_| ())?;
     let build_s = started.elapsed().as_secs_f64();
     let read = stored(&built, storage);
-    let plan = build::plan(fields, optics, &tables)?;
+    let plan = build::plan(fields, optics, tables)?;
     let fixed = measure::ErrorDirections::fixed();
-    let of_region = fixed.pairs.len() / Region::ALL.len();
     let yardstick = measure::yardstick(fields, optics, &plan, built.tables.len(), fixed, [])?;
-    let hemisphere: Vec<f64> = yardstick.xyz[..of_region].iter().map(|xyz| xyz[1]).collect();
-    let floor_per_sr = floor_per_sr(optics, &hemisphere);
-    let rows = measure::error_rows_above(&yardstick, &read, &built, floor_per_sr);
+    let rows = measure::error_rows(&yardstick, &read, &built);
+    let floor_per_sr = rows.first().map_or(0.0, |row| row.floor_per_sr);
     let found = |what: &str| {
         let row = rows.iter().find(|row| row.what == what && row.region == Region::Hemisphere.name());
         row.map_or(ErrorQuantiles::default(), |row| ErrorQuantiles {
@@ -135,7 +149,7 @@ fn row(specimen: &StudySpecimen, config: &StudyConfig, tolerance: f64) -> Result
     Ok(ToleranceRow {
         tolerance,
         storage,
-        size: [built.size(), needed],
+        size: [built.size(), resolving_size(optics, tolerance)],
         prefilter_width: built.prefilter_width,
         tables: built.tables.len(),
         record,

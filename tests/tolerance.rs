@@ -1,0 +1,105 @@
+//! The tolerance that is asked for is kept, on gratings too: automatic settings, measured afterwards.
+
+use std::path::Path;
+
+use diffraction_atlas::manifest::convert::specimen_config;
+use diffraction_atlas::manifest::load;
+use diffraction_atlas::stages::ingest::ingest;
+use diffraction_atlas::stages::study::{
+    Kept, StudyConfig, StudySpecimen, TOLERANCES, ToleranceRow, automatic, tolerance_row,
+};
+use diffraction_atlas::tables::build;
+use diffraction_atlas::tables::model::{Prefilter, TablesConfig};
+
+/// The specimens of a manifest, by its path in the repository.
+fn specimens(manifest: &str) -> Vec<StudySpecimen> {
+    let sections = load(&Path::new(env!("CARGO_MANIFEST_DIR")).join(manifest)).unwrap().0.specimens;
+    let specimen = |section: &_| {
+        let fields = ingest(&specimen_config(section)).unwrap().fields;
+        StudySpecimen { name: section.name.clone(), fields, optics: section.optics.clone(), scenes: Vec::new() }
+    };
+    sections.iter().map(specimen).collect()
+}
+
+fn print(name: &str, row: &ToleranceRow) {
+    println!(
+        "{name:24} {:.0e}: {:4} of {:4} texels, {:2} {:?} tables, {:3} wavelengths, {:.3e} samples, {:6.2} s; basis {:.1e}, \
+         wavelengths {:.1e}, rounding {:.1e}; on {} texels {:.1e}, worst {:.1e}; {:?}",
+        row.tolerance,
+        row.size[0],
+        row.size[1],
+        row.tables,
+        row.storage,
+        row.record.wavelengths_max,
+        row.record.samples as f64,
+        row.build_s,
+        row.shares[0],
+        row.shares[1],
+        row.shares[2],
+        row.on_texels.count,
+        row.on_texels.p95,
+        row.on_texels.worst,
+        row.kept
+    );
+}
+
+/// Small tables of point samples: as hard on basis and wavelengths as large ones, and no filter that would smooth over what
+/// is wrong.
+fn small(specimen: &StudySpecimen, tolerance: f64) -> TablesConfig {
+    let config = StudyConfig { size_max: 201, ..StudyConfig::quick() };
+    TablesConfig { prefilter: Prefilter::None, ..automatic(&specimen.optics, &config, tolerance) }
+}
+
+#[test]
+fn every_bundled_specimen_keeps_every_tolerance() {
+    let specimens = specimens("pipeline.toml");
+    assert_eq!(specimens.len(), 6);
+    for specimen in &specimens {
+        for tolerance in TOLERANCES {
+            let row = tolerance_row(specimen, &small(specimen, tolerance)).unwrap();
+            print(&specimen.name, &row);
+            assert!(row.on_texels.count >= 100, "{}: {} lit texels", specimen.name, row.on_texels.count);
+            assert!(row.kept != Kept::Missed && row.on_texels.p95 <= tolerance, "{} {tolerance:e}", specimen.name);
+        }
+    }
+}
+
+#[test]
+fn fewer_wavelengths_keep_no_grating() {
+    let gratings = ["blazed_2500nm", "sinusoid_1600nm", "grating_nanosurf_314nm"];
+    for specimen in specimens("pipeline.toml").iter().filter(|s| gratings.contains(&s.name.as_str())) {
+        for tolerance in [1e-3, 1e-4] {
+            // At every radius a third of what the outermost ring takes.
+            let [low, high] = specimen.optics.wavelength_nm;
+            let tables = small(specimen, tolerance);
+            let plan = build::plan(&specimen.fields, &specimen.optics, &tables).unwrap();
+            let third = plan.rings[0].quadrature.wavelengths_nm.len() / 3;
+            let step_nm = (high - low) / third as f64;
+            let row = tolerance_row(specimen, &TablesConfig { wavelength_step_nm: Some(step_nm), ..tables }).unwrap();
+            print(&specimen.name, &row);
+            assert!(row.kept == Kept::Missed && row.shares[0] < tolerance, "{} {tolerance:e}", specimen.name);
+        }
+    }
+}
+
+/// `cargo test --release --test tolerance -- --ignored --nocapture`: the table of docs/accuracy.md.
+#[test]
+#[ignore = "minutes of measuring"]
+fn real_scans_at_every_tolerance() {
+    let manifest = "tests/real_scans.toml";
+    if !Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/specimens").is_dir() {
+        eprintln!("SKIPPED real_scans_at_every_tolerance: the folder ../shared with the real scans is not here");
+        return;
+    }
+    let mut missed = Vec::new();
+    for specimen in specimens("pipeline.toml").iter().chain(&specimens(manifest)) {
+        for tolerance in TOLERANCES {
+            let row = tolerance_row(specimen, &automatic(&specimen.optics, &StudyConfig::quick(), tolerance)).unwrap();
+            print(&specimen.name, &row);
+            if row.kept == Kept::Missed {
+                missed.push(format!("{} {tolerance:e}", specimen.name));
+            }
+        }
+    }
+    assert!(missed.is_empty(), "{missed:?}");
+}
