@@ -8,7 +8,7 @@
 
 use std::f64::consts::TAU;
 
-use ndarray::Array2;
+use ndarray::{Array2, Zip};
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
@@ -191,7 +191,7 @@ pub fn transform(
     let heights = window_heights(field, &plans);
     let mut engine = Engine::new(&plans);
     for (node, s) in spectra.depth.nodes().to_vec().into_iter().enumerate() {
-        let phasor = heights.mapv(|h| Complex::cis(-s * h));
+        let phasor = Zip::from(&heights).par_map_collect(|h| Complex::cis(-s * h));
         let mean = mean_phasor(&phasor, &plans);
         spectra.mean_phasor.push(mean);
         engine.run(&phasor, mean, s, &plans);
@@ -359,12 +359,22 @@ impl Spectra {
             let nodes = self.amplitude_nodes(frequency);
             return node_weights.iter().map(|weights| combined(&nodes, weights).norm_sqr()).collect();
         }
-        let mut power = vec![0.0; node_weights.len()];
-        let mut wide = vec![Complex::default(); self.nodes];
+        let count = node_weights.len();
+        // Weights of a node side by side, so that the sums over nodes run in step.
+        let turned: Vec<f64> = (0..self.nodes).flat_map(|n| node_weights.iter().map(move |w| w[n])).collect();
+        let mut power = vec![0.0; count];
+        let mut sums = vec![[0.0; 2]; count];
         self.for_each_tap(frequency, |line, tap| {
-            widen(line, &mut wide);
-            for (power, weights) in power.iter_mut().zip(node_weights) {
-                *power += tap * combined(&wide, weights).norm_sqr();
+            sums.fill([0.0; 2]);
+            for (e, weights) in line.iter().zip(turned.chunks_exact(count)) {
+                let [re, im] = [f64::from(e.re), f64::from(e.im)];
+                for (sum, weight) in sums.iter_mut().zip(weights) {
+                    sum[0] += weight * re;
+                    sum[1] += weight * im;
+                }
+            }
+            for (power, [re, im]) in power.iter_mut().zip(&sums) {
+                *power += tap * (re * re + im * im);
             }
         });
         power
@@ -412,12 +422,6 @@ impl Spectra {
             let start = (row as usize * self.lines[0] + column as usize) * self.nodes;
             &self.data[start..start + self.nodes]
         })
-    }
-}
-
-fn widen(line: &[Complex<f32>], wide: &mut [Complex<f64>]) {
-    for (wide, e) in wide.iter_mut().zip(line) {
-        *wide = Complex::new(f64::from(e.re), f64::from(e.im));
     }
 }
 

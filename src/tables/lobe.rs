@@ -55,7 +55,11 @@ fn rows_needed(rms_nm: f64, wavelength_min_nm: f64, tolerance: f64) -> usize {
     ((2.0 / step).ceil() as usize).clamp(32, 1024) + 1
 }
 
-/// The coherent table, shape `[t, radius, 3]`, averaged over the windows.
+/// Rows beyond those between which a `t` lies that cubics read.
+const ROWS_MARGIN: f64 = 2.0;
+
+/// The coherent table, shape `[t, radius, 3]`, averaged over the windows: rows that look-ups from `depths[0]` to
+/// `depths[1]` of `t` read, zero elsewhere.
 ///
 /// # Errors
 /// `Error::Call` for an invisible light.
@@ -63,6 +67,7 @@ pub fn coherent(
     windows: &[PhasorPower],
     optics: &OpticsConfig,
     radius_max: f64,
+    depths: [f64; 2],
     rms_nm: f64,
     tolerance: f64,
 ) -> Result<Array3<f32>> {
@@ -70,23 +75,27 @@ pub fn coherent(
     let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
     let columns = (radius_max / lobe_width(optics.sigma_nm, low_nm) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1;
     let rows = rows_needed(rms_nm, low_nm, tolerance);
+    let [first, last] = depths.map(|t| t * (rows - 1) as f64);
+    let read = first.floor() - ROWS_MARGIN..=last.ceil() + ROWS_MARGIN;
     let mut table = Array3::<f32>::zeros((rows, columns, 3));
-    table.outer_iter_mut().into_par_iter().enumerate().for_each(|(row, mut line)| {
-        let t = row as f64 / (rows - 1) as f64;
-        for (column, mut texel) in line.outer_iter_mut().enumerate() {
-            let radius = radius_max * column as f64 / (columns - 1) as f64;
-            let mut sum = [0.0; 3];
-            for (nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
-                let shape = (-(TAU * optics.sigma_nm * radius / nm).powi(2)).exp();
-                let s = TAU / nm * t * w_reach(radius);
-                let power = windows.iter().map(|w| w.at(s)).sum::<f64>() / windows.len() as f64;
-                for c in 0..3 {
-                    sum[c] += weight[c] / (nm * nm) * power * shape;
+    table.outer_iter_mut().into_par_iter().enumerate().filter(|(row, _)| read.contains(&(*row as f64))).for_each(
+        |(row, mut line)| {
+            let t = row as f64 / (rows - 1) as f64;
+            for (column, mut texel) in line.outer_iter_mut().enumerate() {
+                let radius = radius_max * column as f64 / (columns - 1) as f64;
+                let mut sum = [0.0; 3];
+                for (nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
+                    let shape = (-(TAU * optics.sigma_nm * radius / nm).powi(2)).exp();
+                    let s = TAU / nm * t * w_reach(radius);
+                    let power = windows.iter().map(|w| w.at(s)).sum::<f64>() / windows.len() as f64;
+                    for c in 0..3 {
+                        sum[c] += weight[c] / (nm * nm) * power * shape;
+                    }
                 }
+                texel.iter_mut().zip(sum).for_each(|(slot, value)| *slot = value as f32);
             }
-            texel.iter_mut().zip(sum).for_each(|(slot, value)| *slot = value as f32);
-        }
-    });
+        },
+    );
     Ok(table)
 }
 

@@ -21,7 +21,7 @@ const PLACES_TESTED: [f64; 5] = [0.02, 0.21, 0.47, 0.76, 1.0];
 /// Share of the tolerance that the basis may take, and that the nodes of a ring may where texels have ranges of their
 /// own within the ring's.
 const BASIS_SHARE: f64 = 0.5;
-const RING_SHARE: f64 = 0.1;
+pub(super) const RING_SHARE: f64 = 0.1;
 
 /// Share of directions whose luminance must keep its share of the tolerance.
 const QUANTILE: f64 = 0.95;
