@@ -28,8 +28,12 @@ const RIM_TEXELS: f64 = 3.0;
 /// whole: weak orders must keep their digits too.
 const DEPTH_SHARE: f64 = 1e-3;
 
-/// Share of the tolerance that interpolating between texels with ranges of their own may take.
-pub const RANGE_SHARE: f64 = 0.1;
+/// Shares of the tolerance that interpolating between texels with ranges of their own may take, in first and in second
+/// order of how much the ranges differ.
+const RANGE_SHARES: [f64; 2] = [0.5, 0.1];
+
+/// Both together.
+pub const RANGE_SHARE: f64 = RANGE_SHARES[0] + RANGE_SHARES[1];
 
 /// Share of the tolerance that dropping a texel's highest polynomials may take. What is zero takes no room in a file.
 const DROPPED_SHARE: f64 = 0.1;
@@ -86,15 +90,23 @@ pub fn grid(optics: &OpticsConfig, config: &TablesConfig) -> Grid {
     Grid { size: config.size.unwrap_or(resolving.min(AUTOMATIC_SIZE_MAX)), half_width: 2.0 }
 }
 
-/// Lets the ranges of a domain's texels differ so little from one to the next that interpolating between them costs a
-/// tenth of the tolerance: see [`Domain::with_smooth_ranges`]. Twice differentiated in `t`, the power of heights with
-/// this rms changes by at most about `(2 k rms · 2)²` times itself.
+/// Lets the ranges of a domain's texels differ so little from one to the next that interpolating between them keeps its
+/// share of the tolerance: see [`Domain::with_smooth_ranges`].
+///
+/// Two texels whose ranges are `δ` apart in `|w|` answer for depths that differ by it. In first order they err by
+/// `x (1 - x) δ` times the difference of their derivatives, a sixth of `δ` in the mean over their distance. The power
+/// of heights with this rms changes with `|w|` by about `2 (k rms)² |w|` times itself, and from texel to texel by itself
+/// where the grid does not resolve a lobe, less where it does. In second order they err by `δ²/8` times the second
+/// derivative, at most about `(2 k rms)²` times the power.
 pub fn smooth(domain: Domain, fields: &[HeightField], optics: &OpticsConfig, tolerance: f64) -> Domain {
-    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
+    let middle_nm = 2.0 / (1.0 / low_nm + 1.0 / high_nm);
     let rms = fields.iter().map(rms_nm).fold(0.0, f64::max).max(1.0);
-    let curvature = (4.0 * std::f64::consts::TAU / low_nm * rms).powi(2);
-    let slope = (8.0 * RANGE_SHARE * tolerance / curvature).sqrt();
-    domain.with_smooth_ranges(RANGE_PAD, slope)
+    let phase = |nm: f64| std::f64::consts::TAU / nm * rms;
+    let unlike = (domain.grid.texel() / lobe_width(optics.sigma_nm, middle_nm)).min(1.0);
+    let first = 6.0 * RANGE_SHARES[0] * tolerance / (2.0 * phase(middle_nm).powi(2) * unlike);
+    let second = (8.0 * RANGE_SHARES[1] * tolerance).sqrt() / (2.0 * phase(low_nm));
+    domain.with_smooth_ranges(RANGE_PAD, first.min(second) / w_reach(0.0))
 }
 
 /// Plans tables for every direction.
@@ -324,7 +336,7 @@ fn build_chebyshev(
 }
 
 /// The `t` that directions within the lobe have.
-fn lobe_depths(plan: &BuildPlan) -> [f64; 2] {
+pub(super) fn lobe_depths(plan: &BuildPlan) -> [f64; 2] {
     plan.domain.as_ref().and_then(|domain| domain.t_inside(plan.lobe_radius)).unwrap_or([0.0, 1.0])
 }
 

@@ -120,8 +120,8 @@ impl Domain {
     ///
     /// Between texels a look-up interpolates coefficients and ranges with the same shares `s_i`. That is the mean of
     /// the texels' polynomials at `t_i`, which lie as deep in the ranges of the texels as `t` does in the range
-    /// between them: `Σ s_i t_i = t`, so only the second order errs, by at most `slope² / 8` times the second
-    /// derivative in `t` for two neighbours. That derivative goes with the square of what `|w|` can be.
+    /// between them: `Σ s_i t_i = t`. So what errs is the part of the polynomials' slopes that differs from texel to
+    /// texel, and their second order.
     pub fn with_smooth_ranges(mut self, pad: f64, slope: f64) -> Self {
         for (low, high) in self.low.iter_mut().zip(&mut self.high).filter(|(low, high)| low <= high) {
             *low = (*low - pad as f32).max(0.0);

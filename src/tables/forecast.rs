@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use super::accumulate::WAVES;
-use super::build::{BuildPlan, plan, ring_samples};
+use super::build::{BuildPlan, lobe_depths, plan, ring_samples};
+use super::lobe;
 use super::model::{Storage, TablesConfig};
 use super::pilot::{self, RING_SHARE};
 use super::plan::{Ring, w_reach};
@@ -55,9 +56,8 @@ const NS_PER_TEXEL_AND_TABLE: f64 = 60.0;
 /// What a build takes besides: threads woken, memory fetched, files of one texel.
 const FIXED_NS: f64 = 1e7;
 
-/// Texels times wavelengths of a typical coherent table, and nanoseconds for each depth node of one.
-const LOBE_SAMPLES: f64 = 1.1e6;
-const NS_PER_LOBE_NODE: f64 = 10.0;
+/// For each depth node of a texel and wavelength of the coherent table.
+const NS_PER_LOBE_NODE: f64 = 4.0;
 
 /// Predicts a build.
 ///
@@ -109,7 +109,9 @@ pub fn forecast_of(
     // Values at the nodes become coefficients; the lobe is a table of its own.
     work_ns += counted * tables as f64 * NS_PER_TEXEL_AND_TABLE;
     if plan.lobe_seen {
-        work_ns += LOBE_SAMPLES * (transforms * plan.windows.len()) as f64 * NS_PER_LOBE_NODE;
+        // An invisible light has been refused before there was a plan.
+        let samples = lobe::samples(optics, plan.lobe_radius, lobe_depths(plan), rms, config.tolerance).unwrap_or(0.0);
+        work_ns += samples * (transforms * plan.windows.len()) as f64 * NS_PER_LOBE_NODE;
     }
     let most = nodes.iter().copied().max().unwrap_or(tables).next_multiple_of(4) as f64;
     let scratch = WAVES as f64 * lines_most.sqrt() * plan.texels.columns.len() as f64 * 4.0 * most.min(16.0);
