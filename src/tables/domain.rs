@@ -88,7 +88,9 @@ impl Domain {
             let v = self.grid.v(row);
             for column in columns.clone() {
                 let rho = (self.grid.u(column).powi(2) + v * v).sqrt();
-                if let Some([low, high]) = directions.t_within([rho - support, rho + support]) {
+                let within = |support: f64| directions.t_within([rho - support, rho + support]);
+                // Where |q|² ends, the margin counts too: cubics read a texel farther.
+                if let Some([low, high]) = within(support).or_else(|| within((1.0 + margin_texels) * support)) {
                     let index = row * self.grid.size + column;
                     self.low[index] = self.low[index].min(low as f32);
                     self.high[index] = self.high[index].max(high as f32);
