@@ -38,13 +38,24 @@ impl Interpolant {
     /// Weights that interpolate values at the nodes to `x` (barycentric formula; Berrut and Trefethen
     /// 2004, eq. 5.3). They sum to one.
     pub fn weights(&self, x: f64) -> Vec<f64> {
-        if let Some(hit) = self.nodes.iter().position(|&node| node == x) {
-            return (0..self.nodes.len()).map(|k| if k == hit { 1.0 } else { 0.0 }).collect();
-        }
-        let mut weights: Vec<f64> = self.nodes.iter().zip(&self.barycentric).map(|(node, b)| b / (x - node)).collect();
-        let sum: f64 = weights.iter().sum();
-        weights.iter_mut().for_each(|w| *w /= sum);
+        let mut weights = vec![0.0; self.nodes.len()];
+        self.weights_into(x, &mut weights);
         weights
+    }
+
+    /// [`Self::weights`] into a slice of as many elements as there are nodes.
+    pub fn weights_into(&self, x: f64, weights: &mut [f64]) {
+        if let Some(hit) = self.nodes.iter().position(|&node| node == x) {
+            weights.fill(0.0);
+            weights[hit] = 1.0;
+            return;
+        }
+        let mut sum = 0.0;
+        for ((weight, node), b) in weights.iter_mut().zip(&self.nodes).zip(&self.barycentric) {
+            *weight = b / (x - node);
+            sum += *weight;
+        }
+        weights.iter_mut().for_each(|w| *w /= sum);
     }
 }
 

@@ -9,7 +9,7 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-use ndarray::Array2;
+use ndarray::{Array2, Zip};
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
@@ -192,7 +192,7 @@ pub fn transform(
     let heights = window_heights(field, &plans);
     let mut engine = Engine::new(&plans);
     for (node, s) in spectra.depth.nodes().to_vec().into_iter().enumerate() {
-        let phasor = heights.mapv(|h| Complex::cis(-s * h));
+        let phasor = Zip::from(&heights).par_map_collect(|h| Complex::cis(-s * h));
         let mean = mean_phasor(&phasor, &plans);
         spectra.mean_phasor.push(mean);
         engine.run(&phasor, mean, s, &plans);
@@ -360,10 +360,27 @@ impl Spectra {
             let nodes = self.amplitude_nodes(frequency);
             return node_weights.iter().map(|weights| combined(&nodes, weights).norm_sqr()).collect();
         }
-        let mut power = vec![0.0; node_weights.len()];
+        let count = node_weights.len();
+        let mut power = vec![0.0; count];
+        if let [weights] = node_weights {
+            self.for_each_row(frequency, |lines, taps, row_tap| power[0] += row_tap * row_power(lines, taps, weights));
+            return power;
+        }
+        // Weights of a node side by side, so that the sums over nodes run in step.
+        let turned: Vec<f64> = (0..self.nodes).flat_map(|n| node_weights.iter().map(move |w| w[n])).collect();
+        let mut sums = vec![[0.0; 2]; count];
         self.for_each_row(frequency, |lines, taps, row_tap| {
-            for (power, weights) in power.iter_mut().zip(node_weights) {
-                *power += row_tap * row_power(lines, taps, weights);
+            for (line, tap) in lines.chunks_exact(self.nodes).zip(taps) {
+                sums.fill([0.0; 2]);
+                for (e, weights) in line.iter().zip(turned.chunks_exact(count)) {
+                    let [re, im] = [f64::from(e.re), f64::from(e.im)];
+                    for (sum, weight) in sums.iter_mut().zip(weights) {
+                        sum[0] += weight * re;
+                        sum[1] += weight * im;
+                    }
+                }
+                let tap = row_tap * f64::from(*tap);
+                power.iter_mut().zip(&sums).for_each(|(power, [re, im])| *power += tap * (re * re + im * im));
             }
         });
         power

@@ -5,9 +5,9 @@ use rayon::prelude::*;
 use super::animation;
 use super::model::{Light, Scene, Shape};
 use super::samples::{ShadingSamples, pixel_range, samples_of, samples_per_pixel};
-use crate::ground::direction::wave_vector_change;
+use crate::ground::direction::{dot, wave_vector_change};
 use crate::ground::error::Result;
-use crate::tables::domain::Domain;
+use crate::tables::domain::{Directions, Domain};
 use crate::tables::evaluate::t_of;
 use crate::tables::plan::Grid;
 
@@ -17,6 +17,13 @@ const JUMP_TEXELS: f64 = 16.0;
 
 /// Positions within each pixel that are looked at, if the picture has fewer.
 const PIXEL_SAMPLES: usize = 16;
+
+/// Texels beside everything seen that are reached as well.
+const MARGIN_TEXELS: f64 = 1.0;
+
+/// Share of what `|q|²` ranges over, by which a pixel's range is widened at both ends: sixteen points evenly over a
+/// light's disc leave its rim, and a thirty-second of its radius before it, to other renderers.
+const MARGIN_Q_SQUARED: f64 = 1.0 / 16.0;
 
 /// Samples gathered at a time.
 const BAND_SAMPLES: usize = 1 << 18;
@@ -37,7 +44,7 @@ pub fn reach(scene: &Scene, grid: Grid) -> Result<Domain> {
             reached = reached.merge(&reach_of_still(&animation::frame(scene, animation, index), grid)?);
         }
     }
-    Ok(reached.with_margin())
+    Ok(reached)
 }
 
 fn reach_of_still(scene: &Scene, grid: Grid) -> Result<Domain> {
@@ -86,45 +93,43 @@ fn reach_of_samples(scene: &Scene, grid: Grid) -> Result<Domain> {
         .try_reduce(|| Domain::new(grid), |a, b| Ok(a.merge(&b)))
 }
 
-/// Everything that a pixel's samples reach: intervals of u, v, t.
-type Box3 = [[f64; 2]; 3];
-
 fn mark_pixels(domain: &mut Domain, samples: &ShadingSamples) {
     let jump = JUMP_TEXELS * domain.grid.texel();
-    let boxes: Vec<Option<Box3>> = (0..samples.rows * samples.columns).map(|pixel| pixel_box(samples, pixel)).collect();
+    let pixels = 0..samples.rows * samples.columns;
+    let seen: Vec<Option<Directions>> = pixels.map(|pixel| pixel_directions(samples, pixel)).collect();
     for row in 0..samples.rows {
         for column in 0..samples.columns {
             let at = |r: usize, c: usize| {
                 let there = r < samples.rows && c < samples.columns;
-                there.then(|| boxes[r * samples.columns + c]).flatten()
+                there.then(|| seen[r * samples.columns + c]).flatten()
             };
             let block = [at(row, column), at(row, column + 1), at(row + 1, column), at(row + 1, column + 1)];
             let Some(own) = block[0] else { continue };
-            let parts = || block.into_iter().flatten();
+            let parts = || block.iter().flatten();
             let widest = parts().map(extent).fold(0.0, f64::max);
-            let whole = parts().fold(own, joined);
-            let [u, v, t] = if extent(whole) <= widest + jump { whole } else { own };
-            domain.mark(u, v, t);
+            let whole = parts().fold(own, |whole, part| whole.joined(part));
+            let mut directions = if extent(&whole) <= widest + jump { whole } else { own };
+            let [low, high] = directions.q_squared;
+            let margin = MARGIN_Q_SQUARED * (high - low);
+            directions.q_squared = [low - margin, high + margin];
+            domain.mark(&directions, MARGIN_TEXELS);
         }
     }
 }
 
-fn pixel_box(samples: &ShadingSamples, pixel: usize) -> Option<Box3> {
+fn pixel_directions(samples: &ShadingSamples, pixel: usize) -> Option<Directions> {
     let range = pixel_range(samples, pixel / samples.columns, pixel % samples.columns);
     range
         .map(|index| {
             let [wi, wo] = [samples.wi[index], samples.wo[index]].map(|d| d.map(f64::from));
             let q = wave_vector_change(wi, wo);
-            [[q[0]; 2], [q[1]; 2], [t_of(q); 2]]
+            Directions { u: [q[0]; 2], v: [q[1]; 2], t: [t_of(q); 2], q_squared: [dot(q, q); 2] }
         })
-        .reduce(joined)
-}
-
-fn joined(a: Box3, b: Box3) -> Box3 {
-    std::array::from_fn(|axis| [a[axis][0].min(b[axis][0]), a[axis][1].max(b[axis][1])])
+        .reduce(|a, b| a.joined(&b))
 }
 
 /// Larger side in (u, v).
-fn extent([u, v, _]: Box3) -> f64 {
+fn extent(directions: &Directions) -> f64 {
+    let Directions { u, v, .. } = directions;
     (u[1] - u[0]).max(v[1] - v[0])
 }

@@ -82,7 +82,7 @@ over [-2, 2] in u and v, from column {first_column} and row {first_row} on; ever
 - `range.exr`, as large: R and G hold `low` and `high`, the least and the greatest `t` a texel is made for, B is 1 where a texel
   is served and 0 where not. A look-up that reads a texel with B = 0, or whose `t` does not lie between the
   interpolated `low` and `high` but for rounding (a fiftieth of `high - low`), has **no answer**: report it, do not use what
-  the tables hold there.
+  the tables hold there. Rows of `lobe.exr` that no answer reads hold 0.
 {lobe}- Value = stored number x `scale`; every file has its own `scale`, a power of two. Treat the images as data: no colour
   management, no gamma.
 - Between texel centres interpolate linearly in both axes, tables and range alike.

@@ -255,7 +255,7 @@ pub fn budget(source: &Source, scenes: &[&Scene], domain: &Domain) -> Result<Bud
     }
     Ok(Budget {
         scenes: scenes.iter().map(|scene| scene.name.clone()).collect(),
-        reached_share: domain.texels() as f64 / domain.grid.disc_texels(),
+        reached_share: share_of_disc(domain),
         served: cost(None, &served),
         measured: None,
         rows,
@@ -299,6 +299,11 @@ pub fn measure(source: &Source, plan: &BuildPlan) -> Result<Cost> {
     Ok(Cost { node_samples: record.node_samples as f64, seconds, memory_bytes, stored_bytes })
 }
 
+fn share_of_disc(domain: &Domain) -> f64 {
+    let [reached, all] = domain.disc_texels();
+    reached as f64 / all.max(1) as f64
+}
+
 /// Whether there is anything for a step to leave out.
 fn saves(step: Pruning, served: &BuildPlan, optics: &OpticsConfig) -> bool {
     match step {
@@ -313,7 +318,8 @@ fn saves(step: Pruning, served: &BuildPlan, optics: &OpticsConfig) -> bool {
 fn why(step: Pruning, domain: &Domain, plan: &BuildPlan) -> String {
     match step {
         Pruning::Texels => {
-            format!("the scenes read {} of {:.0} texels in the disc", domain.texels(), domain.grid.disc_texels())
+            let [reached, all] = domain.disc_texels();
+            format!("the scenes read {reached} of {all} texels in the disc")
         }
         Pruning::Depths => {
             let mean = domain.iter().map(|(_, _, [low, high])| high - low).sum::<f64>() / domain.texels().max(1) as f64;

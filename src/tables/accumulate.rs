@@ -1,13 +1,14 @@
 //! The inner loops: spectra of one wavelength interpolated to every texel, squared, summed into XYZ.
 //!
-//! Per wavelength: (A) for every line of η, the depth nodes are combined into a few values of `w` and
-//! interpolated along ξ to the texel columns; (B) for every texel row, those rows are interpolated along
+//! For a few wavelengths at a time: (A) for every line of η, the depth nodes are combined into a few values of `w`
+//! and interpolated along ξ to the texel columns; (B) for every texel row, those rows are interpolated along
 //! η, squared and added. Both are loops over lanes of four `w` values; A and B run in parallel over rows
 //! that nobody else writes, wavelengths follow one another: the sums never depend on the threads.
 
 use std::f64::consts::TAU;
 use std::ops::Range;
 
+use glam::Vec4;
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
@@ -16,11 +17,17 @@ use super::plan::{Grid, Ring};
 use crate::optics::kernel::{Kernel, Taps};
 use crate::optics::spectra::Spectra;
 
-/// Four values of `w`.
-type Lane = [f32; 4];
+/// Four values of `w`, which a processor handles as one.
+type Lane = Vec4;
 
 /// Most lanes handled in one sweep; more nodes take further sweeps.
 const LANES_MAX: usize = 4;
+
+/// Wavelengths summed in one sweep: the sums, far larger than any cache, are read and written once for all of them.
+pub(super) const WAVES: usize = 4;
+
+/// Columns of a row that a sweep takes together.
+const BLOCK: usize = 16;
 
 /// Sums of XYZ at the nodes of `w`: layout `[row][column][channel][node]` over the texels' window.
 #[derive(Debug, Clone)]
@@ -76,22 +83,25 @@ pub struct RingSum<'a> {
 pub fn add_ring(spectra: &Spectra, what: RingSum, w_nodes: &[f64], sums: &mut PowerSums) {
     let quadrature = &what.ring.quadrature;
     let Some(part) = RingTexels::new(what.texels, what.ring.rho) else { return };
-    let mut scratch = Vec::new();
-    for (&wavelength_nm, weights) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
-        let scale = what.share / (wavelength_nm * wavelength_nm);
-        let colour = weights.map(|weight| (weight * scale) as f32);
-        let wave = Wave::new(spectra, what, &part, wavelength_nm, colour);
+    let mut scratch = vec![Vec::new(); WAVES];
+    let bands = quadrature.wavelengths_nm.chunks(WAVES).zip(quadrature.weights.chunks(WAVES));
+    for (wavelengths_nm, weights) in bands {
+        let wave = |(&wavelength_nm, weights): (&f64, &[f64; 3])| {
+            let scale = what.share / (wavelength_nm * wavelength_nm);
+            Wave::new(spectra, what, &part, wavelength_nm, weights.map(|weight| (weight * scale) as f32))
+        };
+        let waves: Vec<Wave> = wavelengths_nm.iter().zip(weights).map(wave).collect();
         for group in (0..w_nodes.len()).step_by(4 * LANES_MAX) {
             let nodes = &w_nodes[group..w_nodes.len().min(group + 4 * LANES_MAX)];
             match (nodes.len().div_ceil(4), spectra.mean_power) {
-                (1, true) => wave.sweep::<1, 1>(nodes, group, &mut scratch, sums),
-                (2, true) => wave.sweep::<2, 2>(nodes, group, &mut scratch, sums),
-                (3, true) => wave.sweep::<3, 3>(nodes, group, &mut scratch, sums),
-                (_, true) => wave.sweep::<4, 4>(nodes, group, &mut scratch, sums),
-                (1, false) => wave.sweep::<1, 2>(nodes, group, &mut scratch, sums),
-                (2, false) => wave.sweep::<2, 4>(nodes, group, &mut scratch, sums),
-                (3, false) => wave.sweep::<3, 6>(nodes, group, &mut scratch, sums),
-                (_, false) => wave.sweep::<4, 8>(nodes, group, &mut scratch, sums),
+                (1, true) => sweep::<1, 1>(&waves, nodes, group, &mut scratch, sums),
+                (2, true) => sweep::<2, 2>(&waves, nodes, group, &mut scratch, sums),
+                (3, true) => sweep::<3, 3>(&waves, nodes, group, &mut scratch, sums),
+                (_, true) => sweep::<4, 4>(&waves, nodes, group, &mut scratch, sums),
+                (1, false) => sweep::<1, 2>(&waves, nodes, group, &mut scratch, sums),
+                (2, false) => sweep::<2, 4>(&waves, nodes, group, &mut scratch, sums),
+                (3, false) => sweep::<3, 6>(&waves, nodes, group, &mut scratch, sums),
+                (_, false) => sweep::<4, 8>(&waves, nodes, group, &mut scratch, sums),
             }
         }
     }
@@ -130,6 +140,49 @@ impl Targets {
         let taps = [0, 1].map(|axis| kernel.taps(&frequency[axis], step[axis], box_width / wavelength_nm));
         Self { samples, frequency, taps }
     }
+}
+
+/// Adds a few wavelengths. `B` lanes of `w`; `N` lanes in flight: twice as many for amplitudes (real, then imaginary).
+/// `scratch` is kept from sweep to sweep.
+fn sweep<const B: usize, const N: usize>(
+    waves: &[Wave],
+    nodes: &[f64],
+    group: usize,
+    scratch: &mut [Vec<Lane>],
+    sums: &mut PowerSums,
+) {
+    let filled: Vec<Filled<B, N>> =
+        waves.iter().zip(scratch).map(|(wave, scratch)| wave.filled::<B, N>(nodes, scratch)).collect();
+    let Some(Wave { texels, part, .. }) = waves.first() else { return };
+    let row_length = texels.columns.len() * 3 * sums.nodes;
+    let per_texel = sums.nodes;
+    let skipped = part.rows.start - texels.rows.start;
+    let lines = sums.data[skipped * row_length..].par_chunks_mut(row_length);
+    lines.zip(&part.runs).enumerate().for_each(|(row, (out, runs))| {
+        let blocks = runs.iter().flat_map(|run| run.clone().step_by(BLOCK).map(|at| at..run.end.min(at + BLOCK)));
+        for block in blocks {
+            let mut added = [[[Lane::ZERO; B]; 3]; BLOCK];
+            for wave in &filled {
+                wave.add_block(row, block.clone(), &mut added);
+            }
+            let first = (block.start - texels.columns.start) * 3 * per_texel;
+            let channels = out[first..first + block.len() * 3 * per_texel].chunks_exact_mut(per_texel);
+            for (channel, added) in channels.zip(added.as_flattened()) {
+                let lanes = channel[group..].as_chunks_mut::<4>().0.iter_mut().zip(added);
+                lanes.for_each(|(slot, added)| *slot = (Lane::from_array(*slot) + *added).to_array());
+            }
+        }
+    });
+}
+
+/// A wavelength after pass A.
+struct Filled<'a, const B: usize, const N: usize> {
+    wave: &'a Wave<'a>,
+    /// Lines of η from the first one on, each interpolated to the ring's columns.
+    rows: &'a [[Lane; N]],
+    first_row: i32,
+    /// Mean phasor at the values of `w`: real parts, imaginary parts.
+    phasor: [[Lane; B]; 2],
 }
 
 /// Everything one wavelength needs on one ring.
@@ -187,65 +240,45 @@ impl<'a> Wave<'a> {
         }
     }
 
-    /// `B` lanes of `w`; `N` lanes in flight: twice as many for amplitudes (real, then imaginary).
-    /// `scratch` is kept from wavelength to wavelength.
-    fn sweep<const B: usize, const N: usize>(
-        &self,
+    /// Pass A.
+    fn filled<'s, const B: usize, const N: usize>(
+        &'s self,
         nodes: &[f64],
-        group: usize,
-        scratch: &mut Vec<f32>,
-        sums: &mut PowerSums,
-    ) {
+        scratch: &'s mut Vec<Lane>,
+    ) -> Filled<'s, B, N> {
         let k = TAU / self.wavelength_nm;
-        let mut weights = vec![[[0.0f32; 4]; B]; self.spectra.nodes];
-        let mut phasor = [[Complex::<f32>::default(); 4]; B];
+        let mut weights = vec![[Lane::ZERO; B]; self.spectra.nodes];
+        let mut phasor = [[Lane::ZERO; B]; 2];
         for (j, w) in nodes.iter().enumerate() {
             for (row, weight) in weights.iter_mut().zip(self.spectra.node_weights(k * w)) {
                 row[j / 4][j % 4] = (k * weight) as f32;
             }
             let mean = self.spectra.mean_phasor_at(k * w);
-            phasor[j / 4][j % 4] = Complex::new(mean.re as f32, mean.im as f32);
+            (phasor[0][j / 4][j % 4], phasor[1][j / 4][j % 4]) = (mean.re as f32, mean.im as f32);
         }
         let (first_row, rows) = self.interpolated_rows::<B, N>(&weights, scratch);
-        let targets = self.taps_x.first.len();
-        let row_length = self.texels.columns.len() * 3 * sums.nodes;
-        let per_texel = sums.nodes;
-        let skipped = self.part.rows.start - self.texels.rows.start;
-        let lines = sums.data[skipped * row_length..].par_chunks_mut(row_length);
-        lines.zip(&self.part.runs).enumerate().for_each(|(index, (out, runs))| {
-            let row = self.part.rows.start + index;
-            for column in runs.iter().cloned().flatten() {
-                let power = self.texel::<B, N>(row, column, rows, first_row, targets, &phasor);
-                let local = column - self.texels.columns.start;
-                let texel = &mut out[local * 3 * per_texel..(local + 1) * 3 * per_texel];
-                for (channel, colour) in texel.chunks_exact_mut(per_texel).zip(self.colour) {
-                    for (slot, value) in channel[group..].iter_mut().zip(power.as_flattened()) {
-                        *slot += colour * value;
-                    }
-                }
-            }
-        });
+        Filled { wave: self, rows, first_row, phasor }
     }
 
-    /// Pass A: rows of η lines, interpolated along ξ to the targets; also the first line's index.
+    /// Rows of η lines, interpolated along ξ to the targets; also the first line's index.
     ///
     /// Only what pass B will read is filled: for each line, the columns of the ring's texels whose
     /// kernel reaches it. The rest of the scratch holds what it held.
     fn interpolated_rows<'s, const B: usize, const N: usize>(
         &self,
         weights: &[[Lane; B]],
-        scratch: &'s mut Vec<f32>,
+        scratch: &'s mut Vec<Lane>,
     ) -> (i32, &'s [[Lane; N]]) {
         let (first_x, last_x) = span(&self.taps_x);
         let (first_y, last_y) = span(&self.taps_y);
         let targets = self.taps_x.first.len();
         let cells = (last_y - first_y) as usize * targets;
-        if scratch.len() < cells * N * 4 {
-            scratch.resize(cells * N * 4, 0.0);
+        if scratch.len() < cells * N {
+            scratch.resize(cells * N, Lane::ZERO);
         }
-        let rows = &mut scratch.as_chunks_mut::<4>().0.as_chunks_mut::<N>().0[..cells];
+        let rows = &mut scratch.as_chunks_mut::<N>().0[..cells];
         rows.par_chunks_mut(targets).enumerate().for_each_init(
-            || vec![[[0.0f32; 4]; N]; (last_x - first_x) as usize],
+            || vec![[Lane::ZERO; N]; (last_x - first_x) as usize],
             |line, (index, out)| {
                 let row = first_y + index as i32;
                 for run in self.columns_of_line(row) {
@@ -265,7 +298,7 @@ impl<'a> Wave<'a> {
         // Rows go down, and so do the lines they read: the rows that read this line follow one another.
         let start = self.lines_of_rows.partition_point(|lines| lines.start > line);
         let end = self.lines_of_rows.partition_point(|lines| lines.end > line);
-        union(self.part.runs[start.min(end)..end].iter().flatten().cloned().collect())
+        union(&self.part.runs[start.min(end)..end])
     }
 
     /// The same where all texels of the ring count: left and right of its hole.
@@ -303,7 +336,7 @@ impl<'a> Wave<'a> {
         }
         if !(0..spectra.lines[1] as i32).contains(&row) {
             // Past the sampling's limit: nothing is known, nothing is added.
-            out[segment].fill([[0.0; 4]; N]);
+            out[segment].fill([Lane::ZERO; N]);
             return;
         }
         let firsts = &self.taps_x.first[segment.clone()];
@@ -316,7 +349,7 @@ impl<'a> Wave<'a> {
                 Ok(column) if column < spectra.lines[0] => {
                     combine::<B, N>(&data[column * spectra.nodes..(column + 1) * spectra.nodes], weights)
                 }
-                _ => [[0.0; 4]; N],
+                _ => [Lane::ZERO; N],
             };
         }
         let taps = self.taps_x.weight[segment.start * self.taps_x.count..].chunks_exact(self.taps_x.count);
@@ -325,47 +358,52 @@ impl<'a> Wave<'a> {
             *out = weighted_sum(&line[start..start + weight.len()], weight);
         }
     }
+}
 
-    /// Pass B for one texel: the quantity at each `w`, averaged over the box samples.
+impl<const B: usize, const N: usize> Filled<'_, B, N> {
+    /// Pass B for some columns of a row of the ring: adds XYZ at each `w`, averaged over the box samples.
     #[inline(always)]
-    fn texel<const B: usize, const N: usize>(
-        &self,
-        row: usize,
-        column: usize,
-        rows: &[[Lane; N]],
-        first_row: i32,
-        targets: usize,
-        phasor: &[[Complex<f32>; 4]; B],
-    ) -> [Lane; B] {
-        let mut power = [[0.0f32; 4]; B];
-        let (local_row, local_column) = (row - self.part.rows.start, column - self.part.columns.start);
-        for sy in 0..self.samples {
-            let ty = local_row * self.samples + sy;
-            let start = (self.taps_y.first[ty] - first_row) as usize;
-            let weights = &self.taps_y.weight[ty * self.taps_y.count..(ty + 1) * self.taps_y.count];
-            for sx in 0..self.samples {
-                let tx = local_column * self.samples + sx;
-                let mut value = [[0.0f32; 4]; N];
+    fn add_block(&self, row: usize, columns: Range<usize>, added: &mut [[[Lane; B]; 3]; BLOCK]) {
+        let wave = self.wave;
+        let (samples, targets) = (wave.samples, wave.taps_x.first.len());
+        let count = columns.len();
+        let column = (columns.start - wave.part.columns.start) * samples;
+        let mut power = [[Lane::ZERO; B]; BLOCK];
+        for ty in row * samples..(row + 1) * samples {
+            let line = (wave.taps_y.first[ty] - self.first_row) as usize;
+            let weights = &wave.taps_y.weight[ty * wave.taps_y.count..(ty + 1) * wave.taps_y.count];
+            for first in column..column + samples {
+                let mut values = [[Lane::ZERO; N]; BLOCK];
                 for (tap, weight) in weights.iter().enumerate() {
-                    let cell = &rows[(start + tap) * targets + tx];
-                    for (value, cell) in value.iter_mut().zip(cell) {
-                        for lane in 0..4 {
-                            value[lane] += weight * cell[lane];
-                        }
+                    let cells = &self.rows[(line + tap) * targets..][first..first + (count - 1) * samples + 1];
+                    if samples == 1 {
+                        values.iter_mut().zip(cells).for_each(|(value, cell)| add_scaled(value, cell, *weight));
+                    } else {
+                        let cells = cells.iter().step_by(samples);
+                        values.iter_mut().zip(cells).for_each(|(value, cell)| add_scaled(value, cell, *weight));
                     }
                 }
-                match self.quantity {
-                    Quantity::Power => add_power::<B, N>(&mut power, &value),
-                    Quantity::Cross => {
-                        let window = 2.0 * self.window[0][tx] * self.window[1][ty];
-                        add_cross::<B, N>(&mut power, &value, phasor, window);
-                    }
+                let each = power.iter_mut().zip(&values).take(count);
+                match wave.quantity {
+                    Quantity::Power => each.for_each(|(power, value)| add_power::<B, N>(power, value)),
+                    Quantity::Cross => each.enumerate().for_each(|(index, (power, value))| {
+                        let window = 2.0 * wave.window[0][first + index * samples] * wave.window[1][ty];
+                        add_cross::<B, N>(power, value, &self.phasor, window);
+                    }),
                 }
             }
         }
-        let share = 1.0 / (self.samples * self.samples) as f32;
-        power.map(|lane| lane.map(|value| value * share))
+        let share = 1.0 / (samples * samples) as f32;
+        let colour = wave.colour.map(|colour| colour * share);
+        for (added, power) in added.iter_mut().zip(&power).take(count) {
+            added.iter_mut().zip(colour).for_each(|(added, colour)| add_scaled(added, power, colour));
+        }
     }
+}
+
+#[inline(always)]
+fn add_scaled<const N: usize>(sum: &mut [Lane; N], value: &[Lane; N], factor: f32) {
+    sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += *value * factor);
 }
 
 /// First line any tap reads, and one past the last.
@@ -399,68 +437,63 @@ impl RingTexels {
     }
 }
 
-/// Runs joined where they touch or overlap, ascending.
-fn union(mut runs: Vec<Range<usize>>) -> Vec<Range<usize>> {
-    runs.sort_unstable_by_key(|run| run.start);
-    let mut joined: Vec<Range<usize>> = Vec::new();
-    for run in runs {
-        match joined.last_mut() {
-            Some(last) if run.start <= last.end => last.end = last.end.max(run.end),
-            _ => joined.push(run),
+/// The runs of several rows, joined where they touch or overlap, ascending.
+fn union(rows: &[Vec<Range<usize>>]) -> Vec<Range<usize>> {
+    let mut joined: Vec<Range<usize>> = rows.first().cloned().unwrap_or_default();
+    for runs in rows {
+        // Neighbouring rows mostly have as many runs, each over the one before.
+        let overlaps = |(own, run): (&Range<usize>, &Range<usize>)| own.start <= run.end && run.start <= own.end;
+        if joined.len() == runs.len() && joined.iter().zip(runs).all(overlaps) {
+            for (own, run) in joined.iter_mut().zip(runs) {
+                *own = own.start.min(run.start)..own.end.max(run.end);
+            }
+        } else {
+            joined.extend(runs.iter().cloned());
+            joined.sort_unstable_by_key(|run| run.start);
+            merge(&mut joined);
         }
     }
+    merge(&mut joined);
     joined
+}
+
+/// Joins ascending runs where they touch or overlap.
+fn merge(runs: &mut Vec<Range<usize>>) {
+    runs.dedup_by(|run, before| {
+        let touches = run.start <= before.end;
+        if touches {
+            before.end = before.end.max(run.end);
+        }
+        touches
+    });
 }
 
 /// Depth nodes to values of `w`: amplitudes (real lanes, then imaginary), or their powers if `N == B`.
 #[inline(always)]
 fn combine<const B: usize, const N: usize>(nodes: &[Complex<f32>], weights: &[[Lane; B]]) -> [Lane; N] {
-    let (mut re, mut im) = ([[0.0f32; 4]; B], [[0.0f32; 4]; B]);
+    let (mut re, mut im) = ([Lane::ZERO; B], [Lane::ZERO; B]);
     for (value, weight) in nodes.iter().zip(weights) {
-        for b in 0..B {
-            for lane in 0..4 {
-                re[b][lane] += weight[b][lane] * value.re;
-                im[b][lane] += weight[b][lane] * value.im;
-            }
-        }
+        add_scaled(&mut re, weight, value.re);
+        add_scaled(&mut im, weight, value.im);
     }
-    let mut out = [[0.0f32; 4]; N];
-    for b in 0..B {
-        if N == B {
-            for lane in 0..4 {
-                out[b][lane] = re[b][lane] * re[b][lane] + im[b][lane] * im[b][lane];
-            }
-        } else {
-            out[b] = re[b];
-            out[B + b] = im[b];
-        }
-    }
-    out
+    std::array::from_fn(|n| match (N == B, n < B) {
+        (true, _) => re[n] * re[n] + im[n] * im[n],
+        (false, true) => re[n],
+        (false, false) => im[n - B],
+    })
 }
 
 #[inline(always)]
 fn weighted_sum<const N: usize>(cells: &[[Lane; N]], weights: &[f32]) -> [Lane; N] {
-    let mut sum = [[0.0f32; 4]; N];
-    for (cell, weight) in cells.iter().zip(weights) {
-        for (sum, cell) in sum.iter_mut().zip(cell) {
-            for lane in 0..4 {
-                sum[lane] += weight * cell[lane];
-            }
-        }
-    }
+    let mut sum = [Lane::ZERO; N];
+    cells.iter().zip(weights).for_each(|(cell, weight)| add_scaled(&mut sum, cell, *weight));
     sum
 }
 
 #[inline(always)]
 fn add_power<const B: usize, const N: usize>(power: &mut [Lane; B], value: &[Lane; N]) {
-    for b in 0..B {
-        for lane in 0..4 {
-            power[b][lane] += if N == B {
-                value[b][lane]
-            } else {
-                value[b][lane] * value[b][lane] + value[B + b][lane] * value[B + b][lane]
-            };
-        }
+    for (b, power) in power.iter_mut().enumerate() {
+        *power += if N == B { value[b] } else { value[b] * value[b] + value[B + b] * value[B + b] };
     }
 }
 
@@ -469,16 +502,43 @@ fn add_power<const B: usize, const N: usize>(power: &mut [Lane; B], value: &[Lan
 fn add_cross<const B: usize, const N: usize>(
     sum: &mut [Lane; B],
     value: &[Lane; N],
-    phasor: &[[Complex<f32>; 4]; B],
+    [re, im]: &[[Lane; B]; 2],
     window: f32,
 ) {
     if N == B {
         return;
     }
-    for b in 0..B {
-        for lane in 0..4 {
-            let c = phasor[b][lane];
-            sum[b][lane] += window * (c.re * value[b][lane] + c.im * value[B + b][lane]);
+    for (b, sum) in sum.iter_mut().enumerate() {
+        *sum += (re[b] * value[b] + im[b] * value[B + b]) * window;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// What a line of η is interpolated to holds every column of every row that reads it, in ascending runs.
+        #[test]
+        fn unions_hold_all_runs(
+            rows in proptest::collection::vec(proptest::collection::vec((0usize..60, 1usize..9), 0..4), 0..6),
+        ) {
+            let rows: Vec<Vec<Range<usize>>> = rows
+                .into_iter()
+                .map(|mut row| {
+                    row.sort_unstable();
+                    let mut runs: Vec<_> = row.into_iter().map(|(start, length)| start..start + length).collect();
+                    merge(&mut runs);
+                    runs
+                })
+                .collect();
+            let joined = union(&rows);
+            prop_assert!(joined.windows(2).all(|pair| pair[0].end < pair[1].start));
+            for column in 0..70 {
+                let wanted = rows.iter().flatten().any(|run| run.contains(&column));
+                prop_assert_eq!(joined.iter().any(|run| run.contains(&column)), wanted);
+            }
         }
     }
 }

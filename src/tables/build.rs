@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use super::accumulate::{BoxFilter, PowerSums, Quantity, RingSum, add_ring};
 use super::domain::{Domain, Hull, Texels};
+use super::forecast;
 use super::lobe::{PhasorPower, coherent, patch_grid};
 use super::model::{Basis, BuildRecord, Lobe, Prefilter, TableSet, TablesConfig};
 use super::pilot::Pilot;
@@ -27,8 +28,12 @@ const RIM_TEXELS: f64 = 3.0;
 /// whole: weak orders must keep their digits too.
 const DEPTH_SHARE: f64 = 1e-3;
 
-/// Share of the tolerance that interpolating between texels with ranges of their own may take.
-pub const RANGE_SHARE: f64 = 0.01;
+/// Shares of the tolerance that interpolating between texels with ranges of their own may take, in first and in second
+/// order of how much the ranges differ.
+const RANGE_SHARES: [f64; 2] = [0.4, 0.1];
+
+/// Both together.
+pub const RANGE_SHARE: f64 = RANGE_SHARES[0] + RANGE_SHARES[1];
 
 /// Share of the tolerance that dropping a texel's highest polynomials may take. What is zero takes no room in a file.
 const DROPPED_SHARE: f64 = 0.1;
@@ -85,15 +90,23 @@ pub fn grid(optics: &OpticsConfig, config: &TablesConfig) -> Grid {
     Grid { size: config.size.unwrap_or(resolving.min(AUTOMATIC_SIZE_MAX)), half_width: 2.0 }
 }
 
-/// Lets the ranges of a domain's texels differ so little from one to the next that interpolating between them costs a
-/// hundredth of the tolerance: see [`Domain::with_smooth_ranges`]. Twice differentiated in `t`, the power of heights with
-/// this rms changes by at most about `(2 k rms · 2)²` times itself.
+/// Lets the ranges of a domain's texels differ so little from one to the next that interpolating between them keeps its
+/// share of the tolerance: see [`Domain::with_smooth_ranges`].
+///
+/// Two texels whose ranges are `δ` apart in `|w|` answer for depths that differ by it. In first order they err by
+/// `x (1 - x) δ` times the difference of their derivatives, a sixth of `δ` in the mean over their distance. The power
+/// of heights with this rms changes with `|w|` by about `2 (k rms)² |w|` times itself, and from texel to texel by itself
+/// where the grid does not resolve a lobe, less where it does. In second order they err by `δ²/8` times the second
+/// derivative, at most about `(2 k rms)²` times the power.
 pub fn smooth(domain: Domain, fields: &[HeightField], optics: &OpticsConfig, tolerance: f64) -> Domain {
-    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
+    let middle_nm = 2.0 / (1.0 / low_nm + 1.0 / high_nm);
     let rms = fields.iter().map(rms_nm).fold(0.0, f64::max).max(1.0);
-    let curvature = (4.0 * std::f64::consts::TAU / low_nm * rms).powi(2);
-    let slope = (8.0 * RANGE_SHARE * tolerance / curvature).sqrt();
-    domain.with_smooth_ranges(RANGE_PAD, slope)
+    let phase = |nm: f64| std::f64::consts::TAU / nm * rms;
+    let unlike = (domain.grid.texel() / lobe_width(optics.sigma_nm, middle_nm)).min(1.0);
+    let first = 6.0 * RANGE_SHARES[0] * tolerance / (2.0 * phase(middle_nm).powi(2) * unlike);
+    let second = (8.0 * RANGE_SHARES[1] * tolerance).sqrt() / (2.0 * phase(low_nm));
+    domain.with_smooth_ranges(RANGE_PAD, first.min(second) / w_reach(0.0))
 }
 
 /// Plans tables for every direction.
@@ -167,7 +180,7 @@ pub fn plan_for(
         ));
     }
     let at_rim = plan::wavelengths_of(optics, bandwidth, [rho_max; 2], config.tolerance, config.wavelength_step_nm);
-    Ok(BuildPlan {
+    let mut plan = BuildPlan {
         rim: uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, at_rim)?,
         filter: BoxFilter { width, samples: plan::box_samples(optics, width) },
         rings,
@@ -182,7 +195,11 @@ pub fn plan_for(
         crosses,
         texels,
         domain,
-    })
+    };
+    if plan.domain.is_some() {
+        forecast::join_rings(&mut plan, fields, optics, config);
+    }
+    Ok(plan)
 }
 
 /// Depths and frequencies that a hull of directions asks for at the light's wavelengths.
@@ -299,7 +316,7 @@ fn build_chebyshev(
     let lobe = match plan.lobe_seen {
         false => None,
         true => Some(Lobe {
-            coherent: coherent(&phasors, optics, radius_max, rms_nm, config.tolerance)?,
+            coherent: coherent(&phasors, optics, radius_max, lobe_depths(plan), rms_nm, config.tolerance)?,
             radius_max,
             cross: sums.cross_tables(),
         }),
@@ -317,6 +334,11 @@ fn build_chebyshev(
         usable_radius: usable,
     };
     Ok((set, record))
+}
+
+/// The `t` that directions within the lobe have.
+pub(super) fn lobe_depths(plan: &BuildPlan) -> [f64; 2] {
+    plan.domain.as_ref().and_then(|domain| domain.t_inside(plan.lobe_radius)).unwrap_or([0.0, 1.0])
 }
 
 /// How finely `w` is resolved.
@@ -426,50 +448,61 @@ fn to_tables(
     dropped: f64,
 ) -> Vec<Array3<f32>> {
     let (count, width) = (nodes.tables, texels.columns.len());
-    let matrix = chebyshev::coefficient_matrix(count);
     let t_nodes = chebyshev::gauss_nodes(count, 0.0, 1.0);
+    let matrix = chebyshev::coefficient_matrix(count).concat();
     let interpolants: Vec<Interpolant> =
         rings.iter().zip(&nodes.rings).map(|(ring, &n)| Interpolant::new(n, ring.w[0], ring.w[1])).collect();
     let mut interleaved = vec![0.0f32; texels.window_texels() * 3 * count];
     let row_length = width * 3;
     interleaved.par_chunks_mut(row_length * count).enumerate().for_each(|(line, out)| {
         let row = texels.rows.start + line;
-        for (index, column) in texels.columns.clone().enumerate() {
-            let rho = texels.grid.u(column).hypot(texels.grid.v(row));
-            let [low, high] = match domain {
-                None => [0.0, w_reach(rho)],
-                Some(domain) if domain.reaches(row, column) => domain.w_at(row, column, domain.range(row, column)),
-                Some(_) => continue,
-            };
-            let Some(ring) = rings.iter().position(|r| rho >= r.rho[0] && rho < r.rho[1]) else { continue };
-            let to_t: Vec<Vec<f64>> =
-                t_nodes.iter().map(|t| interpolants[ring].weights(low + t * (high - low))).collect();
-            let coefficients: [Vec<f64>; 3] = std::array::from_fn(|channel| {
-                let start = ((line * width + index) * 3 + channel) * sums.nodes;
-                let values = &sums.data[start..start + nodes.rings[ring]];
-                let at_t: Vec<f64> =
-                    to_t.iter().map(|w| w.iter().zip(values).map(|(w, &v)| w * f64::from(v)).sum()).collect();
-                matrix.iter().map(|row| row.iter().zip(&at_t).map(|(m, v)| m * v).sum()).collect()
-            });
-            for n in 0..needed(&coefficients, dropped) {
-                for (channel, coefficients) in coefficients.iter().enumerate() {
-                    out[n * row_length + index * 3 + channel] = coefficients[n] as f32;
+        let mut at_t = vec![0.0; 3 * count];
+        let mut coefficients = vec![0.0; 3 * count];
+        for ((ring, interpolant), &n) in rings.iter().zip(&interpolants).zip(&nodes.rings) {
+            let mut weights = vec![0.0; n];
+            for column in texels.runs_in(row, ring.rho).into_iter().flatten() {
+                let index = column - texels.columns.start;
+                let [low, high] = match domain {
+                    None => [0.0, w_reach(texels.grid.u(column).hypot(texels.grid.v(row)))],
+                    Some(domain) => domain.w_at(row, column, domain.range(row, column)),
+                };
+                let values = &sums.data[(line * width + index) * 3 * sums.nodes..][..3 * sums.nodes];
+                for (place, t) in t_nodes.iter().enumerate() {
+                    interpolant.weights_into(low + t * (high - low), &mut weights);
+                    for (channel, values) in values.chunks_exact(sums.nodes).enumerate() {
+                        at_t[channel * count + place] = dot(&weights, values);
+                    }
+                }
+                for (channel, at_t) in at_t.chunks_exact(count).enumerate() {
+                    for (n, row) in matrix.chunks_exact(count).enumerate() {
+                        coefficients[channel * count + n] = row.iter().zip(at_t).map(|(m, v)| m * v).sum();
+                    }
+                }
+                for n in 0..needed(&coefficients, count, dropped) {
+                    for channel in 0..3 {
+                        out[n * row_length + index * 3 + channel] = coefficients[channel * count + n] as f32;
+                    }
                 }
             }
         }
     });
     (0..count)
         .map(|n| {
-            Array3::from_shape_fn((texels.rows.len(), width, 3), |(row, column, channel)| {
-                interleaved[(row * count + n) * row_length + column * 3 + channel]
-            })
+            let rows = interleaved.chunks_exact(row_length * count);
+            let table = rows.flat_map(|row| &row[n * row_length..(n + 1) * row_length]).copied().collect();
+            Array3::from_shape_vec((texels.rows.len(), width, 3), table).expect("one number for each texel and channel")
         })
         .collect()
 }
 
-/// Polynomials that a texel needs: those after them add less than the share `dropped` of the least value it can have.
-fn needed(coefficients: &[Vec<f64>; 3], dropped: f64) -> usize {
-    let of_channel = |channel: &Vec<f64>| {
+fn dot(weights: &[f64], values: &[f32]) -> f64 {
+    weights.iter().zip(values).map(|(weight, &value)| weight * f64::from(value)).sum()
+}
+
+/// Polynomials that a texel needs, given `count` coefficients of each channel: those after them add less than the share
+/// `dropped` of the least value it can have.
+fn needed(coefficients: &[f64], count: usize, dropped: f64) -> usize {
+    let of_channel = |channel: &[f64]| {
         let rest: f64 = channel.iter().skip(1).map(|c| c.abs()).sum();
         let allowed = dropped * (channel[0].abs() - rest).max(0.0);
         let mut tail = 0.0;
@@ -479,7 +512,7 @@ fn needed(coefficients: &[Vec<f64>; 3], dropped: f64) -> usize {
         };
         channel.len() - channel.iter().rev().take_while(fits).count()
     };
-    coefficients.iter().map(of_channel).max().unwrap_or(0)
+    coefficients.chunks_exact(count).map(of_channel).max().unwrap_or(0)
 }
 
 /// Root mean square of the heights about their mean, in nm.
@@ -527,12 +560,12 @@ mod tests {
 
     #[test]
     fn polynomials_that_add_nothing_are_not_needed() {
-        let same = |c: &[f64]| [c.to_vec(), c.to_vec(), c.to_vec()];
-        assert_eq!(needed(&same(&[1.0, 0.5, 1e-5, 1e-6]), 1e-4), 2);
-        assert_eq!(needed(&same(&[1.0, 0.5, 1e-5, 1e-6]), 1e-6), 4);
+        let same = |c: &[f64], dropped: f64| needed(&[c, c, c].concat(), c.len(), dropped);
+        assert_eq!(same(&[1.0, 0.5, 1e-5, 1e-6], 1e-4), 2);
+        assert_eq!(same(&[1.0, 0.5, 1e-5, 1e-6], 1e-6), 4);
         // One channel that needs them is enough, and a value that can vanish needs them all.
-        assert_eq!(needed(&[vec![1.0, 0.0], vec![1.0, 0.1], vec![1.0, 0.0]], 1e-3), 2);
-        assert_eq!(needed(&same(&[1.0, 1.0, 1e-9]), 1e-3), 3);
-        assert_eq!(needed(&same(&[0.0, 0.0]), 1e-3), 0);
+        assert_eq!(needed(&[1.0, 0.0, 1.0, 0.1, 1.0, 0.0], 2, 1e-3), 2);
+        assert_eq!(same(&[1.0, 1.0, 1e-9], 1e-3), 3);
+        assert_eq!(same(&[0.0, 0.0], 1e-3), 0);
     }
 }

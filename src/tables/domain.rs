@@ -11,8 +11,53 @@ use ndarray::Array3;
 use super::model::Served;
 use super::plan::{Grid, w_reach};
 
-/// Rounding of positions to 32 bits must not leave what was marked.
+/// Rounding of positions to 32 bits must not leave what was marked, nor that of `|q|²`.
 const ROUNDING_TEXELS: f64 = 1e-3;
+const ROUNDING_Q_SQUARED: f64 = 1e-6;
+
+/// Directions that are looked up: intervals that hold them all.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Directions {
+    /// `u`.
+    pub u: [f64; 2],
+    /// `v`.
+    pub v: [f64; 2],
+    /// `t`.
+    pub t: [f64; 2],
+    /// `|q|² = u² + v² + w² = 2 + 2 wi·wo`, which one light and one camera nearly fix: it ties `t` to the radius.
+    pub q_squared: [f64; 2],
+}
+
+impl Directions {
+    /// Everything between these directions and others.
+    pub fn joined(&self, other: &Self) -> Self {
+        let joined = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
+        Self {
+            u: joined(self.u, other.u),
+            v: joined(self.v, other.v),
+            t: joined(self.t, other.t),
+            q_squared: joined(self.q_squared, other.q_squared),
+        }
+    }
+
+    /// The `t` of those whose radius is no less than `rho[0]` and no more than `rho[1]`; `None` where there are none.
+    ///
+    /// `t² = (|q|² - ρ²) / (4 - ρ²)` falls with the radius and rises with `|q|²`.
+    fn t_within(&self, rho: [f64; 2]) -> Option<[f64; 2]> {
+        let [least, most] = self.q_squared;
+        let t = |q_squared: f64, rho: f64| match 4.0 - rho * rho {
+            reach_squared if reach_squared > 0.0 => ((q_squared - rho * rho).max(0.0) / reach_squared).sqrt().min(1.0),
+            // Beyond the rim nothing lies, and at it `t` can be anything.
+            _ => 0.0,
+        };
+        if most + ROUNDING_Q_SQUARED < rho[0].max(0.0).powi(2) {
+            return None;
+        }
+        let low = t(least - ROUNDING_Q_SQUARED, rho[1]).max(self.t[0]);
+        let high = if rho[0] >= 2.0 { 1.0 } else { t(most + ROUNDING_Q_SQUARED, rho[0].max(0.0)) }.min(self.t[1]);
+        (low <= high).then_some([low, high])
+    }
+}
 
 /// What is reached of a grid, texel by texel in rows from the top.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,24 +77,34 @@ impl Domain {
         Self { grid, low: vec![f32::INFINITY; texels], high: vec![-1.0; texels] }
     }
 
-    /// Marks every texel that a bilinear look-up anywhere in a box of (u, v) reads, for `t` in a range.
-    pub fn mark(&mut self, u: [f64; 2], v: [f64; 2], t: [f64; 2]) {
-        let columns = self.stencil(u[0], u[1]);
-        let rows = self.stencil(-v[1], -v[0]);
-        for row in rows {
-            for index in row * self.grid.size + columns.start..row * self.grid.size + columns.end {
-                self.low[index] = self.low[index].min(t[0] as f32);
-                self.high[index] = self.high[index].max(t[1] as f32);
+    /// Marks every texel that a bilinear look-up of these directions reads, and of others up to `margin_texels` beside
+    /// them, for the `t` that such a look-up can have.
+    pub fn mark(&mut self, directions: &Directions, margin_texels: f64) {
+        let Directions { u, v, .. } = *directions;
+        let columns = self.stencil(u[0], u[1], margin_texels);
+        // What reads a texel lies less than a texel from it along either axis.
+        let support = (1.0 + ROUNDING_TEXELS) * self.grid.texel() * std::f64::consts::SQRT_2;
+        for row in self.stencil(-v[1], -v[0], margin_texels) {
+            let v = self.grid.v(row);
+            for column in columns.clone() {
+                let rho = (self.grid.u(column).powi(2) + v * v).sqrt();
+                let within = |support: f64| directions.t_within([rho - support, rho + support]);
+                // Where |q|² ends, the margin counts too: cubics read a texel farther.
+                if let Some([low, high]) = within(support).or_else(|| within((1.0 + margin_texels) * support)) {
+                    let index = row * self.grid.size + column;
+                    self.low[index] = self.low[index].min(low as f32);
+                    self.high[index] = self.high[index].max(high as f32);
+                }
             }
         }
     }
 
-    /// Texels along an axis between which positions from `low` to `high` lie.
-    fn stencil(&self, low: f64, high: f64) -> Range<usize> {
+    /// Texels along an axis between which positions from `low` to `high` lie, and so many more at both ends.
+    fn stencil(&self, low: f64, high: f64, margin_texels: f64) -> Range<usize> {
         let at = |x: f64| (x + self.grid.half_width) / self.grid.texel();
         let last = (self.grid.size - 1) as f64;
-        let first = (at(low) - ROUNDING_TEXELS).floor().clamp(0.0, last) as usize;
-        let end = (at(high) + ROUNDING_TEXELS).ceil().clamp(0.0, last) as usize;
+        let first = (at(low) - ROUNDING_TEXELS - margin_texels).floor().clamp(0.0, last) as usize;
+        let end = (at(high) + ROUNDING_TEXELS + margin_texels).ceil().clamp(0.0, last) as usize;
         first..end + 1
     }
 
@@ -61,37 +116,28 @@ impl Domain {
         self
     }
 
-    /// Adds the texels next to those reached, with the ranges of their neighbours.
-    pub fn with_margin(&self) -> Self {
-        let size = self.grid.size;
-        let mut wide = Self::new(self.grid);
-        for row in 0..size {
-            for column in (0..size).filter(|&column| self.reaches(row, column)) {
-                let from = row * size + column;
-                for r in row.saturating_sub(1)..(row + 2).min(size) {
-                    for index in r * size + column.saturating_sub(1)..r * size + (column + 2).min(size) {
-                        wide.low[index] = wide.low[index].min(self.low[from]);
-                        wide.high[index] = wide.high[index].max(self.high[from]);
-                    }
-                }
-            }
-        }
-        wide
-    }
-
     /// Widens every range by `pad` at both ends, within [0, 1], then lets neighbours differ by at most `slope` per
-    /// texel, again by widening; at last the ends become half floats, which is how they are stored.
+    /// texel in the middle, and by as much in `|w|` anywhere, again by widening; at last the ends become half floats,
+    /// which is how they are stored.
     ///
     /// Between texels a look-up interpolates coefficients and ranges with the same shares `s_i`. That is the mean of
     /// the texels' polynomials at `t_i`, which lie as deep in the ranges of the texels as `t` does in the range
-    /// between them: `Σ s_i t_i = t`, so only the second order errs, by at most `slope² / 8` times the second
-    /// derivative in `t` for two neighbours.
+    /// between them: `Σ s_i t_i = t`. So what errs is the part of the polynomials' slopes that differs from texel to
+    /// texel, and their second order.
     pub fn with_smooth_ranges(mut self, pad: f64, slope: f64) -> Self {
         for (low, high) in self.low.iter_mut().zip(&mut self.high).filter(|(low, high)| low <= high) {
             *low = (*low - pad as f32).max(0.0);
             *high = (*high + pad as f32).min(1.0);
         }
-        let (straight, diagonal) = (slope as f32, (slope * std::f64::consts::SQRT_2) as f32);
+        let texels = self.low.len();
+        let slopes: Vec<f32> = (0..texels)
+            .map(|index| {
+                let [row, column] = [index / self.grid.size, index % self.grid.size];
+                let reach = w_reach(self.grid.u(column).hypot(self.grid.v(row)));
+                // No two ends differ by more than 1.
+                (slope * w_reach(0.0) / reach).min(1.0) as f32
+            })
+            .collect();
         let size = self.grid.size as isize;
         let neighbours: [[isize; 2]; 4] = [[-1, -1], [-1, 0], [-1, 1], [0, -1]];
         let mut relax = |index: usize, back: bool| {
@@ -107,7 +153,8 @@ impl Domain {
                 }
                 let other = (r * size + c) as usize;
                 if self.low[other] <= self.high[other] {
-                    let step = if dr != 0 && dc != 0 { diagonal } else { straight };
+                    let distance = if dr != 0 && dc != 0 { std::f32::consts::SQRT_2 } else { 1.0 };
+                    let step = distance * slopes[index].min(slopes[other]);
                     let [low, high] = [self.low[other] + step, self.high[other] - step];
                     changed |= low < self.low[index] || high > self.high[index];
                     self.low[index] = self.low[index].min(low);
@@ -116,7 +163,6 @@ impl Domain {
             }
             changed
         };
-        let texels = (size * size) as usize;
         // Down and up once settles a domain without holes; around a hole ranges spread in further rounds.
         loop {
             let down = (0..texels).fold(false, |changed, index| relax(index, false) | changed);
@@ -186,6 +232,15 @@ impl Domain {
         self.low.iter().zip(&self.high).filter(|(low, high)| low <= high).count()
     }
 
+    /// Number of texels in the disc of radius 2: those that are reached, and all.
+    pub fn disc_texels(&self) -> [usize; 2] {
+        let size = self.grid.size;
+        let inside = |&index: &usize| self.grid.u(index % size).hypot(self.grid.v(index / size)) < 2.0;
+        let reached = |&index: &usize| self.reaches(index / size, index % size);
+        let disc = (0..size * size).filter(inside);
+        [disc.clone().filter(reached).count(), disc.count()]
+    }
+
     /// Row, column and range of every texel reached.
     pub fn iter(&self) -> impl Iterator<Item = (usize, usize, [f64; 2])> + '_ {
         let size = self.grid.size;
@@ -210,13 +265,26 @@ impl Domain {
         hull
     }
 
-    /// Lowest and highest `|w|` of the texels of a ring; `None` where it has none.
-    pub fn w_of_ring(&self, rho: [f64; 2]) -> Option<[f64; 2]> {
-        let inside = self.iter().filter(|&(row, column, _)| {
-            let radius = self.grid.u(column).hypot(self.grid.v(row));
-            radius >= rho[0] && radius < rho[1]
-        });
-        inside.map(|(row, column, t)| self.w_at(row, column, t)).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+    /// Lowest and highest `t` of the texels that look-ups within a radius read; `None` where there are none.
+    pub fn t_inside(&self, radius: f64) -> Option<[f64; 2]> {
+        let reads = radius + 2.0 * self.grid.texel();
+        let inside = self.iter().filter(|&(row, column, _)| self.grid.u(column).hypot(self.grid.v(row)) < reads);
+        inside.map(|(_, _, t)| t).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+    }
+
+    /// Lowest and highest `|w|` of the texels of each ring, given by radii that go down, ring `n` from `radii[n]` to
+    /// `radii[n + 1]`, inner radius included; `None` where it has none.
+    pub fn w_of_rings(&self, radii: &[f64]) -> Vec<Option<[f64; 2]>> {
+        let mut rings: Vec<Option<[f64; 2]>> = vec![None; radii.len().saturating_sub(1)];
+        for (row, column, t) in self.iter() {
+            let rho = self.grid.u(column).hypot(self.grid.v(row));
+            let beyond = radii.partition_point(|&radius| radius > rho);
+            if let Some(ring) = beyond.checked_sub(1).and_then(|ring| rings.get_mut(ring)) {
+                let w = self.w_at(row, column, t);
+                *ring = Some(ring.map_or(w, |own| [own[0].min(w[0]), own[1].max(w[1])]));
+            }
+        }
+        rings
     }
 
     /// The window around everything reached, as rows and columns.

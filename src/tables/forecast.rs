@@ -2,9 +2,12 @@
 
 use serde::Serialize;
 
-use super::build::{BuildPlan, plan, ring_samples};
+use super::accumulate::WAVES;
+use super::build::{BuildPlan, lobe_depths, plan, ring_samples};
+use super::lobe;
 use super::model::{Storage, TablesConfig};
-use super::plan::w_reach;
+use super::pilot::{self, RING_SHARE};
+use super::plan::{Ring, w_reach};
 use crate::ground::chebyshev;
 use crate::ground::error::Result;
 use crate::height::HeightField;
@@ -23,8 +26,8 @@ pub struct Forecast {
     pub tables: usize,
     /// Texels along u and v.
     pub size: usize,
-    /// Smallest wavelength step in nm.
-    pub step_min_nm: f64,
+    /// Smallest wavelength step in nm; `None` for a single line.
+    pub step_min_nm: Option<f64>,
     /// Texels computed.
     pub texels: u64,
     /// Texels times wavelengths.
@@ -42,13 +45,19 @@ pub struct Forecast {
 /// Nanoseconds per elementary operation on one thread, measured on a server processor of 2023; another
 /// machine scales all predictions alike.
 const NS_PER_FFT_POINT: f64 = 12.0;
-const NS_PER_LANE_TAP: f64 = 0.9;
-const NS_PER_COMPLEX_PRODUCT: f64 = 2.0;
-const NS_PER_TEXEL_AND_TABLE: f64 = 100.0;
+const NS_PER_LINE_NODE: f64 = 0.6;
+const NS_PER_LANE_TAP: f64 = 0.6;
+const NS_PER_LANE_SUM: f64 = 2.0;
+const NS_PER_KERNEL_VALUE: f64 = 8.0;
+const NS_PER_WAVE: f64 = 2e4;
+const NS_PER_COMPLEX_PRODUCT: f64 = 1.0;
+const NS_PER_TEXEL_AND_TABLE: f64 = 60.0;
 
-/// Texels times wavelengths of a typical coherent table, and nanoseconds for each depth node of one.
-const LOBE_SAMPLES: f64 = 1.1e6;
-const NS_PER_LOBE_NODE: f64 = 10.0;
+/// What a build takes besides: threads woken, memory fetched, files of one texel.
+const FIXED_NS: f64 = 1e7;
+
+/// For each depth node of a texel and wavelength of the coherent table.
+const NS_PER_LOBE_NODE: f64 = 4.0;
 
 /// Predicts a build.
 ///
@@ -75,39 +84,22 @@ pub fn forecast_of(
     let transforms = chebyshev::nodes_for_exponential(plan.bandwidth_nm, depth, plan.spectra.tolerance);
     let rms = fields.iter().map(super::build::rms_nm).fold(0.0, f64::max);
     let tables = config.count.unwrap_or_else(|| expected_tables(rms, plan, config.tolerance));
-    let lanes_of = |nodes: usize| nodes.next_multiple_of(4) as f64 / 4.0;
-    let nodes: Vec<usize> = match &plan.domain {
-        None => vec![tables; plan.rings.len()],
-        Some(_) => {
-            plan.rings.iter().map(|ring| expected_nodes(rms, plan, ring.w, config.tolerance).max(tables)).collect()
-        }
-    };
+    let nodes = ring_nodes(fields, plan, config);
     let samples = ring_samples(plan);
+    let windows = window_work(fields, optics, plan);
     let (mut work_ns, mut lines_most) = (0.0, 0.0f64);
-    for &(scan, placement) in &plan.windows {
-        let lines = lines(&fields[scan], placement, optics, plan);
+    for (index, (&(_, placement), window)) in plan.windows.iter().zip(&windows).enumerate() {
+        let Lines { padded, lines, taps, .. } = &window.lines;
         // Along x every line is transformed, along y only the wanted ones.
-        let padded = lines.padded[0] * lines.padded[1];
-        work_ns += transforms as f64 * 0.5 * (padded + lines.lines[0] * lines.padded[1]) * NS_PER_FFT_POINT;
-        let complex = if placement == Placement::TileMean { 1.0 } else { 2.0 };
-        let texel = plan.texels.grid.texel();
-        for ((ring, samples), &nodes) in plan.rings.iter().zip(&samples).zip(&nodes) {
-            let texels = samples / ring.quadrature.wavelengths_nm.len() as f64;
-            let area = texels * texel.powi(2);
-            for nm in &ring.quadrature.wavelengths_nm {
-                let cells = area / (nm * nm * lines.step[0] * lines.step[1]);
-                let rows = texels * texel / (nm * lines.step[1]).min(texel * 8.0);
-                let box_samples = if complex == 1.0 { 1.0 } else { plan.filter.samples as f64 };
-                work_ns += NS_PER_LANE_TAP
-                    * lanes_of(nodes)
-                    * (2.0 * cells * transforms as f64
-                        + complex * lines.taps * (rows * box_samples + texels * box_samples.powi(2)));
-            }
+        work_ns += transforms as f64 * 0.5 * (padded[0] * padded[1] + lines[0] * padded[1]) * NS_PER_FFT_POINT;
+        if config.count.is_none() && index == 0 {
+            work_ns += pilot_ns(plan, transforms, *taps, placement);
         }
-        if config.count.is_none() && lines_most == 0.0 {
-            work_ns += pilot_ns(plan, transforms, lines.taps, placement);
-        }
-        lines_most = lines_most.max(lines.lines[0] * lines.lines[1]);
+        lines_most = lines_most.max(lines[0] * lines[1]);
+    }
+    for ((ring, samples), &nodes) in plan.rings.iter().zip(&samples).zip(&nodes) {
+        let texels = samples / ring.quadrature.wavelengths_nm.len() as f64;
+        work_ns += windows.iter().map(|window| ring_ns(plan, window, ring, texels, nodes)).sum::<f64>();
     }
     let texels = plan.texels.window_texels() as f64;
     let counted = match &plan.domain {
@@ -117,10 +109,14 @@ pub fn forecast_of(
     // Values at the nodes become coefficients; the lobe is a table of its own.
     work_ns += counted * tables as f64 * NS_PER_TEXEL_AND_TABLE;
     if plan.lobe_seen {
-        work_ns += LOBE_SAMPLES * (transforms * plan.windows.len()) as f64 * NS_PER_LOBE_NODE;
+        // An invisible light has been refused before there was a plan.
+        let samples = lobe::samples(optics, plan.lobe_radius, lobe_depths(plan), rms, config.tolerance).unwrap_or(0.0);
+        work_ns += samples * (transforms * plan.windows.len()) as f64 * NS_PER_LOBE_NODE;
     }
     let most = nodes.iter().copied().max().unwrap_or(tables).next_multiple_of(4) as f64;
-    let memory = lines_most * transforms as f64 * 8.0 + texels * 3.0 * 4.0 * (most + 2.0 * tables as f64);
+    let scratch = WAVES as f64 * lines_most.sqrt() * plan.texels.columns.len() as f64 * 4.0 * most.min(16.0);
+    let sums = texels * 3.0 * 4.0 * (most + 2.0 * tables as f64);
+    let memory = lines_most * transforms as f64 * 8.0 + scratch + sums;
     let value_bytes = if config.storage == Storage::Half { 2.0 } else { 4.0 };
     let steps = plan.rings.iter().flat_map(|r| r.quadrature.wavelengths_nm.windows(2).map(|p| (p[0] - p[1]).abs()));
     let range_bytes = if plan.domain.is_some() { texels * 3.0 * 4.0 } else { 0.0 };
@@ -130,13 +126,99 @@ pub fn forecast_of(
         tables,
         size: plan.texels.grid.size,
         texels: counted as u64,
-        step_min_nm: steps.fold(f64::MAX, f64::min),
+        step_min_nm: steps.reduce(f64::min),
         samples: samples.iter().sum(),
         node_samples: samples.iter().zip(&nodes).map(|(samples, &nodes)| samples * nodes as f64).sum(),
-        seconds: work_ns * 1e-9 / threads as f64,
+        seconds: 1e-9 * (FIXED_NS + work_ns / threads as f64),
         memory_bytes: memory as u64,
         stored_bytes: (counted * 3.0 * value_bytes * tables as f64 + range_bytes) as u64,
     }
+}
+
+/// Nodes that each ring will likely have.
+fn ring_nodes(fields: &[HeightField], plan: &BuildPlan, config: &TablesConfig) -> Vec<usize> {
+    let rms = fields.iter().map(super::build::rms_nm).fold(0.0, f64::max);
+    let tables = config.count.unwrap_or_else(|| expected_tables(rms, plan, config.tolerance));
+    let of_ring = |ring: &Ring| match &plan.domain {
+        None => tables,
+        Some(_) => expected_nodes(rms, plan, ring.w, RING_SHARE * config.tolerance).max(tables),
+    };
+    plan.rings.iter().map(of_ring).collect()
+}
+
+/// Joins rings of a served domain with their neighbours wherever the sums then take less: narrow rings have few depths,
+/// but every one interpolates all lines whose blur reaches into it.
+pub fn join_rings(plan: &mut BuildPlan, fields: &[HeightField], optics: &OpticsConfig, config: &TablesConfig) {
+    let rms = fields.iter().map(super::build::rms_nm).fold(0.0, f64::max);
+    let tables = config.count.unwrap_or_else(|| expected_tables(rms, plan, config.tolerance));
+    let windows = window_work(fields, optics, plan);
+    let cost = |(ring, texels): &(Ring, f64)| -> f64 {
+        let nodes = expected_nodes(rms, plan, ring.w, RING_SHARE * config.tolerance).max(tables);
+        windows.iter().map(|window| ring_ns(plan, window, ring, *texels, nodes)).sum()
+    };
+    let mut kept: Vec<(Ring, f64)> = Vec::new();
+    for (ring, samples) in plan.rings.iter().zip(ring_samples(plan)) {
+        let next = (ring.clone(), samples / ring.quadrature.wavelengths_nm.len() as f64);
+        if let Some(last) = kept.last_mut() {
+            // The outer radius asks for more wavelengths.
+            let w = [last.0.w[0].min(ring.w[0]), last.0.w[1].max(ring.w[1])];
+            let quadrature = last.0.quadrature.clone();
+            let both = (Ring { rho: [ring.rho[0], last.0.rho[1]], w, quadrature }, last.1 + next.1);
+            if cost(&both) <= cost(last) + cost(&next) {
+                *last = both;
+                continue;
+            }
+        }
+        kept.push(next);
+    }
+    plan.rings = kept.into_iter().map(|(ring, _)| ring).collect();
+}
+
+/// What the sums of one window depend on.
+struct WindowWork {
+    lines: Lines,
+    transforms: f64,
+    /// 1 for powers, 2 for amplitudes.
+    parts: f64,
+    /// Box samples per texel and axis.
+    box_samples: f64,
+}
+
+fn window_work(fields: &[HeightField], optics: &OpticsConfig, plan: &BuildPlan) -> Vec<WindowWork> {
+    let depth = plan.spectra.s[1] - plan.spectra.s[0];
+    let transforms = chebyshev::nodes_for_exponential(plan.bandwidth_nm, depth, plan.spectra.tolerance) as f64;
+    let of_window = |&(scan, placement): &(usize, Placement)| {
+        let lines = lines(&fields[scan], placement, optics, plan);
+        let is_power = placement == Placement::TileMean;
+        let box_samples = if is_power { 1.0 } else { plan.filter.samples as f64 };
+        WindowWork { lines, transforms, parts: if is_power { 1.0 } else { 2.0 }, box_samples }
+    };
+    plan.windows.iter().map(of_window).collect()
+}
+
+/// One window's sums over a ring with so many texels and nodes, on one thread.
+fn ring_ns(plan: &BuildPlan, window: &WindowWork, ring: &Ring, texels: f64, nodes: usize) -> f64 {
+    let WindowWork { lines: Lines { step, taps, .. }, transforms, parts, box_samples } = window;
+    let lanes = nodes.next_multiple_of(4) as f64 / 4.0;
+    let texel = plan.texels.grid.texel();
+    let area = texels * texel.powi(2);
+    let annulus = |[inner, outer]: [f64; 2]| std::f64::consts::PI * (outer * outer - inner.max(0.0).powi(2));
+    let share = (area / annulus(ring.rho)).min(1.0);
+    let targets = box_samples * 2.0 * area.sqrt().max(share * 2.0 * ring.rho[1]) / texel;
+    let of_wave = |nm: &f64| {
+        // Lines whose blur reaches into the ring.
+        let reach = 0.5 * taps * nm * step[0].max(step[1]);
+        let wide =
+            (share * annulus([ring.rho[0] - reach, ring.rho[1] + reach])).max((area.sqrt() + 2.0 * reach).powi(2));
+        let cells = wide / (nm * nm * step[0] * step[1]);
+        let rows = texels * texel / (nm * step[1]).min(texel * 8.0);
+        let taps_read = parts * taps * (rows * box_samples + texels * box_samples.powi(2));
+        let in_lanes = NS_PER_LINE_NODE * 2.0 * cells * transforms
+            + NS_PER_LANE_TAP * taps_read
+            + NS_PER_LANE_SUM * texels * box_samples.powi(2);
+        NS_PER_WAVE + NS_PER_KERNEL_VALUE * taps * targets + lanes * in_lanes
+    };
+    ring.quadrature.wavelengths_nm.iter().map(of_wave).sum()
 }
 
 /// The pilot: every tested texel at all its wavelengths and fine nodes, once per tap where powers are summed.
@@ -145,7 +227,7 @@ fn pilot_ns(plan: &BuildPlan, transforms: usize, taps: f64, placement: Placement
     let each = wavelengths as f64 / plan.rings.len() as f64;
     let fine = plan.nodes_bound as f64;
     let products = if placement == Placement::TileMean { taps * taps * fine } else { taps * taps + fine };
-    super::pilot::TEXELS as f64 * each * products * transforms as f64 * NS_PER_COMPLEX_PRODUCT
+    pilot::TEXELS as f64 * each * products * transforms as f64 * NS_PER_COMPLEX_PRODUCT
 }
 
 /// Tables that the pilot will likely choose.

@@ -1,15 +1,16 @@
 //! The coherent lobe: what the mean phasor reflects around the mirror direction, and its cross term.
 
 use std::f64::consts::TAU;
+use std::ops::Range;
 
-use ndarray::Array3;
+use ndarray::{Array3, Axis};
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
 use super::plan::{Grid, lobe_width, w_reach};
 use crate::ground::chebyshev::Interpolant;
 use crate::ground::error::Result;
-use crate::ground::spectrum::uniform_wavenumbers;
+use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
 use crate::optics::config::OpticsConfig;
 use crate::optics::spectra::Spectra;
 
@@ -55,7 +56,43 @@ fn rows_needed(rms_nm: f64, wavelength_min_nm: f64, tolerance: f64) -> usize {
     ((2.0 / step).ceil() as usize).clamp(32, 1024) + 1
 }
 
-/// The coherent table, shape `[t, radius, 3]`, averaged over the windows.
+/// Rows beyond those between which a `t` lies that cubics read.
+const ROWS_MARGIN: usize = 2;
+
+/// How the coherent table is sampled.
+#[derive(Debug, Clone, PartialEq)]
+struct Layout {
+    rows: usize,
+    columns: usize,
+    /// The rows that are computed.
+    read: Range<usize>,
+    quadrature: SpectralQuadrature,
+}
+
+/// Rows that look-ups from `depths[0]` to `depths[1]` of `t` read, among those that a tolerance asks for.
+fn layout(optics: &OpticsConfig, radius_max: f64, depths: [f64; 2], [rms_nm, tolerance]: [f64; 2]) -> Result<Layout> {
+    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    let rows = rows_needed(rms_nm, low_nm, tolerance);
+    let [first, last] = depths.map(|t| t * (rows - 1) as f64);
+    Ok(Layout {
+        rows,
+        columns: (radius_max / lobe_width(optics.sigma_nm, low_nm) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1,
+        read: (first as usize).saturating_sub(ROWS_MARGIN)..(last.ceil() as usize + ROWS_MARGIN + 1).min(rows),
+        quadrature: uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, WAVELENGTHS)?,
+    })
+}
+
+/// Texels times wavelengths of the coherent table: arguments as for [`coherent`].
+///
+/// # Errors
+/// `Error::Call` for an invisible light.
+pub fn samples(optics: &OpticsConfig, radius_max: f64, depths: [f64; 2], rms_nm: f64, tolerance: f64) -> Result<f64> {
+    let Layout { columns, read, quadrature, .. } = layout(optics, radius_max, depths, [rms_nm, tolerance])?;
+    Ok((read.len() * columns * quadrature.wavelengths_nm.len()) as f64)
+}
+
+/// The coherent table, shape `[t, radius, 3]`, averaged over the windows: rows that look-ups from `depths[0]` to
+/// `depths[1]` of `t` read, zero elsewhere.
 ///
 /// # Errors
 /// `Error::Call` for an invisible light.
@@ -63,15 +100,14 @@ pub fn coherent(
     windows: &[PhasorPower],
     optics: &OpticsConfig,
     radius_max: f64,
+    depths: [f64; 2],
     rms_nm: f64,
     tolerance: f64,
 ) -> Result<Array3<f32>> {
-    let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, WAVELENGTHS)?;
-    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
-    let columns = (radius_max / lobe_width(optics.sigma_nm, low_nm) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1;
-    let rows = rows_needed(rms_nm, low_nm, tolerance);
+    let Layout { rows, columns, read, quadrature } = layout(optics, radius_max, depths, [rms_nm, tolerance])?;
     let mut table = Array3::<f32>::zeros((rows, columns, 3));
-    table.outer_iter_mut().into_par_iter().enumerate().for_each(|(row, mut line)| {
+    let mut lines = table.slice_axis_mut(Axis(0), read.clone().into());
+    lines.axis_iter_mut(Axis(0)).into_par_iter().zip(read).for_each(|(mut line, row)| {
         let t = row as f64 / (rows - 1) as f64;
         for (column, mut texel) in line.outer_iter_mut().enumerate() {
             let radius = radius_max * column as f64 / (columns - 1) as f64;

@@ -18,10 +18,12 @@ pub const TEXELS: usize = 160;
 /// Places in a range of `w` at which the interpolation is judged: between and beyond the nodes.
 const PLACES_TESTED: [f64; 5] = [0.02, 0.21, 0.47, 0.76, 1.0];
 
-/// Share of the tolerance that the basis may take, and that the nodes of a ring may where texels have ranges of their
-/// own within the ring's.
+/// Share of the tolerance that the basis may take; where tables serve scenes alone, whose pictures may look at nothing but
+/// the one direction in twenty that errs by more; and the nodes of a ring there, within which texels have ranges of
+/// their own.
 const BASIS_SHARE: f64 = 0.5;
-const RING_SHARE: f64 = 0.1;
+const SERVED_BASIS_SHARE: f64 = 0.125;
+pub(super) const RING_SHARE: f64 = 0.1;
 
 /// Share of directions whose luminance must keep its share of the tolerance.
 const QUANTILE: f64 = 0.95;
@@ -68,14 +70,14 @@ impl Pilot {
         Self { groups: groups.map(|texels: Vec<_>| polynomials(spectra, plan, &texels)), tolerance }
     }
 
-    /// The smallest number of tables that errs by at most half the tolerance of Y in 95 % of the tested directions.
+    /// The smallest number of tables that errs by at most its share of the tolerance of Y in 95 % of the tested directions.
     ///
     /// Where every direction is served, tables come from as many nodes over the ring's whole reach; else each texel's
     /// own range counts.
     pub fn tables(&self, most: usize, own_ranges: bool) -> usize {
         let over = |p: &Polynomial| if own_ranges { p.own } else { p.ring };
-        let first = if own_ranges { 1 } else { 2 };
-        self.fewest(first, most, BASIS_SHARE, &over, &|_| true)
+        let (first, share) = if own_ranges { (1, SERVED_BASIS_SHARE) } else { (2, BASIS_SHARE) };
+        self.fewest(first, most, share, &over, &|_| true)
     }
 
     /// The smallest number of patches of the cross term, which keep the whole reach whatever is served: as many as tables

@@ -33,11 +33,6 @@ impl Grid {
         -self.u(row)
     }
 
-    /// Texels in the disc of radius 2, about.
-    pub fn disc_texels(&self) -> f64 {
-        std::f64::consts::PI * (2.0 / self.texel()).powi(2)
-    }
-
     /// Columns with `|u| <= reach`, as a half-open range.
     pub fn columns_within(&self, reach: f64) -> std::ops::Range<usize> {
         let middle = (self.size - 1) / 2;
@@ -148,18 +143,21 @@ pub fn rings_of(
     step_nm: Option<f64>,
 ) -> Result<Vec<Ring>> {
     let narrowest = FINE_LOBES * lobe_width(optics.sigma_nm, optics.illuminant.reach_nm(optics.wavelength_nm)[0]);
-    let mut rings = Vec::new();
+    let mut radii = vec![rho_max];
     let mut outer = rho_max;
     while outer > 0.0 {
         let by_reach = (4.0 - (w_reach(outer) + FINE_STEP).powi(2)).max(0.0).sqrt();
         let inner = by_reach.max(outer / FINE_RATIO).min(outer - narrowest).max(0.0);
-        let rho = [if inner < narrowest { 0.0 } else { inner }, outer];
-        if let Some(w) = domain.w_of_ring(rho) {
-            let count = wavelengths_of(optics, bandwidth_nm, rho, tolerance, step_nm);
+        outer = if inner < narrowest { 0.0 } else { inner };
+        radii.push(outer);
+    }
+    let mut rings = Vec::new();
+    for (rho, w) in radii.windows(2).zip(domain.w_of_rings(&radii)) {
+        if let Some(w) = w {
+            let count = wavelengths_of(optics, bandwidth_nm, [rho[1], rho[0]], tolerance, step_nm);
             let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
-            rings.push(Ring { rho, w, quadrature });
+            rings.push(Ring { rho: [rho[1], rho[0]], w, quadrature });
         }
-        outer = rho[0];
     }
     Ok(rings)
 }

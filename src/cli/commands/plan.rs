@@ -106,14 +106,15 @@ impl Plan {
             match (&specimen.forecast, &specimen.failure) {
                 (Some(f), _) => {
                     total_s += f.seconds;
+                    let step = f.step_min_nm.map_or("-".into(), |step_nm| format!("{step_nm:.2}"));
                     text += &format!(
-                        "{:<27} {:>7} {:>10} {:>6} {:>5} {:>10.2} {:>8.1} {:>10} {:>11}\n",
+                        "{:<27} {:>7} {:>10} {:>6} {:>5} {:>10} {:>8.2} {:>10} {:>11}\n",
                         specimen.name,
                         f.windows,
                         f.transforms,
                         f.tables,
                         f.size,
-                        f.step_min_nm,
+                        step,
                         f.seconds,
                         bytes_in_words(f.memory_bytes),
                         bytes_in_words(f.stored_bytes)
@@ -123,7 +124,7 @@ impl Plan {
                 (None, None) => {}
             }
         }
-        text += &format!("tables in about {total_s:.1} s; pictures and measured errors come on top\n");
+        text += &format!("tables in about {total_s:.2} s; pictures and measured errors come on top\n");
         for specimen in &self.specimens {
             if let Some(budget) = &specimen.budget {
                 text += &budget_text(&specimen.name, budget);
