@@ -407,7 +407,7 @@ fn heights_and_pitches_out_of_reason_are_refused() {
     let file = tiff_file(order, &[ramp(order, [4, 4])]);
     let metres = ReadConfig { height: Some(HeightScale::Unit(LengthUnit::M)), ..in_nm() };
     assert!(message(&file, &metres).contains("more than a metre"));
-    for pitch in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e6] {
+    for pitch in [0.0, -1.0, f64::NAN, f64::INFINITY, 1.000001e6] {
         let config = ReadConfig { pitch_nm: Some([10.0, pitch]), ..in_nm() };
         assert!(message(&file, &config).contains("pitch"), "{pitch}");
     }

@@ -126,16 +126,6 @@ pub fn is_over(row: &ErrorRow, tolerance: Option<f64>) -> bool {
     tolerance.is_some_and(|limit| governed && row.p95 > limit)
 }
 
-/// The luminance up to which directions are too dark for a pointwise error: "0.032 /sr".
-pub fn error_floor(rows: &[ErrorRow]) -> String {
-    let floors = rows.iter().filter(|row| row.what == "total").map(|row| row.floor_per_sr);
-    let [low, high] = floors.fold([f64::INFINITY, 0.0], |[low, high], floor| [floor.min(low), floor.max(high)]);
-    match low < high {
-        true => format!("{} to {}", numbers::number(low, 2), numbers::with_unit(high, 2, "/sr")),
-        false => numbers::with_unit(low, 2, "/sr"),
-    }
-}
-
 /// The letters of the spectrum's marks and what they stand for.
 pub fn period_marks(periods: &[Period]) -> String {
     if periods.is_empty() {
@@ -317,7 +307,6 @@ mod tests {
             what: what.into(),
             region: "grazing".into(),
             directions: 1,
-            floor_per_sr: 0.0,
             relative_l2: 0.0,
             p50: 0.0,
             p95,
@@ -336,7 +325,6 @@ mod tests {
             what: what.into(),
             region: region.into(),
             directions: 1,
-            floor_per_sr: 0.0,
             relative_l2: 0.0,
             p50: 0.0,
             p95: 0.0,

@@ -241,7 +241,6 @@ fn specimen_section(
             })
             .collect::<Vec<_>>(),
         error_plot => safe(plots::error_plot(&rows, tolerance)),
-        error_floor => facts::error_floor(&specimen.errors),
         over => if over {
             format!(
                 "Highlighted: above the tolerance of {} that was asked for.",
@@ -456,7 +455,6 @@ mod tests {
             what: what.into(),
             region: region.into(),
             directions: 1,
-            floor_per_sr: 0.0,
             relative_l2: 0.0,
             p50: 0.0,
             p95: 0.0,

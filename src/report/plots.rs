@@ -280,7 +280,6 @@ mod tests {
             what: what.into(),
             region: "grazing".into(),
             directions: 100,
-            floor_per_sr: 0.0,
             relative_l2: errors[0],
             p50: errors[0],
             p95: errors[1],

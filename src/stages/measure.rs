@@ -12,7 +12,6 @@ use crate::ground::metrics;
 use crate::ground::sampling::{Region, direction_pairs};
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
-use crate::optics::fresnel::reflectance;
 use crate::optics::reference::{self, FULL_STEP, PICTURE_STEP};
 use crate::optics::spectra::{self, Spectra};
 use crate::optics::spectral;
@@ -28,19 +27,8 @@ const DIRECTIONS: usize = 128;
 /// Pairs at which the yardstick itself is held against the direct sum.
 const DIRECT_PAIRS: usize = 2;
 
-/// Luminance in 1/sr up to which the direct sum is not compared: a few millionths of white.
-const DIRECT_FLOOR_PER_SR: f64 = 1e-6;
-
-/// Share of a matt surface's luminance, one that reflects as much, up to which directions are left out of pointwise
-/// errors.
-pub const FLOOR_SHARE: f64 = 1e-2;
-
-/// Share of the brightest directions' luminance up to which they are left out as well: a grating is dark but for a few
-/// orders, and between them a relative error says nothing.
-const FLOOR_SHARE_BRIGHT: f64 = 1e-3;
-
-/// Share of the directions that are no brighter than what counts as bright.
-const BRIGHT: f64 = 0.98;
+/// Luminance in 1/sr up to which directions are left out: a few millionths of white.
+const FLOOR_PER_SR: f64 = 1e-6;
 
 /// Directions on which errors are counted, group after group.
 #[derive(Debug, Clone, Default)]
@@ -161,24 +149,19 @@ fn diffuse_shares(
     Ok([exact, values[nodes][1], interpolated])
 }
 
-/// Luminance in 1/sr up to which directions are left out of pointwise errors: a share of what a matt surface of the
-/// material's reflectance at normal incidence would show everywhere, or a smaller one of the brightest directions but
-/// for one in fifty, given Y over the hemisphere: a grating sends its light into fewer than the rest, and a lobe's
-/// flank a thousand times below its peak is the dark between orders.
-pub fn floor_per_sr(optics: &OpticsConfig, hemisphere: &[f64]) -> f64 {
-    let matt = FLOOR_SHARE * reflectance(optics.material, 1.0) / std::f64::consts::PI;
-    let mut sorted = hemisphere.to_vec();
-    sorted.sort_unstable_by(f64::total_cmp);
-    let bright = if sorted.is_empty() { 0.0 } else { metrics::quantile_of_sorted(&sorted, BRIGHT) };
-    matt.max(FLOOR_SHARE_BRIGHT * bright)
+/// Error rows of the stored tables (as read back) and of the tables before rounding.
+pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) -> Vec<ErrorRow> {
+    error_rows_above(yardstick, stored, built, FLOOR_PER_SR)
 }
 
-/// Error rows of the stored tables (as read back) and of the tables before rounding, over the directions of each group
-/// that are brighter than [`floor_per_sr`] of the hemisphere; of the group's own brightness where the directions are those
-/// of scenes.
-pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) -> Vec<ErrorRow> {
+/// [`error_rows`] of the directions brighter than a floor in 1/sr.
+pub fn error_rows_above(
+    yardstick: &Yardstick,
+    stored: &TableSet,
+    built: &TableSet,
+    floor_per_sr: f64,
+) -> Vec<ErrorRow> {
     let mut rows = Vec::new();
-    let mut shared_floor = None;
     let mut start = 0;
     for (region, count) in &yardstick.groups {
         let range = start..start + count;
@@ -186,13 +169,6 @@ pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) ->
         let pairs = &yardstick.pairs[range.clone()];
         let luminance = |values: &[Xyz]| values.iter().map(|xyz| xyz[1]).collect::<Vec<_>>();
         let exact = luminance(&yardstick.xyz[range.clone()]);
-        if region == Region::Hemisphere.name() {
-            shared_floor = Some(floor_per_sr(&stored.optics, &exact));
-        }
-        let floor = shared_floor.unwrap_or_else(|| floor_per_sr(&stored.optics, &exact));
-        // The diffuse part in front of a direction, as bright as it is seen: the same floor then counts for all rows.
-        let front: Vec<f64> = pairs.iter().map(|&(wi, wo)| reference::prefactor(&stored.optics, wi, wo)).collect();
-        let seen = |diffuse: &[f64]| -> Vec<f64> { diffuse.iter().zip(&front).map(|(d, front)| d * front).collect() };
         let tables = |set: &TableSet, interpolation| {
             luminance(&pairs.iter().map(|&(wi, wo)| brdf_xyz(set, interpolation, wi, wo)).collect::<Vec<_>>())
         };
@@ -200,12 +176,12 @@ pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) ->
             let at = |&(wi, wo): &(Vec3, Vec3)| {
                 diffuse_window_power(set, Interpolation::Bilinear, wave_vector_change(wi, wo))[1]
             };
-            seen(&pairs.iter().map(at).collect::<Vec<_>>())
+            pairs.iter().map(at).collect()
         };
-        let [fine, ringed, interpolated] = [0, 1, 2].map(|i| seen(&yardstick.diffuse[i][range.clone()]));
+        let [fine, ringed, interpolated] = [0, 1, 2].map(|i| &yardstick.diffuse[i][range.clone()]);
         let on_grid = diffuse(built);
         let mut push =
-            |what: &str, reference: &[f64], test: &[f64]| rows.push(row(what, region, reference, test, floor));
+            |what: &str, reference: &[f64], test: &[f64]| rows.push(row(what, region, reference, test, floor_per_sr));
         push("total", &exact, &tables(stored, Interpolation::Bilinear));
         push("total, cubic look-up", &exact, &tables(stored, Interpolation::Cubic));
         // The shares below are those of the diffuse part under interpolation in `w`: a power series keeps
@@ -213,9 +189,9 @@ pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) ->
         if stored.basis == Basis::Taylor {
             continue;
         }
-        push("wavelength step", &fine, &ringed);
-        push("basis", &ringed, &interpolated);
-        push("grid", &interpolated, &on_grid);
+        push("wavelength step", fine, ringed);
+        push("basis", ringed, interpolated);
+        push("grid", interpolated, &on_grid);
         push("storage", &on_grid, &diffuse(stored));
     }
     rows
@@ -227,7 +203,6 @@ fn row(what: &str, region: &str, reference: &[f64], test: &[f64], floor_per_sr: 
         what: what.into(),
         region: region.into(),
         directions: quantiles.count,
-        floor_per_sr,
         relative_l2: metrics::relative_l2(reference, test),
         p50: quantiles.p50,
         p95: quantiles.p95,
@@ -254,7 +229,7 @@ pub fn direct_row(yardstick: &Yardstick, direct: DirectSum) -> Result<ErrorRow> 
     let pairs: Vec<(Vec3, Vec3)> = brightest.iter().map(|&index| yardstick.pairs[index]).collect();
     let direct: Vec<f64> = direct(&pairs)?.iter().map(|xyz| xyz[1]).collect();
     let fast: Vec<f64> = brightest.iter().map(|&index| yardstick.xyz[index][1]).collect();
-    Ok(row("yardstick against direct sum", region, &direct, &fast, DIRECT_FLOOR_PER_SR))
+    Ok(row("yardstick against direct sum", region, &direct, &fast, FLOOR_PER_SR))
 }
 
 /// Luminous sums `∫ f cos_theta_o dω_o` for unit reflectance, from the tables: the diffuse part on a grid

@@ -180,11 +180,8 @@ pub struct ErrorRow {
     pub what: String,
     /// Which directions: "whole hemisphere", "near specular", "grazing".
     pub region: String,
-    /// Directions compared pointwise.
+    /// Directions compared.
     pub directions: usize,
-    /// Luminance in 1/sr up to which directions are too dark for that.
-    #[serde(default = "floor_of_older_reports")]
-    pub floor_per_sr: f64,
     /// Root of the summed squared differences over the root of the summed squares.
     #[serde(with = "null_for_nan")]
     pub relative_l2: f64,
@@ -200,11 +197,6 @@ pub struct ErrorRow {
     /// Its maximum.
     #[serde(with = "null_for_nan")]
     pub worst: f64,
-}
-
-/// What reports had before they told.
-fn floor_of_older_reports() -> f64 {
-    1e-6
 }
 
 /// `∫ f cos_theta_o dω_o` for one incidence, relative to the incident power.
@@ -351,17 +343,7 @@ mod tests {
 
     fn row(worst: f64) -> ErrorRow {
         let (what, region) = ("total".into(), "grazing".into());
-        ErrorRow {
-            what,
-            region,
-            directions: 3,
-            floor_per_sr: 3e-5,
-            relative_l2: 1e-6,
-            p50: 1e-7,
-            p95: 1e-6,
-            p99: 1e-6,
-            worst,
-        }
+        ErrorRow { what, region, directions: 3, relative_l2: 1e-6, p50: 1e-7, p95: 1e-6, p99: 1e-6, worst }
     }
 
     #[test]

@@ -246,7 +246,6 @@ fn errors() -> Vec<ErrorRow> {
                 what: what.into(),
                 region: region.into(),
                 directions: 2000,
-                floor_per_sr: 3.2e-5,
                 relative_l2: median * factor * 1.4,
                 p50: median * factor * 0.2,
                 p95: median * factor,

@@ -8,14 +8,13 @@ use serde::{Deserialize, Serialize};
 
 use super::batch::{PackedTables, Pair, stored};
 use super::methods::Context;
-use super::sample::luminances;
+use super::sample::{floor_per_sr, luminances};
 use super::texels::Texels;
 use super::{Refusal, StudyConfig, StudySpecimen};
 use crate::ground::direction::Xyz;
 use crate::ground::error::Result;
 use crate::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
 use crate::ground::sampling::{Region, direction_pairs};
-use crate::stages::measure::floor_per_sr;
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
 use crate::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};

@@ -7,6 +7,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::batch::{PackedTables, stored};
+use super::sample::floor_per_sr;
 use super::texels::Texels;
 use super::{StudyConfig, StudySpecimen};
 use crate::ground::error::Result;
@@ -120,9 +121,11 @@ fn measured(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<Tolerance
     let read = stored(&built, storage);
     let plan = build::plan(fields, optics, tables)?;
     let fixed = measure::ErrorDirections::fixed();
+    let of_region = fixed.pairs.len() / Region::ALL.len();
     let yardstick = measure::yardstick(fields, optics, &plan, built.tables.len(), fixed, [])?;
-    let rows = measure::error_rows(&yardstick, &read, &built);
-    let floor_per_sr = rows.first().map_or(0.0, |row| row.floor_per_sr);
+    let hemisphere: Vec<f64> = yardstick.xyz[..of_region].iter().map(|xyz| xyz[1]).collect();
+    let floor_per_sr = floor_per_sr(optics, &hemisphere);
+    let rows = measure::error_rows_above(&yardstick, &read, &built, floor_per_sr);
     let found = |what: &str| {
         let row = rows.iter().find(|row| row.what == what && row.region == Region::Hemisphere.name());
         row.map_or(ErrorQuantiles::default(), |row| ErrorQuantiles {
