@@ -30,7 +30,7 @@ const DEPTH_SHARE: f64 = 1e-3;
 
 /// Shares of the tolerance that interpolating between texels with ranges of their own may take, in first and in second
 /// order of how much the ranges differ.
-const RANGE_SHARES: [f64; 2] = [0.4, 0.1];
+const RANGE_SHARES: [f64; 2] = [0.5, 0.1];
 
 /// Both together.
 pub const RANGE_SHARE: f64 = RANGE_SHARES[0] + RANGE_SHARES[1];
