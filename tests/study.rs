@@ -4,12 +4,15 @@ mod common;
 
 use diffraction_atlas::ground::spectrum::Illuminant;
 use diffraction_atlas::height::HeightField;
+use diffraction_atlas::height::synthesize::{bundled, synthesize};
 use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::report::study_page::study_files;
 use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::progress::Silent;
 use diffraction_atlas::stages::stability::{DepthRow, GrazingRow, Guard, SeriesRow, Stability, StabilityCase};
-use diffraction_atlas::stages::study::{MethodRow, SpecimenStudy, Study, StudyConfig, StudySpecimen, run_study};
+use diffraction_atlas::stages::study::{
+    Contender, Measure, MethodRow, SpecimenStudy, Study, StudyConfig, StudySpecimen, run_study,
+};
 use ndarray::Array2;
 
 fn specimen(depth_nm: f64) -> StudySpecimen {
@@ -186,6 +189,45 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
         assert!(html.contains(&format!("href=\"#{part}\"")) && html.contains(&format!("id=\"{part}\"")), "{part}");
     }
     assert!(html.contains("<img src=\"data:image"), "pictures are in the page");
+}
+
+/// `cargo test --release --test study deeper -- --ignored --nocapture`: how the gap at equal error widens with depth, on the
+/// bundled corn snake's structure at several times its height.
+#[test]
+#[ignore = "minutes of measuring, and figures that a busy machine spoils"]
+fn deeper_structures_at_equal_error() {
+    let (_, structure, size, pitch_nm) = bundled().into_iter().find(|(name, ..)| *name == "corn_snake_like").unwrap();
+    let snake = synthesize(&structure, size, pitch_nm).unwrap();
+    let config = StudyConfig {
+        directions: 8,
+        timed_directions: 400_000,
+        size: 101,
+        chebyshev: (3..=12).collect(),
+        taylor: vec![48],
+        harmonics: vec![],
+        wavelength_steps_nm: vec![],
+        sizes: vec![],
+        equal_size: 601,
+        tolerances: vec![],
+        memory_mib: 8192,
+        ..config()
+    };
+    let mut smaller = Vec::new();
+    for times in [1.0, 1.5, 2.0, 2.5, 3.0] {
+        let optics = OpticsConfig { windows: Windows::Grid, ..common::reference_optics(4_000.0, Edge::Tile) };
+        let field = HeightField { heights_nm: &snake.heights_nm * times, pitch_nm };
+        let specimen = StudySpecimen { name: "deeper".into(), fields: vec![field], optics, scenes: vec![] };
+        let study = run_study(&[specimen], &config, &Silent);
+        assert!(study.failures.is_empty(), "{:?}", study.failures);
+        for row in &study.specimens[0].equal {
+            let tables = |one: &Option<Contender>| one.as_ref().map(|one| (one.tables, one.error));
+            println!("x{times} {:?} {:.1e} best {}: {:?}", row.measure, row.target, row.taylors_best, row.ratios());
+            println!("    {:?} {:?}", tables(&row.chebyshev), tables(&row.taylor));
+        }
+        let hemisphere = study.specimens[0].equal.iter().find(|row| row.measure == Measure::P95 && row.target == 3e-2);
+        smaller.extend(hemisphere.and_then(|row| row.ratios()).and_then(|[bytes, ..]| bytes));
+    }
+    assert!(smaller.len() >= 2 && smaller.is_sorted(), "{smaller:?}");
 }
 
 /// `cargo test --release --test study -- --ignored --nocapture`: bytes and time at equal error on tables as large as an

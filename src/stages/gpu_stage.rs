@@ -5,7 +5,7 @@
 
 use std::path::Path;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use ndarray::Array3;
 
@@ -15,11 +15,12 @@ use super::frame_time;
 use super::gpu_check::{ReferenceCheck, Shade, check_picture, check_reference, reference_limit};
 use super::gpu_results::{GpuResult, GpuRow};
 use super::progress::Progress;
-use super::results::{Failure, RunResults, StageTime};
+use super::results::{Failure, RunResults};
 use super::scenes::reference_stride;
 use super::serve;
 use super::shared_scenes::specimens_of;
 use super::specimen;
+use super::usage::Stopwatch;
 use crate::ground::error::{Error, Result};
 use crate::ground::exr_image::read_rgb;
 use crate::ground::png_image::write_png;
@@ -107,15 +108,14 @@ pub fn check(
 ) {
     let name = &specimen.name;
     progress.stage(&format!("{name}: {STAGE}"), 0);
-    let started = Instant::now();
+    let stopwatch = Stopwatch::start();
     // Shares of a scene have no picture of their own.
     let pictured = serve::pictured_scenes(config, name);
     let scenes: Vec<&Scene> = pictured.iter().filter(|scene| specimens_of(scene).is_empty()).collect();
     let reference = config.report.reference;
     let checked = check_files(stage, &version_folder.join(name), name, &scenes, &config.tables, reference);
     progress.finish();
-    let wall_s = started.elapsed().as_secs_f64();
-    results.stages.push(StageTime { name: STAGE.into(), specimen: Some(name.clone()), wall_s, cpu_s: None });
+    results.stages.push(stopwatch.read(STAGE, Some(name)));
     let mut fail = |message| {
         results.failures.push(Failure { specimen: Some(name.clone()), stage: STAGE.into(), message });
     };
@@ -149,11 +149,11 @@ pub fn time_frames(
     let done = |specimen: &&SpecimenConfig| version_folder.join(&specimen.name).join(specimen::FILE).is_file();
     let Some(specimen) = config.specimens.iter().find(done).filter(|_| wanted) else { return };
     progress.stage(&format!("{}: {}", specimen.name, frame_time::STAGE), 0);
-    let started = Instant::now();
+    let stopwatch = Stopwatch::start();
     let compared = frame_time::compare(stage, config, specimen, &version_folder.join(&specimen.name));
     progress.finish();
-    let (name, wall_s) = (Some(specimen.name.clone()), started.elapsed().as_secs_f64());
-    results.stages.push(StageTime { name: frame_time::STAGE.into(), specimen: name.clone(), wall_s, cpu_s: None });
+    let name = Some(specimen.name.clone());
+    results.stages.push(stopwatch.read(frame_time::STAGE, name.as_deref()));
     match compared {
         Err(error) => {
             let (stage, message) = (frame_time::STAGE.into(), error.to_string());

@@ -26,6 +26,7 @@ use super::scenes::{self, SceneWork, render_tables};
 use super::serve::{self, Cost, Source};
 use super::shared_scenes::{self, Share, SharedScenes};
 use super::specimen;
+use super::usage::{self, Stopwatch};
 use super::worked::work_number;
 use crate::ground::error::{Error, Result};
 use crate::ground::files;
@@ -135,7 +136,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     results.shared_scenes = pictures;
     results.failures.extend(failures);
     results.total_wall_s = started.elapsed().as_secs_f64();
-    results.peak_memory_mib = peak_memory_mib();
+    results.peak_memory_mib = usage::process_peak_bytes().map(|bytes| bytes as f64 / f64::from(1 << 20));
     let Some(example) = example else {
         return Ok(RunOutcome { results, published: None });
     };
@@ -205,15 +206,10 @@ impl Clock<'_> {
         work: impl FnOnce() -> Result<T>,
     ) -> std::result::Result<T, Failed> {
         self.progress.stage(&format!("{}: {name}", self.specimen), steps);
-        let started = Instant::now();
+        let stopwatch = Stopwatch::start();
         let outcome = work();
         self.progress.finish();
-        self.times.push(StageTime {
-            name: name.into(),
-            specimen: Some(self.specimen.into()),
-            wall_s: started.elapsed().as_secs_f64(),
-            cpu_s: None,
-        });
+        self.times.push(stopwatch.read(name, Some(self.specimen)));
         outcome.map_err(|error| Failed { stage: name, error })
     }
 }
@@ -389,12 +385,4 @@ fn empty_results(config: &RunConfig, helpers: &Helpers) -> RunResults {
         peak_memory_mib: None,
         total_wall_s: 0.0,
     }
-}
-
-/// Most memory this process held, where the system tells (Linux).
-fn peak_memory_mib() -> Option<f64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
-    let kib: f64 = line.split_whitespace().nth(1)?.parse().ok()?;
-    Some(kib / 1024.0)
 }

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::config::{GpuCheck, RunConfig, Serve};
 use super::results::null_for_nan;
 use super::shared_scenes::scenes_for;
-use super::study::memory;
+use super::usage;
 use crate::ground::error::{Error, Result};
 use crate::ground::files;
 use crate::ground::spectrum::Illuminant;
@@ -288,11 +288,11 @@ pub fn account(source: &Source, scenes: &[&Scene], domain: &Domain, measured: Co
 /// # Errors
 /// Those of building, and the disk's.
 pub fn measure(source: &Source, plan: &BuildPlan) -> Result<Cost> {
-    memory::restart();
+    usage::restart();
     let started = Instant::now();
     let (set, record) = build::build_planned(source.fields, source.optics, source.tables, plan, &|_| ())?;
     let seconds = started.elapsed().as_secs_f64();
-    let memory_bytes = memory::peak_bytes().map_or(f64::NAN, |bytes| bytes as f64);
+    let memory_bytes = usage::peak_bytes().map_or(f64::NAN, |bytes| bytes as f64);
     let folder = tempfile::tempdir().map_err(|e| Error::disk(Path::new("."), "create a temporary folder", e))?;
     write_tables(folder.path(), &set, source.tables.storage)?;
     let stored_bytes = files::bytes_of(folder.path(), "exr")? as f64;

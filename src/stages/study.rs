@@ -7,7 +7,6 @@ mod batch;
 mod equal;
 mod gpu;
 mod knobs;
-pub(super) mod memory;
 mod methods;
 mod pictures;
 mod sample;

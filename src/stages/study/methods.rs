@@ -3,12 +3,13 @@
 use std::f64::consts::TAU;
 use std::time::Instant;
 
+use super::super::usage;
 use super::batch::{Batch, PackedTables, Pair, stored};
 use super::gpu::GpuClock;
 use super::pictures::Pictures;
 use super::sample::Sample;
 use super::timing::Clock;
-use super::{MethodRow, Refusal, RegionErrors, StudyConfig, memory};
+use super::{MethodRow, Refusal, RegionErrors, StudyConfig};
 use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
 use crate::ground::error::Result;
 use crate::ground::sampling::{Region, direction_pairs, plane};
@@ -333,10 +334,10 @@ fn family(basis: Basis, storage: Storage) -> &'static str {
 }
 
 fn measured<T>(work: impl FnOnce() -> Result<T>) -> Result<(T, Cost)> {
-    let before = memory::restart();
+    let before = usage::restart();
     let started = Instant::now();
     let made = work()?;
     let build_s = started.elapsed().as_secs_f64();
-    let peak_bytes = memory::peak_bytes().zip(before).map(|(peak, before)| peak.saturating_sub(before));
+    let peak_bytes = usage::peak_bytes().zip(before).map(|(peak, before)| peak.saturating_sub(before));
     Ok((made, Cost { build_s, peak_bytes }))
 }
