@@ -14,7 +14,7 @@ const ROW: f64 = 19.0;
 ///
 /// Errors of zero and missing ones are not drawn: a logarithm has no place for them.
 pub fn error_plot(rows: &[ErrorRow], tolerance: Option<f64>) -> String {
-    const LEFT: f64 = 290.0;
+    const LEFT: f64 = 318.0;
     const TOP: f64 = 20.0;
     let span = WIDTH - LEFT - 18.0;
     let values: Vec<f64> = rows
