@@ -298,21 +298,26 @@ fn value_text(value: &serde_json::Value) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
-    #[test]
-    fn the_tolerance_governs_basis_and_wavelength_step_only() {
-        let row = |what: &str, p95| ErrorRow {
+    /// A row of one direction with this 95th percentile.
+    pub fn error_row(what: &str, region: &str, p95: f64) -> ErrorRow {
+        ErrorRow {
             what: what.into(),
-            region: "grazing".into(),
+            region: region.into(),
             directions: 1,
             relative_l2: 0.0,
             p50: 0.0,
             p95,
             p99: 0.0,
             worst: 0.0,
-        };
+        }
+    }
+
+    #[test]
+    fn the_tolerance_governs_basis_and_wavelength_step_only() {
+        let row = |what, p95| error_row(what, "grazing", p95);
         assert!(is_over(&row("basis", 2e-3), Some(1e-3)));
         assert!(!is_over(&row("basis", 1e-3), Some(1e-3)));
         assert!(!is_over(&row("grid", 2e-3), Some(1e-3)));
@@ -321,16 +326,7 @@ mod tests {
 
     #[test]
     fn rows_of_a_cause_stand_together_in_their_order() {
-        let row = |what: &str, region: &str| ErrorRow {
-            what: what.into(),
-            region: region.into(),
-            directions: 1,
-            relative_l2: 0.0,
-            p50: 0.0,
-            p95: 0.0,
-            p99: 0.0,
-            worst: 0.0,
-        };
+        let row = |what, region| error_row(what, region, 0.0);
         let rows = [row("total", "near"), row("basis", "near"), row("total", "far"), row("basis", "far")];
         let sorted = by_cause(&rows);
         let names: Vec<[&str; 2]> = sorted.iter().map(|row| [row.what.as_str(), row.region.as_str()]).collect();

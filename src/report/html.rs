@@ -451,16 +451,7 @@ mod tests {
 
     #[test]
     fn the_headline_is_the_whole_hemisphere() {
-        let row = |what: &str, region: &str| ErrorRow {
-            what: what.into(),
-            region: region.into(),
-            directions: 1,
-            relative_l2: 0.0,
-            p50: 0.0,
-            p95: 0.0,
-            p99: 0.0,
-            worst: 0.0,
-        };
+        let row = |what, region| facts::tests::error_row(what, region, 0.0);
         let rows = [row("basis", "whole hemisphere"), row("total", "grazing"), row("total", "whole hemisphere")];
         assert_eq!(headline_error(&rows), Some(&rows[2]));
         assert_eq!(headline_error(&rows[..2]), Some(&rows[1]));
