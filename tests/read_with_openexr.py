@@ -17,8 +17,8 @@ import OpenEXR
 TOLERANCE = 1e-9
 
 
-def read_image(path, scale):
-    """X, Y, Z of shape [rows, columns, 3] in 1/sr, and the header."""
+def read_image(path, scale, corner=(0, 0)):
+    """X, Y, Z of shape [rows, columns, 3] in 1/sr, and their type; `corner` is the data window's, as column and row."""
     with OpenEXR.File(str(path), separate_channels=True) as file:
         header = dict(file.header())
         channels = file.channels()
@@ -27,6 +27,7 @@ def read_image(path, scale):
     assert header["colorInteropID"] == "data", path
     assert not {"chromaticities", "whiteLuminance"} & set(header), path
     if scale is not None:
+        assert tuple(header["dataWindow"][0]) == corner, (path, header["dataWindow"])
         stated = json.loads(header["diffractionAtlas"])
         assert stated["scale"] == scale, path
         assert header["atlas:kind"] == stated["kind"] and header["atlas:order"] == stated["order"], path
@@ -66,17 +67,19 @@ class Specimen:
         stored = self.about["tables"]
         expected = {"half": np.float16, "float": np.float32}[stored["storage"]]
 
-        def image(array, dtype=expected):
-            values, found = read_image(folder / array["file"], array["scale"])
+        self.served = stored.get("served")
+        row, column = self.served["first"] if self.served else (0, 0)
+
+        def image(array, dtype=expected, corner=(0, 0)):
+            values, found = read_image(folder / array["file"], array["scale"], corner)
             assert found == dtype, (array["file"], found)
             return values
 
         self.basis = stored["basis"]
-        self.tables = [image(array) for array in stored["tables"]]
-        self.served = stored.get("served")
+        self.tables = [image(array, corner=(column, row)) for array in stored["tables"]]
         self.axes = [stored["u"], stored["v"]]
         if self.served:
-            self.range = image(self.served["range"], np.float16)
+            self.range = image(self.served["range"], np.float16, (column, row))
         self.lobe = stored["lobe"]
         if self.lobe:
             self.coherent = image(self.lobe["coherent"], np.float32)

@@ -35,6 +35,8 @@ pub struct Attribute<'a> {
 /// What a checked file holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layout {
+    /// Row and column of the whole image at which the file's pixels begin.
+    pub first: [usize; 2],
     /// Pixels along x.
     pub width: usize,
     /// Pixels along y.
@@ -96,11 +98,15 @@ pub fn check(bytes: &[u8]) -> Checked<Layout> {
         return Err("its lines are not in increasing order".into());
     }
     let precision = channel_precision(find(&attributes, "channels", "chlist")?)?;
-    let window = find(&attributes, "dataWindow", "box2i")?;
-    if find(&attributes, "displayWindow", "box2i")? != window {
-        return Err("its data window is not its display window".into());
+    let window = window(find(&attributes, "dataWindow", "box2i")?).ok_or("its data window is empty or negative")?;
+    let display = self::window(find(&attributes, "displayWindow", "box2i")?);
+    let display = display.filter(|display| display.first == [0; 2]);
+    let display = display.ok_or("its display window is empty or does not start at (0, 0)")?;
+    let Window { first, size: [height, width] } = window;
+    // Two numbers below 2^31 each.
+    if (0..2).any(|axis| first[axis] + window.size[axis] > display.size[axis]) {
+        return Err("its data window reaches beyond its display window".into());
     }
-    let (width, height) = window_size(window)?;
 
     let line_bytes = width as u64 * 3 * precision.bytes() as u64;
     let image_bytes = line_bytes * height as u64;
@@ -111,12 +117,13 @@ pub fn check(bytes: &[u8]) -> Checked<Layout> {
             bytes.len()
         ));
     }
-    check_blocks(bytes, header_end, height, line_bytes as usize)?;
-    Ok(Layout { width, height, precision })
+    check_blocks(bytes, header_end, window, line_bytes as usize)?;
+    Ok(Layout { first, width, height, precision })
 }
 
 /// Every block in its place, one behind the other up to the end of the file.
-fn check_blocks(bytes: &[u8], header_end: usize, height: usize, line_bytes: usize) -> Checked<()> {
+fn check_blocks(bytes: &[u8], header_end: usize, window: Window, line_bytes: usize) -> Checked<()> {
+    let (top, height) = (window.first[0], window.size[0]);
     let blocks = height.div_ceil(BLOCK_LINES);
     let table = slice(bytes, header_end, blocks * 8).map_err(|_| "its table of blocks is cut off")?;
     let mut expected = header_end + blocks * 8;
@@ -128,7 +135,7 @@ fn check_blocks(bytes: &[u8], header_end: usize, height: usize, line_bytes: usiz
         let row = u32_at(bytes, expected)? as usize;
         let size = u32_at(bytes, expected + 4)? as usize;
         let lines = BLOCK_LINES.min(height - block * BLOCK_LINES);
-        if row != block * BLOCK_LINES || size == 0 || size > lines * line_bytes {
+        if row != top + block * BLOCK_LINES || size == 0 || size > lines * line_bytes {
             return Err(format!("block {block} states a wrong row or length"));
         }
         slice(bytes, expected + 8, size).map_err(|_| format!("block {block} is cut off"))?;
@@ -160,16 +167,20 @@ fn channel_list(precision: Precision) -> Vec<u8> {
     list
 }
 
-fn window_size(window: &[u8]) -> Checked<(usize, usize)> {
-    let corner = |index: usize| i32::from_le_bytes(window[index * 4..index * 4 + 4].try_into().expect("four bytes"));
-    if window.len() != 16 || corner(0) != 0 || corner(1) != 0 {
-        return Err("its data window does not start at (0, 0)".into());
-    }
-    let side = |index: usize| usize::try_from(corner(index)).ok().and_then(|last| last.checked_add(1));
-    match (side(2), side(3)) {
-        (Some(width), Some(height)) => Ok((width, height)),
-        _ => Err("its data window is empty".into()),
-    }
+/// A rectangle of pixels, in rows and columns.
+#[derive(Clone, Copy)]
+struct Window {
+    first: [usize; 2],
+    size: [usize; 2],
+}
+
+/// Left, top, right and bottom, all included; `None` where it is empty or begins left of or above 0.
+fn window(corners: &[u8]) -> Option<Window> {
+    let corners = corners.as_chunks::<4>().0;
+    let corner = |index: usize| usize::try_from(i32::from_le_bytes(*corners.get(index)?)).ok();
+    let [left, top, right, bottom] = [corner(0)?, corner(1)?, corner(2)?, corner(3)?];
+    let side = |first: usize, last: usize| (last + 1).checked_sub(first).filter(|&side| side > 0);
+    Some(Window { first: [top, left], size: [side(top, bottom)?, side(left, right)?] })
 }
 
 fn slice(bytes: &[u8], at: usize, count: usize) -> Checked<&[u8]> {

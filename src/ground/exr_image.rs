@@ -9,8 +9,8 @@ use std::path::Path;
 
 use exr::image::write::WritableImage;
 use exr::prelude::{
-    AttributeValue, Blocks, Compression, Encoding, Image, IntoSample, Layer, LayerAttributes, LineOrder, ReadChannels,
-    ReadLayers, SpecificChannels, Text, Vec2,
+    AttributeValue, Blocks, Compression, Encoding, Image, IntegerBounds, IntoSample, Layer, LayerAttributes, LineOrder,
+    ReadChannels, ReadLayers, SpecificChannels, Text, Vec2,
 };
 use half::f16;
 use ndarray::Array3;
@@ -51,8 +51,37 @@ impl Precision {
 /// stand again under [`PREFIX`] as `string`, `int` and `float`.
 /// Values that the number format cannot hold are an error: nothing is clipped in silence.
 pub fn write_rgb(path: &Path, image: &Array3<f32>, precision: Precision, attributes: &Value) -> Result<()> {
+    write_window(path, image, Place::whole(image), precision, attributes)
+}
+
+/// As [`write_rgb`] for an image that is a window of a larger one: the header's data window is `place`, its display window
+/// the larger image.
+pub fn write_window(
+    path: &Path,
+    image: &Array3<f32>,
+    place: Place,
+    precision: Precision,
+    attributes: &Value,
+) -> Result<()> {
     check_values(path, image, precision)?;
-    files::replace(path, &encode(path, image, precision, attributes)?)
+    files::replace(path, &encode(path, image, place, precision, attributes)?)
+}
+
+/// Where an image lies in a larger one; both in rows and columns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Place {
+    /// Row and column of the larger image at which it begins.
+    pub first: [usize; 2],
+    /// Rows and columns of the larger image.
+    pub whole: [usize; 2],
+}
+
+impl Place {
+    /// An image by itself.
+    pub fn whole(image: &Array3<f32>) -> Self {
+        let (rows, columns, _) = image.dim();
+        Self { first: [0; 2], whole: [rows, columns] }
+    }
 }
 
 /// Reads an image that [`write_rgb`] wrote, and its attributes. What the file states is checked against its bytes first,
@@ -91,11 +120,14 @@ fn check_values(path: &Path, image: &Array3<f32>, precision: Precision) -> Resul
     ))
 }
 
-fn encode(path: &Path, image: &Array3<f32>, precision: Precision, attributes: &Value) -> Result<Vec<u8>> {
+fn encode(path: &Path, image: &Array3<f32>, place: Place, precision: Precision, attributes: &Value) -> Result<Vec<u8>> {
+    let (rows, columns, _) = image.dim();
+    let [[row, column], [all_rows, all_columns]] = [place.first, place.whole];
+    assert!(row + rows <= all_rows && column + columns <= all_columns, "a window lies within its image");
     let at = |x: usize, y: usize| [image[[y, x, 0]], image[[y, x, 1]], image[[y, x, 2]]];
     let encoded = match precision {
-        Precision::Half => encode_as(image, attributes, |x, y| at(x, y).map(f16::from_f32).into()),
-        Precision::Float => encode_as(image, attributes, |x, y| at(x, y).into()),
+        Precision::Half => encode_as(image, place, attributes, |x, y| at(x, y).map(f16::from_f32).into()),
+        Precision::Float => encode_as(image, place, attributes, |x, y| at(x, y).into()),
     };
     let mut bytes = encoded.map_err(|e| {
         Error::limit(format!("{}: the image cannot be encoded: {e}", path.display()), "Choose a smaller size.")
@@ -107,20 +139,30 @@ fn encode(path: &Path, image: &Array3<f32>, precision: Precision, attributes: &V
 /// Encodes on the calling thread: callers write many images in parallel, and a pool per file would be wasteful.
 fn encode_as<Sample: IntoSample>(
     image: &Array3<f32>,
+    place: Place,
     attributes: &Value,
     pixel: impl Sync + Fn(usize, usize) -> (Sample, Sample, Sample),
 ) -> exr::error::Result<Vec<u8>> {
     let (height, width, _) = image.dim();
     let encoding =
         Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
+    // Sides are far below 2^31.
+    let vector = |[rows, columns]: [usize; 2]| Vec2(columns as i32, rows as i32);
     let layer = Layer::new(
         (width, height),
-        LayerAttributes { other: header_attributes(attributes).collect(), ..LayerAttributes::default() },
+        LayerAttributes {
+            layer_position: vector(place.first),
+            other: header_attributes(attributes).collect(),
+            ..LayerAttributes::default()
+        },
         encoding,
         SpecificChannels::rgb(|Vec2(x, y)| pixel(x, y)),
     );
+    let [rows, columns] = place.whole;
+    let mut image = Image::from_layer(layer);
+    image.attributes.display_window = IntegerBounds::new((0, 0), (columns, rows));
     let mut bytes = Vec::new();
-    Image::from_layer(layer).write().non_parallel().to_buffered(Cursor::new(&mut bytes))?;
+    image.write().non_parallel().to_buffered(Cursor::new(&mut bytes))?;
     Ok(bytes)
 }
 

@@ -15,7 +15,7 @@ fn attributes() -> Value {
 }
 
 fn encoded(image: &Array3<f32>, precision: Precision) -> Vec<u8> {
-    encode(Path::new("test.exr"), image, precision, &attributes()).unwrap()
+    encode(Path::new("test.exr"), image, Place::whole(image), precision, &attributes()).unwrap()
 }
 
 #[test]
@@ -27,6 +27,26 @@ fn float_images_come_back_exactly() {
         assert_eq!(back, image);
         assert_eq!(found, attributes());
     }
+}
+
+#[test]
+fn a_window_tells_where_it_lies_in_the_whole_image() {
+    let image = random_image(13, 37, 12);
+    let place = Place { first: [5, 70], whole: [50, 90] };
+    let bytes = encode(Path::new("test.exr"), &image, place, Precision::Float, &attributes()).unwrap();
+    let layout = exr_header::check(&bytes).unwrap();
+    assert_eq!((layout.first, layout.height, layout.width), (place.first, 37, 12));
+    let (found, _) = exr_header::attributes(&bytes).unwrap();
+    let box_of = |name: &str| exr_header::find(&found, name, "box2i").unwrap().to_vec();
+    // Left, top, right, bottom.
+    assert_eq!(box_of("dataWindow"), [70i32, 5, 81, 41].map(i32::to_le_bytes).concat());
+    assert_eq!(box_of("displayWindow"), [0i32, 0, 89, 49].map(i32::to_le_bytes).concat());
+    assert_eq!(decode(&bytes).unwrap().0, image);
+    // Outside of the whole image it would mean nothing.
+    let at = bytes.windows(13).position(|w| w == b"displayWindow").unwrap() + 14 + 6 + 4;
+    let mut narrow = bytes.clone();
+    narrow[at + 8] = 80;
+    assert!(decode(&narrow).unwrap_err().contains("beyond its display window"));
 }
 
 #[test]

@@ -78,7 +78,8 @@ over [-2, 2] in u and v, from column {first_column} and row {first_row} on; ever
 
 - `table.NNN.exr`, {count} files of {columns} x {rows} texels: one per basis function n, channels R, G, B holding X, Y, Z.
   Column `c` (from 0) of a window lies at `u = {u_first} + c {step}`, row `r` (from 0, the top scan line) at
-  `v = {v_first} - r {step}`, with `{step}` = 4 / {last}.
+  `v = {v_first} - r {step}`, with `{step}` = 4 / {last}. The header's data window says the same in columns and rows of the whole
+  grid, which is the display window: a reader that fills up the display window counts `c` and `r` from the data window's corner.
 - `range.exr`, as large: R and G hold `low` and `high`, the least and the greatest `t` a texel is made for, B is 1 where a texel
   is served and 0 where not. A look-up that reads a texel with B = 0, or whose `t` does not lie between the
   interpolated `low` and `high` but for rounding (a fiftieth of `high - low`), has **no answer**: report it, do not use what

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 
 use crate::ground::error::{Error, Result};
-use crate::ground::exr_image::{self, Precision};
+use crate::ground::exr_image::{self, Place, Precision};
 use crate::ground::files;
 use crate::optics::config::OpticsConfig;
 use crate::tables::model::{Basis, Lobe, Served, Storage, TableSet};
@@ -328,7 +328,12 @@ fn write_array(folder: &Path, set: &TableSet, job: &Job) -> Result<StoredArray> 
         Storage::Half => Precision::Half,
         Storage::Float => Precision::Float,
     };
-    exr_image::write_rgb(&path, scaled.as_ref().unwrap_or(job.values), precision, &attributes)?;
+    let image = scaled.as_ref().unwrap_or(job.values);
+    let place = match (&set.served, job.kind) {
+        (Some(served), "table" | "range") => Place { first: served.first, whole: [served.size; 2] },
+        _ => Place::whole(image),
+    };
+    exr_image::write_window(&path, image, place, precision, &attributes)?;
     Ok(stored)
 }
 
