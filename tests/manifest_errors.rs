@@ -42,6 +42,7 @@ const CASES: &[Case] = &[
     ("windows = \"grid\"", "zzz.y = 1", "11:1", "zzz", &["unknown key `zzz`", "`illuminant`", "`shadowing`"]),
     ("check = \"auto\"", "check = \"auto\"\n[cache]\nlimit_mib = -1", "45:13", "-1", &["`cache.limit_mib`", "between 0 and"]),
     ("check = \"auto\"", "check = \"auto\"\n[cache]\nfolder = \"\"", "45:10", "\"\"", &["`cache.folder`"]),
+    ("size_px = 512", "size_px = 512\ntolerance = 1e-2", "36:1", "tolerance", &["made for scenes", "tables.serve = \"scenes\""]),
     // The right quantity in the wrong unit.
     ("sigma_um = 16.25", "sigma_nm = 16250", "10:15", "sigma_nm", &["`sigma_um`", "sigma_um = 16.25)"]),
     ("sigma_um = 16.25", "sigma_mm = 0.01625", "10:15", "sigma_mm", &["sigma_um = 16.25)"]),

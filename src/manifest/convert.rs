@@ -117,6 +117,7 @@ fn scene(section: &SceneSection) -> Scene {
             ExposureSection::Ev(stops) => Exposure::Ev(stops),
         },
         specimen: section.specimen.clone(),
+        tolerance: section.tolerance,
         light_samples: section.light_samples,
         pixel_samples: section.pixel_samples,
     }

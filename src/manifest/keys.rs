@@ -96,6 +96,7 @@ pub const SCENE: Keys = Keys {
         "pixel_samples",
         "size_px",
         "exposure",
+        "tolerance",
         "animate",
         "width_mm",
         "distance_mm",

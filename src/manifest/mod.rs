@@ -122,6 +122,9 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
         Some(item) => tables::read_serve(&item, &names)?,
         None => Serve::All,
     };
+    if let (Some(item), Serve::All) = (top.get("scene"), &serve) {
+        scene::refuse_tolerances(&item)?;
+    }
     let base = base.to_owned();
     Ok(Manifest { schema: SCHEMA, atlas, optics, tables, serve, specimens, scenes, gpu, report, cache, base })
 }

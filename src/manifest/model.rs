@@ -167,6 +167,8 @@ pub struct SceneSection {
     pub size_px: usize,
     /// How luminance becomes brightness.
     pub exposure: ExposureSection,
+    /// What tables made for it may err by; `None` for the tolerance of all tables.
+    pub tolerance: Option<f64>,
     /// Directions that stand for the disc of each light, or points that stand for a screen's beam.
     pub light_samples: usize,
     /// Positions within each pixel.

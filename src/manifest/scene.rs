@@ -9,6 +9,7 @@ use super::mesh;
 use super::model::{ExposureSection, LightSection, SceneSection, ShapeSection};
 use super::name;
 use super::reader::{Item, Section};
+use super::tables;
 use crate::ground::error::Result;
 use crate::scene::animation::{Animation, Axis, Moving};
 use crate::scene::environment::{self, Environment};
@@ -70,7 +71,7 @@ const MESH: Kind =
 
 /// Keys that every shape takes.
 const COMMON_KEYS: &[&str] =
-    &["name", "shape", "specimen", "size_px", "exposure", "animate", "light_samples", "pixel_samples"];
+    &["name", "shape", "specimen", "size_px", "exposure", "tolerance", "animate", "light_samples", "pixel_samples"];
 
 /// Reads every scene; `specimens` are the names that `specimen` may give.
 pub fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<SceneSection>> {
@@ -86,6 +87,19 @@ pub fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<Scen
         scenes.push(read(&section, name, specimens, base)?);
     }
     Ok(scenes)
+}
+
+/// Refuses a tolerance where no tables are made for the scene: it would be ignored.
+pub fn refuse_tolerances(item: &Item) -> Result<()> {
+    for item in item.list()? {
+        let section = item.section(&keys::SCENE, "[[scene]]")?;
+        if section.has("tolerance") {
+            let message = "`tolerance` of a scene goes with tables that are made for scenes: set tables.serve = \"scenes\", or \
+                           tables.tolerance for tables that serve every direction";
+            return Err(section.error_at_key("tolerance", message));
+        }
+    }
+    Ok(())
 }
 
 fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Result<SceneSection> {
@@ -117,6 +131,7 @@ fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Res
         size_px,
         exposure: section.get("exposure").map_or(Ok(ExposureSection::Auto), |item| exposure(&item))?,
         environment: section.get("environment").map(|item| environment(&item, base)).transpose()?,
+        tolerance: section.get("tolerance").map(|item| tables::tolerance(&item)).transpose()?,
         light_samples,
         pixel_samples,
         specimen: section.get("specimen").map(|item| one_of(&item, specimens)).transpose()?,

@@ -30,7 +30,7 @@ pub fn read(item: &Item) -> Result<TablesConfig> {
         tables.basis = item.choice(&[("chebyshev", Basis::Chebyshev), ("taylor", Basis::Taylor)])?;
     }
     if let Some(item) = section.get("tolerance") {
-        tables.tolerance = item.number_above(TOLERANCE[0], TOLERANCE[1], "")?;
+        tables.tolerance = tolerance(&item)?;
     }
     if let Some(item) = section.get("size") {
         tables.size = Some(size(&item)?);
@@ -51,6 +51,11 @@ pub fn read(item: &Item) -> Result<TablesConfig> {
         tables.memory_mib = item.integer_within(MEMORY_MIB[0], MEMORY_MIB[1], "MiB")?;
     }
     Ok(tables)
+}
+
+/// Reads a tolerance.
+pub fn tolerance(item: &Item) -> Result<f64> {
+    item.number_above(TOLERANCE[0], TOLERANCE[1], "")
 }
 
 /// Reads `serve`: which directions the tables answer for; `scenes` are the names of the manifest's scenes.

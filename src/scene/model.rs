@@ -130,6 +130,10 @@ pub struct Scene {
     /// The specimen shown; every one where absent.
     #[serde(default)]
     pub specimen: Option<String>,
+    /// Relative error of the luminance that tables made for this picture may have for each of their causes; that of all
+    /// tables where absent.
+    #[serde(default)]
+    pub tolerance: Option<f64>,
     /// Samples of each light that has an angular diameter, and of the screen's beam.
     #[serde(default = "default_light_samples")]
     pub light_samples: usize,
@@ -153,6 +157,7 @@ impl Scene {
             size_px,
             exposure: Exposure::Auto,
             specimen: None,
+            tolerance: None,
             light_samples: 1,
             pixel_samples: 1,
         }

@@ -15,7 +15,7 @@ use crate::ground::error::Error;
 use crate::ground::sampling;
 use crate::tables::build::BuildPlan;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::{Basis, BuildRecord, TableSet};
+use crate::tables::model::{Basis, BuildRecord, TableSet, TablesConfig};
 
 /// Directions whose values are stored for testing other programs.
 const CHECK_VALUES: usize = 20;
@@ -24,7 +24,7 @@ const CHECK_VALUES: usize = 20;
 pub(super) fn describe(
     specimen: &SpecimenConfig,
     ingested: &Ingested,
-    config: &RunConfig,
+    tables: &TablesConfig,
     set: &TableSet,
     record: &BuildRecord,
     plan: &BuildPlan,
@@ -44,10 +44,10 @@ pub(super) fn describe(
             basis: set.basis,
             tables: set.tables.len(),
             size: set.size(),
-            storage: config.tables.storage,
+            storage: tables.storage,
             stored_bytes: 0,
             prefilter_width: set.prefilter_width,
-            tolerance: config.tables.tolerance,
+            tolerance: tables.tolerance,
             record: record.clone(),
             build_s: 0.0,
         }),

@@ -113,7 +113,8 @@ pub fn check(
     let pictured = serve::pictured_scenes(config, name);
     let scenes: Vec<&Scene> = pictured.iter().filter(|scene| specimens_of(scene).is_empty()).collect();
     let reference = config.report.reference;
-    let checked = check_files(stage, &version_folder.join(name), name, &scenes, &config.tables, reference);
+    let tables = serve::tables_for(config, name);
+    let checked = check_files(stage, &version_folder.join(name), name, &scenes, &tables, reference);
     progress.finish();
     results.stages.push(stopwatch.read(STAGE, Some(name)));
     let mut fail = |message| {

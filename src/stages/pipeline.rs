@@ -233,7 +233,8 @@ fn run_specimen(
         Some(config) => Some(clock.stage("read measured reflectance", 0, || measured::read(config))?),
         None => None,
     };
-    let source = Source { fields: &ingested.fields, optics, tables: &config.tables };
+    let tables = serve::tables_for(config, &specimen.name);
+    let source = Source { fields: &ingested.fields, optics, tables: &tables };
     let known = Known::new(cache, &ingested.fields);
     let pictured = serve::pictured_scenes(config, &specimen.name);
     let wanted: Vec<&Scene> = pictured.iter().collect();
@@ -242,11 +243,11 @@ fn run_specimen(
         false => None,
         true => Some(clock.stage("find what the scenes reach", 0, || serve::domain_of(&source, &wanted))?),
     };
-    let plan = clock.stage("plan", 0, || build::plan_for(&ingested.fields, optics, &config.tables, domain.clone()))?;
+    let plan = clock.stage("plan", 0, || build::plan_for(&ingested.fields, optics, &tables, domain.clone()))?;
     let steps = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum::<usize>() * plan.windows.len();
     let (built, record, build_s) =
         clock.stage("build tables", steps as u64, || known.tables(&source, &plan, &|n| helpers.progress.advance(n)))?;
-    let stored = clock.stage("store tables", 0, || write_tables(&folder, &built, config.tables.storage))?;
+    let stored = clock.stage("store tables", 0, || write_tables(&folder, &built, tables.storage))?;
     let set = clock.stage("read back", 0, || {
         let pigment = specimen.albedo.map(|albedo| pigment(albedo, optics)).transpose()?;
         Ok(TableSet { pigment, ..read_tables(&folder, &stored, optics)? })
@@ -262,7 +263,7 @@ fn run_specimen(
         true => ErrorDirections::of_scenes(&works),
     };
     let served = directions.pairs.clone();
-    let mut result = describe(specimen, &ingested, config, &set, &record, &plan);
+    let mut result = describe(specimen, &ingested, &tables, &set, &record, &plan);
     let yardstick = match config.report.reference {
         false => None,
         true => Some(clock.stage("evaluate the reference", 0, || {

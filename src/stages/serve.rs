@@ -40,6 +40,14 @@ pub fn pictured_scenes(config: &RunConfig, specimen: &str) -> Vec<Scene> {
     served_scenes(config, specimen).unwrap_or_else(|| scenes_for(&config.scenes, specimen))
 }
 
+/// What is asked of a specimen's tables: the tolerance of the scene that asks for most where they serve scenes.
+pub fn tables_for(config: &RunConfig, specimen: &str) -> TablesConfig {
+    let tolerance = |scene: Scene| scene.tolerance.unwrap_or(config.tables.tolerance);
+    let strictest =
+        served_scenes(config, specimen).and_then(|scenes| scenes.into_iter().map(tolerance).reduce(f64::min));
+    TablesConfig { tolerance: strictest.unwrap_or(config.tables.tolerance), ..config.tables.clone() }
+}
+
 /// Whether anything is asked of a specimen: always, unless tables serve scenes and none of them shows it.
 pub fn is_asked_for(config: &RunConfig, specimen: &str) -> bool {
     served_scenes(config, specimen).is_none_or(|scenes| !scenes.is_empty())

@@ -1,5 +1,7 @@
 //! Tables that serve scenes: what is written, what is left out, and what refuses to answer.
 
+use diffraction_atlas::ground::exr_image::read_rgb;
+
 use crate::evaluation::directions;
 use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, WAVE};
 
@@ -92,6 +94,32 @@ fn the_plan_lists_what_is_left_out() {
     assert!(!place.path("out").exists(), "nothing is written");
 }
 
+/// A scene that is content with less is served by fewer tables, and differs by no more than it allows.
+#[test]
+fn a_scene_pays_for_its_own_tolerance() {
+    let place = Place::with_scans();
+    let ball = "[[scene]]\nname = \"ball\"\nshape = \"sphere\"\nsize_px = 24\nlight_samples = 4\n";
+    let with = |scenes: &str| manifest("\"scenes\"", &[scenes, "[cache]\nlimit_mib = 0\n"]);
+    let content = format!("{ball}tolerance = 0.05\n");
+    let both = format!("{content}{PATCH}tolerance = 2e-3\n");
+    let mut pictures = Vec::new();
+    for (version, scenes, tolerance) in [(1, content.as_str(), 0.05), (2, ball, 1e-3), (3, both.as_str(), 2e-3)] {
+        place.publish(&with(scenes));
+        let folder = format!("out/small/v{version:04}");
+        let report = place.json(&format!("{folder}/report.json"));
+        let rough = &report["specimens"][0];
+        assert_eq!(rough["build"]["tolerance"], tolerance, "the strictest of what is served");
+        let image = read_rgb(&place.path(&format!("{folder}/rough/scenes/ball.exr"))).unwrap().0;
+        pictures.push((rough["build"]["record"]["node_samples"].as_u64().unwrap(), image));
+    }
+    let [(few, rough), (many, fine), (between, _)] = &pictures[..] else { panic!("three versions") };
+    assert!(few < many && few < between, "{few} {between} {many}");
+    let white = fine.iter().copied().fold(0.0, f32::max);
+    let differences = rough.iter().zip(fine).map(|(a, b)| (a - b).abs() / white);
+    let worst = differences.fold(0.0, f32::max);
+    assert!(worst > 0.0 && worst < 0.05, "{worst}");
+}
+
 #[test]
 fn what_cannot_be_served_is_said() {
     let place = Place::with_scans();
@@ -100,6 +128,7 @@ fn what_cannot_be_served_is_said() {
         (manifest("[]", &[SCENES]), "serves no direction at all"),
         (manifest("[\"bal\"]", &[SCENES]), "did you mean \"ball\"?"),
         (manifest("\"some\"", &[SCENES]), "scenes"),
+        (manifest("\"all\"", &[SCENES, "tolerance = 0.01\n"]), "goes with tables that are made for scenes"),
         (manifest("\"scenes\"\nbasis = \"taylor\"", &[SCENES]), "goes with basis = \"chebyshev\""),
     ] {
         place.write("m.toml", &text);

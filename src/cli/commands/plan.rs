@@ -85,7 +85,8 @@ pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
 fn plan_specimen(config: &RunConfig, specimen: &SpecimenConfig, threads: usize) -> Result<(Forecast, Option<Budget>)> {
     specimen.measured.as_ref().map(measured::read).transpose()?;
     let ingested = ingest(specimen)?;
-    let source = Source { fields: &ingested.fields, optics: &specimen.optics, tables: &config.tables };
+    let tables = serve::tables_for(config, &specimen.name);
+    let source = Source { fields: &ingested.fields, optics: &specimen.optics, tables: &tables };
     let Some(scenes) = serve::served_scenes(config, &specimen.name) else {
         return Ok((forecast(source.fields, source.optics, source.tables, threads)?, None));
     };
