@@ -10,7 +10,7 @@ use diffraction_atlas::render::cpu;
 use diffraction_atlas::scene::model::{Exposure, Light, Scene, Shape, exposure_factor};
 use diffraction_atlas::scene::reach::reach;
 use diffraction_atlas::scene::samples::samples;
-use diffraction_atlas::stages::serve::{Pruning, Source, budget, domain_of, measure, plan_without};
+use diffraction_atlas::stages::serve::{Pruning, Source, account, domain_of, measure, plan_without};
 use diffraction_atlas::tables::build::{build, build_planned, grid};
 use diffraction_atlas::tables::domain::Domain;
 use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz, serves};
@@ -188,18 +188,20 @@ fn every_step_taken_back_costs_what_the_plan_says() {
     let patch = Shape::Patch { width_mm: 20.0, distance_mm: 60.0, tilt_deg: 30.0, turn_deg: 0.0 };
     let scene = scene(patch, vec![light([0.9, 0.4, 0.3], 0.53)]);
     let domain = domain_of(&source, &[&scene]).unwrap();
-    let budget = budget(&source, &[&scene], &domain).unwrap();
     let taken = measure(&source, &plan_without(None, &source, &domain).unwrap()).unwrap();
+    // Tables for every direction would be asked for ten times the accuracy.
+    let whole = TablesConfig { tolerance: 0.1 * TOLERANCE, ..tables.clone() };
+    let budget = account(&source, &[&scene], &domain, &whole, taken, true).unwrap();
     let steps: Vec<_> = budget.rows.iter().filter_map(|row| row.step).collect();
-    let expected = [Pruning::Texels, Pruning::Depths, Pruning::Wavelengths, Pruning::Lobe];
+    let expected = [Pruning::Texels, Pruning::Depths, Pruning::Wavelengths, Pruning::Lobe, Pruning::Tolerance];
     assert_eq!(steps, expected, "daylight, and a patch that does not look into the lobe");
-    for row in budget.rows.iter().filter(|row| row.step.is_some()) {
-        let without = measure(&source, &plan_without(row.step, &source, &domain).unwrap()).unwrap();
+    for row in &budget.rows {
+        let (predicted, without) = (row.with_it, row.measured.unwrap());
         println!(
             "{}: predicted {:.2e} sums and {:.2e} bytes, counted {:.2e} and {:.2e}; with the step {:.2e} and {:.2e}",
             row.what,
-            row.with_it.node_samples,
-            row.with_it.stored_bytes,
+            predicted.node_samples,
+            predicted.stored_bytes,
             without.node_samples,
             without.stored_bytes,
             taken.node_samples,
@@ -211,11 +213,14 @@ fn every_step_taken_back_costs_what_the_plan_says() {
             _ => {
                 assert!(without.node_samples > 1.2 * taken.node_samples, "{} saves next to nothing", row.what);
                 // The number of nodes is a forecast; texels and wavelengths are counted.
-                let ratio = row.with_it.node_samples / without.node_samples;
+                let ratio = predicted.node_samples / without.node_samples;
                 assert!((0.5..2.0).contains(&ratio), "{}: predicted {ratio} times what it takes", row.what);
             }
         }
     }
+    // The same accuracy asked of all: nothing is saved by asking for less.
+    let same = account(&source, &[&scene], &domain, &tables, taken, false).unwrap();
+    assert!(same.rows.iter().all(|row| row.step != Some(Pruning::Tolerance)));
 }
 
 /// The same scan, bundled: the snake under the sun, one of the manifest's specimens at its own settings.

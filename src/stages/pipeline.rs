@@ -330,7 +330,7 @@ fn run_specimen(
             stored_bytes: stored_bytes as f64,
         };
         result.budget = Some(clock.stage("account for what is left out", 0, || {
-            serve::account(&source, &wanted, domain, measured, config.report.savings)
+            serve::account(&source, &wanted, domain, &config.tables, measured, config.report.savings)
         })?);
     }
     let inputs = inputs(config, specimen, &ingested, measurement.as_ref());

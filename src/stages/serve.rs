@@ -112,11 +112,14 @@ pub enum Pruning {
     Spectrum,
     /// The coherent lobe where no direction lies in it.
     Lobe,
+    /// Accuracy that none of the scenes asks for.
+    Tolerance,
 }
 
 impl Pruning {
     /// Every step.
-    pub const ALL: [Self; 5] = [Self::Texels, Self::Depths, Self::Wavelengths, Self::Spectrum, Self::Lobe];
+    pub const ALL: [Self; 6] =
+        [Self::Texels, Self::Depths, Self::Wavelengths, Self::Spectrum, Self::Lobe, Self::Tolerance];
 
     /// What is left out, for people.
     pub fn what(self) -> &'static str {
@@ -126,6 +129,7 @@ impl Pruning {
             Self::Wavelengths => "wavelengths beyond what a radius needs",
             Self::Spectrum => "wavelengths without light",
             Self::Lobe => "the coherent lobe",
+            Self::Tolerance => "accuracy that no scene asks for",
         }
     }
 }
@@ -164,9 +168,28 @@ pub fn plan_without(step: Option<Pruning>, source: &Source, domain: &Domain) -> 
     Ok(plan)
 }
 
-/// The plan for every direction, and for daylight where the lamp is a laser.
-fn plan_for_all(source: &Source) -> Result<BuildPlan> {
-    plan(source.fields, &optics_without(Some(Pruning::Spectrum), source.optics), source.tables)
+/// What a row of the budget compares with: tables for every direction, and for daylight where the lamp is a laser, or
+/// those of the scenes with one step taken back. `whole` is what tables for every direction are asked for.
+fn compared<'a>(
+    step: Option<Pruning>,
+    source: &Source<'a>,
+    scenes: &[&Scene],
+    domain: &Domain,
+    whole: &'a TablesConfig,
+) -> Result<(OpticsConfig, &'a TablesConfig, BuildPlan)> {
+    let optics = optics_without(step.or(Some(Pruning::Spectrum)), source.optics);
+    Ok(match step {
+        None => {
+            let plan = plan(source.fields, &optics, whole)?;
+            (optics, whole, plan)
+        }
+        Some(Pruning::Tolerance) => {
+            let stricter = Source { tables: whole, ..*source };
+            let plan = plan_without(None, &stricter, &domain_of(&stricter, scenes)?)?;
+            (optics, whole, plan)
+        }
+        step => (optics, source.tables, plan_without(step, source, domain)?),
+    })
 }
 
 /// What one thing left out saves.
@@ -227,15 +250,17 @@ pub struct Budget {
     pub rows: Vec<BudgetRow>,
 }
 
-/// Predicts what the scenes need and what every step saves.
+/// Predicts what the scenes need and what every step saves, compared with tables for every direction of which `whole`
+/// is asked.
 ///
 /// # Errors
 /// Those of planning.
-pub fn budget(source: &Source, scenes: &[&Scene], domain: &Domain) -> Result<Budget> {
+pub fn budget(source: &Source, scenes: &[&Scene], domain: &Domain, whole: &TablesConfig) -> Result<Budget> {
     let Source { fields, optics, tables } = *source;
     let threads = rayon::current_num_threads();
-    let cost = |step, plan: &BuildPlan| {
-        Cost::predicted(&forecast_of(fields, &optics_without(step, optics), tables, plan, threads))
+    let cost = |step| -> Result<Cost> {
+        let (optics, tables, plan) = compared(step, source, scenes, domain, whole)?;
+        Ok(Cost::predicted(&forecast_of(fields, &optics, tables, &plan, threads)))
     };
     let served = plan_without(None, source, domain)?;
     let mut rows = vec![BudgetRow {
@@ -244,27 +269,27 @@ pub fn budget(source: &Source, scenes: &[&Scene], domain: &Domain) -> Result<Bud
         why: if is_laser(optics) { "tables for every direction and wavelength" } else { "tables for every direction" }
             .into(),
         error_bound: build::RANGE_SHARE * tables.tolerance,
-        with_it: cost(Some(Pruning::Spectrum), &plan_for_all(source)?),
+        with_it: cost(None)?,
         measured: None,
     }];
-    for step in Pruning::ALL.into_iter().filter(|&step| saves(step, &served, optics)) {
+    for step in Pruning::ALL.into_iter().filter(|&step| saves(step, &served, source, whole)) {
         rows.push(BudgetRow {
             step: Some(step),
             what: step.what().into(),
-            why: why(step, domain, &served),
+            why: why(step, domain, &served, whole),
             error_bound: match step {
                 Pruning::Texels | Pruning::Lobe | Pruning::Spectrum => 0.0,
                 Pruning::Depths => build::RANGE_SHARE * tables.tolerance,
-                Pruning::Wavelengths => tables.tolerance,
+                Pruning::Wavelengths | Pruning::Tolerance => tables.tolerance,
             },
-            with_it: cost(Some(step), &plan_without(Some(step), source, domain)?),
+            with_it: cost(Some(step))?,
             measured: None,
         });
     }
     Ok(Budget {
         scenes: scenes.iter().map(|scene| scene.name.clone()).collect(),
         reached_share: share_of_disc(domain),
-        served: cost(None, &served),
+        served: Cost::predicted(&forecast_of(fields, optics, tables, &served, threads)),
         measured: None,
         rows,
     })
@@ -275,17 +300,20 @@ pub fn budget(source: &Source, scenes: &[&Scene], domain: &Domain) -> Result<Bud
 ///
 /// # Errors
 /// Those of planning, building and the disk.
-pub fn account(source: &Source, scenes: &[&Scene], domain: &Domain, measured: Cost, savings: bool) -> Result<Budget> {
-    let mut budget = budget(source, scenes, domain)?;
+pub fn account(
+    source: &Source,
+    scenes: &[&Scene],
+    domain: &Domain,
+    whole: &TablesConfig,
+    measured: Cost,
+    savings: bool,
+) -> Result<Budget> {
+    let mut budget = budget(source, scenes, domain, whole)?;
     budget.measured = Some(measured);
     if savings {
         for row in &mut budget.rows {
-            let (step, plan) = match row.step {
-                None => (Some(Pruning::Spectrum), plan_for_all(source)?),
-                step => (step, plan_without(step, source, domain)?),
-            };
-            let optics = optics_without(step, source.optics);
-            row.measured = Some(measure(&Source { optics: &optics, ..*source }, &plan)?);
+            let (optics, tables, plan) = compared(row.step, source, scenes, domain, whole)?;
+            row.measured = Some(measure(&Source { optics: &optics, tables, ..*source }, &plan)?);
         }
     }
     Ok(budget)
@@ -313,17 +341,19 @@ fn share_of_disc(domain: &Domain) -> f64 {
 }
 
 /// Whether there is anything for a step to leave out.
-fn saves(step: Pruning, served: &BuildPlan, optics: &OpticsConfig) -> bool {
+fn saves(step: Pruning, served: &BuildPlan, source: &Source, whole: &TablesConfig) -> bool {
+    let optics = source.optics;
     match step {
         Pruning::Texels | Pruning::Depths => true,
         // Lines are all needed everywhere; only a spectrum is resolved as a radius asks.
         Pruning::Wavelengths => !is_laser(optics),
         Pruning::Spectrum => is_laser(optics),
         Pruning::Lobe => !served.lobe_seen,
+        Pruning::Tolerance => whole.tolerance < source.tables.tolerance,
     }
 }
 
-fn why(step: Pruning, domain: &Domain, plan: &BuildPlan) -> String {
+fn why(step: Pruning, domain: &Domain, plan: &BuildPlan, whole: &TablesConfig) -> String {
     match step {
         Pruning::Texels => {
             let [reached, all] = domain.disc_texels();
@@ -340,5 +370,6 @@ fn why(step: Pruning, domain: &Domain, plan: &BuildPlan) -> String {
         }
         Pruning::Spectrum => "a laser shines in its lines alone; compared with daylight".into(),
         Pruning::Lobe => "no direction comes near the mirror's".into(),
+        Pruning::Tolerance => format!("other tables are made for a tolerance of {}", whole.tolerance),
     }
 }

@@ -94,7 +94,7 @@ fn plan_specimen(config: &RunConfig, specimen: &SpecimenConfig, threads: usize) 
     let domain = serve::domain_of(&source, &scenes)?;
     let plan = serve::plan_without(None, &source, &domain)?;
     let forecast = forecast_of(source.fields, source.optics, source.tables, &plan, threads);
-    Ok((forecast, Some(serve::budget(&source, &scenes, &domain)?)))
+    Ok((forecast, Some(serve::budget(&source, &scenes, &domain, &config.tables)?)))
 }
 
 impl Plan {
