@@ -192,6 +192,36 @@ fn illuminants_and_patterns_are_resolved() {
 }
 
 #[test]
+fn each_file_of_a_collection_can_be_a_specimen() {
+    let folder = folder();
+    for name in ["Boa 1 (left).tif", "Boa 2.tif"] {
+        std::fs::write(folder.path().join(name), "").unwrap();
+    }
+    let each = |pattern: &str, scans: &str| {
+        let names = format!("name = {pattern:?}\nscans = {scans:?}\nlevel = \"rows\"\n");
+        parse_in(folder.path(), &good_with("name = \"xenopeltis\"\nscans = [\"snake.tif\"]\n", &names))
+    };
+    let made = each("scan-{file}", "Boa*.tif").unwrap().specimens;
+    let found: Vec<_> = made[1..].iter().map(|one| (one.name.as_str(), one.scans.clone(), one.level)).collect();
+    let scans = |name: &str| vec![folder.path().join(name)];
+    let rows = LevelSection::Rows;
+    let expected = [("scan-Boa_1_left_", scans("Boa 1 (left).tif"), rows), ("scan-Boa_2", scans("Boa 2.tif"), rows)];
+    assert_eq!(found, expected);
+    // Names that come out the same, or are none.
+    std::fs::write(folder.path().join("Boa_2.gsf"), "").unwrap();
+    for (pattern, scans, fault) in [
+        ("{file}", "Boa?2.*", "repeats the name \"Boa_2\""),
+        ("elaphe", "Boa*", "repeats the name"),
+        ("-{file}", "Boa 2.tif", "begin with a letter or digit"),
+        ("{files}", "Boa 2.tif", "begin with a letter or digit"),
+        ("{file}", "none*.tif", "matches no file"),
+    ] {
+        let error = each(pattern, scans).unwrap_err().to_string();
+        assert!(error.contains(fault), "{pattern} of {scans}: {error}");
+    }
+}
+
+#[test]
 fn the_bundled_manifest_is_good() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(root.join("pipeline.toml")).unwrap();

@@ -11,8 +11,28 @@ const RESERVED: &[&str] = &["con", "prn", "aux", "nul"];
 
 /// Reads a name made of letters a-z, digits, `_`, and `-`, beginning with a letter or digit.
 pub fn read(item: &Item) -> Result<String> {
-    let name = item.text()?;
-    let safe = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    checked(item, item.text()?)
+}
+
+fn safe(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_' || c == '-'
+}
+
+/// A text with `_` in place of every run of characters that no name may hold.
+pub fn made_safe(text: &str) -> String {
+    let mut name = String::new();
+    for c in text.chars() {
+        match (safe(c), name.ends_with('_')) {
+            (true, _) => name.push(c),
+            (false, false) => name.push('_'),
+            (false, true) => {}
+        }
+    }
+    name
+}
+
+/// A name that `item` leads to, if it can be one.
+pub fn checked(item: &Item, name: &str) -> Result<String> {
     let begins_well = name.starts_with(|c: char| c.is_ascii_alphanumeric());
     // No dots: a specimen's folder lies beside files such as `atlas.json`.
     if !begins_well || !name.chars().all(safe) || name.len() > CHARACTERS_MAX {

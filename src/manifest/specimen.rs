@@ -41,11 +41,30 @@ pub fn read_all(item: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<S
     for item in items {
         let section = item.section(&keys::SPECIMEN, "[[specimen]]")?;
         let name_item = section.require("name", "name = \"corn_snake\"")?;
-        let name = name::read(&name_item)?;
-        name::refuse_repetition(&name_item, &name, specimens.iter().map(|other| other.name.as_str()))?;
-        specimens.push(read(&section, name, optics.clone(), base)?);
+        for one in of_section(&section, &name_item, optics, base)? {
+            name::refuse_repetition(&name_item, &one.name, specimens.iter().map(|other| other.name.as_str()))?;
+            specimens.push(one);
+        }
     }
     Ok(specimens)
+}
+
+/// What stands in a name for that of the file: each file then is a specimen of its own.
+const FILE_PATTERN: &str = "{file}";
+
+/// The specimen that a section describes, or one for each of its files.
+fn of_section(section: &Section, name: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<SpecimenSection>> {
+    let pattern = name.text()?;
+    if !pattern.contains(FILE_PATTERN) {
+        return Ok(vec![read(section, name::read(name)?, optics.clone(), base)?]);
+    }
+    let all = read(section, String::new(), optics.clone(), base)?;
+    let of_file = |scan: &PathBuf| {
+        let stem = scan.file_stem().unwrap_or_default().to_string_lossy();
+        let name = name::checked(name, &pattern.replace(FILE_PATTERN, &name::made_safe(&stem)))?;
+        Ok(SpecimenSection { name, scans: vec![scan.clone()], ..all.clone() })
+    };
+    all.scans.iter().map(of_file).collect()
 }
 
 fn read(section: &Section, name: String, mut optics: OpticsConfig, base: &Path) -> Result<SpecimenSection> {
