@@ -13,6 +13,7 @@ use rustfft::num_complex::Complex;
 use super::config::OpticsConfig;
 use super::fresnel::{cos_half_angle, reflectance};
 use super::kernel::Kernel;
+use super::spectra::bandwidth_nm;
 use super::window::{Placement, WindowAxis, placements, window_axis};
 use crate::ground::direction::{Vec3, Xyz, geometry_factor, v_cavity_shadowing, wave_vector_change};
 use crate::ground::error::Result;
@@ -40,22 +41,31 @@ pub fn prefactor(optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> f64 {
     reflectance(optics.material, cos_half_angle(wi, wo)) * geometry_factor(wi, wo) * shadowing
 }
 
-/// The wavelengths that resolve every spectral feature of the window in a direction, with XYZ weights;
-/// `step` is [`FULL_STEP`] or coarser.
+/// The wavelengths that resolve every spectral feature of a window in a direction, with XYZ weights;
+/// `half_range_nm` is half the surface's range of heights, `step` is [`FULL_STEP`] or coarser.
 ///
 /// # Errors
 /// `Error::Call` if the light is invisible.
-pub fn resolving_wavelengths(optics: &OpticsConfig, q: Vec3, step: f64) -> Result<SpectralQuadrature> {
-    uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, resolving_count(optics, q, step))
+pub fn resolving_wavelengths(
+    optics: &OpticsConfig,
+    q: Vec3,
+    half_range_nm: f64,
+    step: f64,
+) -> Result<SpectralQuadrature> {
+    uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, resolving_count(optics, q, half_range_nm, step))
 }
 
 /// How many wavelengths [`resolving_wavelengths`] gives. Rounded up to five binary digits: directions share
 /// few numbers then, and with them the quadratures, whose weights cost more than the sums they weigh.
-pub fn resolving_count(optics: &OpticsConfig, q: Vec3, step: f64) -> usize {
+///
+/// As a function of `1/λ`, `|P|²` consists of waves at the lags `ρ Δx + |w| Δh` between two points of the surface. The
+/// window spreads the former with a standard deviation of `√2 ρσ`; the latter are at most twice the half range, and
+/// spread by `√2 |w|` times it where only the highest and the lowest heights occur. Variances add.
+pub fn resolving_count(optics: &OpticsConfig, q: Vec3, half_range_nm: f64, step: f64) -> usize {
     let [low_nm, high_nm] = optics.wavelength_nm;
     let span = 1.0 / low_nm - 1.0 / high_nm;
     let rho = q[0].hypot(q[1]);
-    let needed = span * rho * TAU * optics.sigma_nm / step;
+    let needed = span * TAU * (rho * optics.sigma_nm).hypot(q[2] * half_range_nm) / step;
     let fewest = match optics.illuminant {
         // Spiky or arbitrary spectra: fine enough for the tables' 5 nm structure.
         Illuminant::F(_) | Illuminant::Tabulated { .. } => 3.0 * WAVELENGTHS_MIN,
@@ -70,7 +80,8 @@ pub fn resolving_count(optics: &OpticsConfig, q: Vec3, step: f64) -> usize {
 /// # Errors
 /// A scan too small for the window, or an invisible light.
 pub fn brdf_xyz(fields: &[HeightField], optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> Result<Xyz> {
-    let quadrature = resolving_wavelengths(optics, wave_vector_change(wi, wo), FULL_STEP)?;
+    let half_range_nm = fields.iter().map(bandwidth_nm).fold(0.0, f64::max);
+    let quadrature = resolving_wavelengths(optics, wave_vector_change(wi, wo), half_range_nm, FULL_STEP)?;
     let spectrum = brdf_spectrum(fields, optics, wi, wo, &quadrature.wavelengths_nm)?;
     let mut xyz = [0.0; 3];
     for (f, weight) in spectrum.iter().zip(&quadrature.weights) {
@@ -106,9 +117,10 @@ pub fn brdf_spectrum(
         return Ok(sum);
     }
     let q = wave_vector_change(wi, wo);
-    for field in fields {
-        let windows = placements(field, optics)?;
-        let share = 1.0 / (fields.len() * windows.len()) as f64;
+    let windows = fields.iter().map(|field| placements(field, optics)).collect::<Result<Vec<_>>>()?;
+    // Every window counts the same, on whatever scan it lies.
+    let share = 1.0 / windows.iter().map(Vec::len).sum::<usize>() as f64;
+    for (field, windows) in fields.iter().zip(windows) {
         for placement in windows {
             let power = window_power(field, placement, optics.sigma_nm, q, wavelengths_nm);
             for ((sum, power), nm) in sum.iter_mut().zip(power).zip(wavelengths_nm) {

@@ -57,6 +57,8 @@ pub struct Spectra {
     pub mean_phasor: Vec<Complex<f64>>,
     /// `(∬ g)² / A` in nm²: the lobe's peak for `c = 1`.
     pub lobe_peak_nm2: f64,
+    /// Half the range of the scan's heights in nm.
+    pub half_range_nm: f64,
     /// Whether the lines' powers are averaged over all window positions.
     pub mean_power: bool,
     /// The window along x and y.
@@ -186,6 +188,7 @@ pub fn transform(
         kernel,
         mean_phasor: Vec::with_capacity(nodes),
         lobe_peak_nm2: plans.iter().map(|p| p.window.integral_nm.powi(2) / p.window.norm_nm).product(),
+        half_range_nm: bandwidth_nm(field),
         mean_power: placement == Placement::TileMean,
         axes: [plans[0].window.clone(), plans[1].window.clone()],
     };

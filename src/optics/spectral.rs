@@ -57,7 +57,7 @@ pub fn add_window(
     for (sum, &(wi, wo)) in sums.iter_mut().zip(pairs) {
         let (front, q) = (prefactor(optics, wi, wo), wave_vector_change(wi, wo));
         if front != 0.0 {
-            by_count.entry(resolving_count(optics, q, step)).or_default().push((sum, front, q));
+            by_count.entry(resolving_count(optics, q, spectra.half_range_nm, step)).or_default().push((sum, front, q));
         }
     }
     for (count, group) in by_count {

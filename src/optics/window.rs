@@ -96,6 +96,21 @@ fn check_pitch(field: &HeightField, sigma_nm: f64) -> Result<()> {
     ))
 }
 
+/// Root mean square of the heights about their mean in nm, each sample weighted by its share `g²` of the window's power.
+pub fn rms_within_nm(field: &HeightField, placement: Placement, sigma_nm: f64) -> f64 {
+    let size = field.size();
+    let [x, y] = [0, 1].map(|axis| window_axis(placement, axis, size[axis], field.pitch_nm[axis], sigma_nm));
+    let mut sums = [0.0; 3];
+    for (row, gy) in field.heights_nm.outer_iter().skip(y.first).zip(&y.amplitude) {
+        for (h, gx) in row.iter().skip(x.first).zip(&x.amplitude) {
+            let weight = (gx * gy).powi(2);
+            [1.0, *h, h * h].into_iter().zip(&mut sums).for_each(|(moment, sum)| *sum += weight * moment);
+        }
+    }
+    let [norm, mean, square] = sums;
+    (square / norm - (mean / norm).powi(2)).max(0.0).sqrt()
+}
+
 /// One axis of a window: its samples' positions and amplitudes. The window is the product of two axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WindowAxis {

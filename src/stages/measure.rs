@@ -132,7 +132,7 @@ fn diffuse_shares(
 ) -> Result<[f64; 3]> {
     let (uv, w) = ([q[0], q[1]], q[2].abs());
     let exact =
-        spectral::diffuse_power(spectra, &reference::resolving_wavelengths(optics, q, FULL_STEP)?, uv, &[w])[0][1];
+        spectral::diffuse_power(spectra, &reference::resolving_wavelengths(optics, q, spectra.half_range_nm, FULL_STEP)?, uv, &[w])[0][1];
     let rho = uv[0].hypot(uv[1]);
     let Some(ring) = plan.rings.iter().find(|r| rho >= r.rho[0] && rho < r.rho[1]) else {
         return Ok([exact; 3]);
@@ -243,12 +243,14 @@ pub fn power_sums(set: &TableSet) -> (Vec<PowerSum>, Option<f64>) {
         optics: OpticsConfig { material: crate::optics::config::Material::Ideal, ..set.optics.clone() },
         ..set.clone()
     };
+    // A step per texel at most, or narrow orders fall between them.
+    let steps = (set.size() / 2).max(256);
     let mut sums = Vec::new();
     let mut lobe_share = None;
     for theta_i_deg in [0.0, 30.0, 60.0] {
         let wi = from_angles_deg(theta_i_deg, 0.0);
         let front = |wo: Vec3| reference::prefactor(&unit.optics, wi, wo);
-        let diffuse = integrate([0.0, 0.0], 1.0, 256, |wo| {
+        let diffuse = integrate([0.0, 0.0], 1.0, steps, |wo| {
             front(wo) * diffuse_window_power(&unit, Interpolation::Bilinear, wave_vector_change(wi, wo))[1]
         });
         let radius = unit.lobe.as_ref().map_or(0.0, |lobe| lobe.radius_max);

@@ -37,7 +37,7 @@ pub fn integrate(
         if front == 0.0 {
             continue;
         }
-        let count = resolving_count(optics, q, FULL_STEP);
+        let count = resolving_count(optics, q, 0.0, FULL_STEP);
         let quadrature = match by_count.entry(count) {
             Entry::Occupied(found) => found.into_mut(),
             Entry::Vacant(free) => free.insert(uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?),

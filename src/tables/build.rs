@@ -16,7 +16,7 @@ use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
 use crate::optics::spectra::{self, Spectra, SpectraConfig, bandwidth_nm};
-use crate::optics::window::{Placement, placements};
+use crate::optics::window::{Placement, placements, rms_within_nm};
 
 /// Largest table chosen without being asked for.
 pub const AUTOMATIC_SIZE_MAX: usize = 1001;
@@ -160,6 +160,7 @@ pub fn plan_for(
     for (scan, field) in fields.iter().enumerate() {
         windows.extend(placements(field, optics)?.into_iter().map(|placement| (scan, placement)));
     }
+    roughest_first(&mut windows, fields, optics.sigma_nm);
     let lobe_seen = hull.rho[0] < lobe_radius(optics);
     let crosses = lobe_seen && windows.iter().any(|(_, placement)| *placement != Placement::TileMean);
     // The cross term keeps its whole reach in depth.
@@ -200,6 +201,18 @@ pub fn plan_for(
         forecast::join_rings(&mut plan, fields, optics, config);
     }
     Ok(plan)
+}
+
+/// Puts the window with the highest relief first: the pilot looks at that one alone, and none asks for more depths.
+fn roughest_first(windows: &mut [(usize, Placement)], fields: &[HeightField], sigma_nm: f64) {
+    if windows.len() < 2 {
+        return;
+    }
+    let rms_nm: Vec<f64> =
+        windows.par_iter().map(|&(scan, placement)| rms_within_nm(&fields[scan], placement, sigma_nm)).collect();
+    // Of equal ones the first.
+    let roughest = (0..windows.len()).rev().max_by(|&a, &b| rms_nm[a].total_cmp(&rms_nm[b])).unwrap_or(0);
+    windows[..=roughest].rotate_right(1);
 }
 
 /// Depths and frequencies that a hull of directions asks for at the light's wavelengths.

@@ -1,6 +1,6 @@
 //! The coherent lobe: what the mean phasor reflects around the mirror direction, and its cross term.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{SQRT_2, TAU};
 use std::ops::Range;
 
 use ndarray::{Array3, Axis};
@@ -17,8 +17,16 @@ use crate::optics::spectra::Spectra;
 /// Texels per standard deviation of the narrowest lobe, along its radius and in the cross patch.
 const TEXELS_PER_WIDTH: [f64; 2] = [12.0, 4.0];
 
-/// Wavelengths over which the lobe is integrated: it is a smooth function of `1/λ`.
+/// Fewest wavelengths over which the lobe is integrated: it is a smooth function of `1/λ`...
 const WAVELENGTHS: usize = 200;
+
+/// ...but for deep surfaces. `|c|²` consists of waves in `1/λ` at lags `|w| Δh` of height differences, whose standard
+/// deviation is `√2 |w|` times the rms height: nodes 0.57 deviations apart, as for the reference.
+fn wavelengths_needed(optics: &OpticsConfig, rms_nm: f64) -> usize {
+    let [low_nm, high_nm] = optics.wavelength_nm;
+    let deviation = 1.0 / (TAU * SQRT_2 * w_reach(0.0) * rms_nm);
+    WAVELENGTHS.max(((1.0 / low_nm - 1.0 / high_nm) / (0.57 * deviation)).ceil() as usize)
+}
 
 /// `|c|²` of every window as a function of `s`, without the window's shape.
 #[derive(Debug, Clone)]
@@ -78,7 +86,7 @@ fn layout(optics: &OpticsConfig, radius_max: f64, depths: [f64; 2], [rms_nm, tol
         rows,
         columns: (radius_max / lobe_width(optics.sigma_nm, low_nm) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1,
         read: (first as usize).saturating_sub(ROWS_MARGIN)..(last.ceil() as usize + ROWS_MARGIN + 1).min(rows),
-        quadrature: uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, WAVELENGTHS)?,
+        quadrature: uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, wavelengths_needed(optics, rms_nm))?,
     })
 }
 

@@ -25,6 +25,9 @@ const BASIS_SHARE: f64 = 0.5;
 const SERVED_BASIS_SHARE: f64 = 0.125;
 pub(super) const RING_SHARE: f64 = 0.1;
 
+/// A thousandth of a white matt surface. What is darker between the orders of a grating has no relative error worth a table.
+const DARK_PER_SR: f64 = 1e-3 * std::f64::consts::FRAC_1_PI;
+
 /// Share of directions whose luminance must keep its share of the tolerance.
 const QUANTILE: f64 = 0.95;
 
@@ -34,10 +37,13 @@ pub struct Pilot {
     /// and those around the mirror direction, where pictures are brightest.
     groups: [Vec<Polynomial>; 3],
     tolerance: f64,
+    /// Luminance in 1/sr for unit reflectance up to which a direction counts as dark.
+    dark_per_sr: f64,
 }
 
 /// Luminance of a texel at fine nodes over the `|w|` of its ring, and the range it is itself asked for.
 struct Polynomial {
+    rho: f64,
     values: Vec<f64>,
     ring: [f64; 2],
     own: [f64; 2],
@@ -67,7 +73,9 @@ impl Pilot {
                 [(0..texels.min(served.len())).map(drawn).collect(), lit.collect(), middle.collect()]
             }
         };
-        Self { groups: groups.map(|texels: Vec<_>| polynomials(spectra, plan, &texels)), tolerance }
+        // A picture of dark directions alone is exposed for them.
+        let dark_per_sr = if plan.domain.is_some() { 0.0 } else { DARK_PER_SR };
+        Self { groups: groups.map(|texels: Vec<_>| polynomials(spectra, plan, &texels)), tolerance, dark_per_sr }
     }
 
     /// The smallest number of tables that errs by at most its share of the tolerance of Y in 95 % of the tested directions.
@@ -91,7 +99,7 @@ impl Pilot {
             Some(polynomial(spectra, &ring.quadrature, uv, nodes_over(plan, whole), whole, own))
         };
         let groups = [texels.iter().filter_map(of_texel).collect(), Vec::new(), Vec::new()];
-        Self { groups, tolerance }.fewest(2, most, BASIS_SHARE, &|p| p.ring, &|_| true)
+        Self { groups, tolerance, dark_per_sr: 0.0 }.fewest(2, most, BASIS_SHARE, &|p| p.ring, &|_| true)
     }
 
     /// The smallest number of nodes over a ring's `|w|` that leaves the texels' own ranges accurate.
@@ -118,7 +126,7 @@ impl Pilot {
         let error = |nodes: usize| {
             let errors = self.groups.iter().map(|group| {
                 let counted = group.iter().filter(|p| counts(p));
-                quantile(counted.flat_map(|p| p.errors(nodes, over(p))).collect())
+                quantile(counted.flat_map(|p| p.errors(nodes, over(p), self.dark_per_sr)).collect())
             });
             errors.fold(0.0, f64::max)
         };
@@ -128,7 +136,8 @@ impl Pilot {
 
 impl Polynomial {
     /// Relative errors over the texel's own range of interpolation from `count` nodes over a range.
-    fn errors(&self, count: usize, over: [f64; 2]) -> Vec<f64> {
+    /// Places that no pair of directions shows brighter than `dark_per_sr` are left out.
+    fn errors(&self, count: usize, over: [f64; 2], dark_per_sr: f64) -> Vec<f64> {
         let fine = Interpolant::new(self.values.len(), self.ring[0], self.ring[1]);
         let at = |w: f64| dot(&fine.weights(w), &self.values);
         let coarse = Interpolant::new(count, over[0], over[1]);
@@ -139,9 +148,12 @@ impl Polynomial {
         let error = |place: f64| {
             let w = self.own[0] + place * (self.own[1] - self.own[0]);
             let exact = at(w);
-            (dot(&coarse.weights(w), &nodes) - exact).abs() / exact.abs().max(1e-9 * largest)
+            // The least geometry factor is that of two directions equally steep.
+            let seen_per_sr = exact * ((self.rho * self.rho + w * w) / w).powi(2);
+            let error = (dot(&coarse.weights(w), &nodes) - exact).abs() / exact.abs().max(1e-9 * largest);
+            (seen_per_sr >= dark_per_sr).then_some(error)
         };
-        places.map(error).collect()
+        places.filter_map(error).collect()
     }
 }
 
@@ -230,7 +242,7 @@ fn polynomial(
         let scale = weight[1] * (k / nm).powi(2);
         values.iter_mut().zip(power).for_each(|(sum, p)| *sum += scale * p);
     }
-    Polynomial { values, ring, own: [own[0].max(ring[0]), own[1].min(ring[1])] }
+    Polynomial { rho: u.hypot(v), values, ring, own: [own[0].max(ring[0]), own[1].min(ring[1])] }
 }
 
 /// Nodes over a range of `w` that leave nothing to be seen between them.
