@@ -4,13 +4,14 @@ mod common;
 
 use std::f64::consts::TAU;
 
-use common::surfaces::{centred, laser, outgoing, quantile, random, rolled, stretched, tables};
+use common::surfaces::{centred, laser, outgoing, quantile, random, rolled, stretched, tables, tables_config};
 use diffraction_atlas::ground::direction::{Vec3, from_angles_deg, wave_vector_change};
 use diffraction_atlas::ground::sampling::{Region, direction_pairs};
 use diffraction_atlas::ground::spectrum::Illuminant;
 use diffraction_atlas::height::HeightField;
 use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::optics::reference::brdf_xyz_batch;
+use diffraction_atlas::tables::build::build;
 use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -232,4 +233,46 @@ fn tables_meet_the_direct_sum_on_random_surfaces() {
     if let Err(failure) = checked {
         panic!("{failure}");
     }
+}
+
+/// 95th percentile of the error of the tables of several scans against a luminance at each pair.
+fn error_of_scans(scans: &[HeightField], optics: &OpticsConfig, pairs: &[Pair], exact: &[f64]) -> (usize, f64) {
+    let set = build(scans, optics, &tables_config(1e-3, None), &|_| ()).unwrap().0;
+    let relative =
+        |(pair, exact): (&Pair, &f64)| (brdf_xyz(&set, Interpolation::Cubic, pair.0, pair.1)[1] / exact - 1.0).abs();
+    (set.tables.len(), quantile(&pairs.iter().zip(exact).map(relative).collect::<Vec<_>>(), 0.95))
+}
+
+fn together(scans: &[HeightField], optics: &OpticsConfig, pairs: &[Pair]) -> Vec<f64> {
+    brdf_xyz_batch(scans, optics, pairs).unwrap().iter().map(|xyz| xyz[1]).collect()
+}
+
+/// A large rough scan and a small smooth one: the mean is over windows, of which the large one has more.
+#[test]
+fn every_window_counts_the_same_on_scans_of_any_size() {
+    let optics = laser(&[WAVELENGTH_NM], 800.0, Edge::Fade, Windows::Grid);
+    let scans = [random([128, 128], [100.0; 2], 500.0, 60.0, 1), random([72, 72], [100.0; 2], 500.0, 10.0, 2)];
+    let pairs = away(60, 1.9);
+    let exact = together(&scans, &optics, &pairs);
+    let (_, error) = error_of_scans(&scans, &optics, &pairs, &exact);
+    assert!(error < 3e-3, "{error:e}");
+    // Every scan alone, then their mean: another number.
+    let [large, small] = scans.each_ref().map(|scan| reference(scan, &optics, &pairs));
+    let of_scans: Vec<f64> = large.iter().zip(&small).map(|(a, b)| 0.5 * (a + b)).collect();
+    let (_, other) = error_of_scans(&scans, &optics, &pairs, &of_scans);
+    assert!(other > 0.1, "{other:e}");
+}
+
+/// How many tables it takes does not depend on the order of the scans: the highest relief decides.
+#[test]
+fn a_flat_scan_in_front_does_not_hide_a_deep_one() {
+    let optics = laser(&[WAVELENGTH_NM], 800.0, Edge::Tile, Windows::Grid);
+    let [flat, deep] = [2.0, 120.0].map(|rms_nm| random([80, 80], [100.0; 2], 500.0, rms_nm, 3));
+    let pairs = away(60, 1.9);
+    let scans = [flat, deep];
+    let exact = together(&scans, &optics, &pairs);
+    let (tables, error) = error_of_scans(&scans, &optics, &pairs, &exact);
+    let (alone, _) = error_of_scans(&scans[1..], &optics, &pairs, &exact);
+    let (few, _) = error_of_scans(&scans[..1], &optics, &pairs, &exact);
+    assert!(tables == alone && few < alone && error < 3e-3, "{few} {tables} {alone}: {error:e}");
 }

@@ -122,7 +122,7 @@ fn a_ball_asks_for_one_depth_at_each_texel() {
     let (fields, optics, tables) = ([surface()], daylight(Windows::Grid), config(601));
     let sun = [0.3, 0.2, 1.0];
     let scene = Scene { size_px: 200, ..scene(Shape::Sphere, vec![light(sun, 0.53)]) };
-    let domain = reach(&scene, grid(&optics, &tables)).unwrap();
+    let domain = reach(&scene, grid(&optics, &tables), 2).unwrap();
     let [reached, all] = domain.disc_texels();
     // Whatever faces neither light nor camera is missing, and the disc beyond |q|: sin² of half the angle between them.
     let cosine = 1.0 / (sun[0] * sun[0] + sun[1] * sun[1] + 1.0f64).sqrt();

@@ -35,19 +35,21 @@ const BAND_SAMPLES: usize = 1 << 18;
 /// a pixel's samples of one light and between those of neighbouring pixels counts as reached, and so do the texels
 /// around all that.
 ///
+/// At most `parts` copies of the grid are filled at once.
+///
 /// # Errors
 /// A scene that cannot be rendered.
-pub fn reach(scene: &Scene, grid: Grid) -> Result<Domain> {
-    let mut reached = reach_of_still(scene, grid)?;
+pub fn reach(scene: &Scene, grid: Grid, parts: usize) -> Result<Domain> {
+    let mut reached = reach_of_still(scene, grid, parts)?;
     if let Some(animation) = &scene.animation {
         for index in 0..animation.frames {
-            reached = reached.merge(&reach_of_still(&animation::frame(scene, animation, index), grid)?);
+            reached = reached.merge(&reach_of_still(&animation::frame(scene, animation, index), grid, parts)?);
         }
     }
     Ok(reached)
 }
 
-fn reach_of_still(scene: &Scene, grid: Grid) -> Result<Domain> {
+fn reach_of_still(scene: &Scene, grid: Grid, parts: usize) -> Result<Domain> {
     let mut reached = Domain::new(grid);
     let lights = match scene.shape {
         Shape::Hemisphere | Shape::Screen { .. } => 1,
@@ -58,39 +60,39 @@ fn reach_of_still(scene: &Scene, grid: Grid) -> Result<Domain> {
         if lights.is_empty() && scene.environment.is_some() {
             continue;
         }
-        reached = reached.merge(&reach_of_light(&Scene { lights, environment: None, ..scene.clone() }, grid)?);
+        reached = reached.merge(&reach_of_light(&Scene { lights, environment: None, ..scene.clone() }, grid, parts)?);
     }
     if scene.environment.is_some() {
         // Light from all around: everything between its directions is lit as well.
-        reached = reached.merge(&reach_of_light(&Scene { lights: Vec::new(), ..scene.clone() }, grid)?);
+        reached = reached.merge(&reach_of_light(&Scene { lights: Vec::new(), ..scene.clone() }, grid, parts)?);
     }
     Ok(reached)
 }
 
-fn reach_of_light(scene: &Scene, grid: Grid) -> Result<Domain> {
-    let reached = reach_of_samples(scene, grid)?;
+fn reach_of_light(scene: &Scene, grid: Grid, parts: usize) -> Result<Domain> {
+    let reached = reach_of_samples(scene, grid, parts)?;
     if scene.pixel_samples >= PIXEL_SAMPLES {
         return Ok(reached);
     }
-    Ok(reached.merge(&reach_of_samples(&Scene { pixel_samples: PIXEL_SAMPLES, ..scene.clone() }, grid)?))
+    Ok(reached.merge(&reach_of_samples(&Scene { pixel_samples: PIXEL_SAMPLES, ..scene.clone() }, grid, parts)?))
 }
 
-fn reach_of_samples(scene: &Scene, grid: Grid) -> Result<Domain> {
+fn reach_of_samples(scene: &Scene, grid: Grid, parts: usize) -> Result<Domain> {
     let side = scene.size_px;
     let band = (BAND_SAMPLES / (samples_per_pixel(scene) * side).max(1)).clamp(1, side);
     let starts: Vec<usize> = (0..side).step_by(band).collect();
-    starts
-        .into_par_iter()
-        .try_fold(
-            || Domain::new(grid),
-            |mut domain, start| {
-                // One row more, so that the last row has a neighbour.
-                let samples = samples_of(scene, start..(start + band + 1).min(side), 1)?;
-                mark_pixels(&mut domain, &samples);
-                Ok(domain)
-            },
-        )
-        .try_reduce(|| Domain::new(grid), |a, b| Ok(a.merge(&b)))
+    let of_part = |part: usize| {
+        let mut domain = Domain::new(grid);
+        // Bands in turn: what takes long in a picture lies together.
+        for start in starts.iter().skip(part).step_by(parts) {
+            // One row more, so that the last row has a neighbour.
+            let samples = samples_of(scene, *start..(start + band + 1).min(side), 1)?;
+            mark_pixels(&mut domain, &samples);
+        }
+        Ok(domain)
+    };
+    let marked = (0..parts.min(starts.len())).into_par_iter().map(of_part).collect::<Result<Vec<Domain>>>()?;
+    Ok(marked.into_iter().reduce(|a, b| a.merge(&b)).unwrap_or_else(|| Domain::new(grid)))
 }
 
 fn mark_pixels(domain: &mut Domain, samples: &ShadingSamples) {

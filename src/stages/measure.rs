@@ -131,8 +131,12 @@ fn diffuse_shares(
     q: Vec3,
 ) -> Result<[f64; 3]> {
     let (uv, w) = ([q[0], q[1]], q[2].abs());
-    let exact =
-        spectral::diffuse_power(spectra, &reference::resolving_wavelengths(optics, q, spectra.half_range_nm, FULL_STEP)?, uv, &[w])[0][1];
+    let exact = spectral::diffuse_power(
+        spectra,
+        &reference::resolving_wavelengths(optics, q, spectra.half_range_nm, FULL_STEP)?,
+        uv,
+        &[w],
+    )[0][1];
     let rho = uv[0].hypot(uv[1]);
     let Some(ring) = plan.rings.iter().find(|r| rho >= r.rho[0] && rho < r.rho[1]) else {
         return Ok([exact; 3]);

@@ -23,6 +23,7 @@ use crate::tables::build::{self, BuildPlan, plan, plan_for, smooth};
 use crate::tables::domain::Domain;
 use crate::tables::forecast::{Forecast, forecast_of};
 use crate::tables::model::TablesConfig;
+use crate::tables::plan::Grid;
 use crate::tables::storage::write_tables;
 
 /// The scenes that a specimen's tables must serve, or its shares of them; `None` where they serve every direction.
@@ -91,11 +92,30 @@ pub struct Source<'a> {
 /// A scene that cannot be rendered.
 pub fn domain_of(source: &Source, scenes: &[&Scene]) -> Result<Domain> {
     let grid = build::grid(source.optics, source.tables);
+    let parts = parts_of(grid, source.tables.memory_mib)?;
     let mut domain = Domain::new(grid);
     for scene in scenes {
-        domain = domain.merge(&reach(scene, grid)?);
+        domain = domain.merge(&reach(scene, grid, parts)?);
     }
     Ok(smooth(domain, source.fields, source.optics, source.tables.tolerance))
+}
+
+/// Copies of a grid's domain that threads may fill at once; others hold what was found, light by light and scene by scene.
+fn parts_of(grid: Grid, memory_mib: usize) -> Result<usize> {
+    const OTHERS: usize = 3;
+    let bytes = Domain::bytes(grid);
+    let copies = ((memory_mib as u64) << 20) / bytes;
+    match usize::try_from(copies).unwrap_or(usize::MAX).checked_sub(OTHERS) {
+        Some(parts @ 1..) => Ok(parts.min(rayon::current_num_threads())),
+        _ => Err(Error::limit(
+            format!(
+                "finding what the scenes reach on {0} x {0} texels needs {1} MiB, {memory_mib} MiB are allowed",
+                grid.size,
+                (bytes * (OTHERS as u64 + 1)) >> 20
+            ),
+            "lower tables.size or raise tables.memory_mib",
+        )),
+    }
 }
 
 /// A step that leaves something out.
@@ -170,27 +190,28 @@ pub fn plan_without(step: Option<Pruning>, source: &Source, domain: &Domain) -> 
 
 /// What a row of the budget compares with: tables for every direction, and for daylight where the lamp is a laser, or
 /// those of the scenes with one step taken back. `whole` is what tables for every direction are asked for.
-fn compared<'a>(
+fn compared(
     step: Option<Pruning>,
-    source: &Source<'a>,
+    source: &Source,
     scenes: &[&Scene],
     domain: &Domain,
-    whole: &'a TablesConfig,
-) -> Result<(OpticsConfig, &'a TablesConfig, BuildPlan)> {
+    whole: &TablesConfig,
+) -> Result<(OpticsConfig, TablesConfig, BuildPlan)> {
+    let asked = if matches!(step, None | Some(Pruning::Tolerance)) { whole } else { source.tables };
+    // What is left out may be what would not fit.
+    let tables = TablesConfig { memory_mib: MEMORY_COMPARED_MIB, ..asked.clone() };
     let optics = optics_without(step.or(Some(Pruning::Spectrum)), source.optics);
-    Ok(match step {
-        None => {
-            let plan = plan(source.fields, &optics, whole)?;
-            (optics, whole, plan)
-        }
-        Some(Pruning::Tolerance) => {
-            let stricter = Source { tables: whole, ..*source };
-            let plan = plan_without(None, &stricter, &domain_of(&stricter, scenes)?)?;
-            (optics, whole, plan)
-        }
-        step => (optics, source.tables, plan_without(step, source, domain)?),
-    })
+    let source = Source { tables: &tables, ..*source };
+    let plan = match step {
+        None => plan(source.fields, &optics, &tables)?,
+        Some(Pruning::Tolerance) => plan_without(None, &source, &domain_of(&source, scenes)?)?,
+        step => plan_without(step, &source, domain)?,
+    };
+    Ok((optics, tables, plan))
 }
+
+/// Memory that tables which are only compared with may take on paper: all there is.
+const MEMORY_COMPARED_MIB: usize = 1 << 24;
 
 /// What one thing left out saves.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -260,7 +281,7 @@ pub fn budget(source: &Source, scenes: &[&Scene], domain: &Domain, whole: &Table
     let threads = rayon::current_num_threads();
     let cost = |step| -> Result<Cost> {
         let (optics, tables, plan) = compared(step, source, scenes, domain, whole)?;
-        Ok(Cost::predicted(&forecast_of(fields, &optics, tables, &plan, threads)))
+        Ok(Cost::predicted(&forecast_of(fields, &optics, &tables, &plan, threads)))
     };
     let served = plan_without(None, source, domain)?;
     let mut rows = vec![BudgetRow {
@@ -313,7 +334,10 @@ pub fn account(
     if savings {
         for row in &mut budget.rows {
             let (optics, tables, plan) = compared(row.step, source, scenes, domain, whole)?;
-            row.measured = Some(measure(&Source { optics: &optics, tables, ..*source }, &plan)?);
+            // What would not fit stays a prediction.
+            if row.with_it.memory_bytes <= (source.tables.memory_mib as f64) * f64::from(1 << 20) {
+                row.measured = Some(measure(&Source { optics: &optics, tables: &tables, ..*source }, &plan)?);
+            }
         }
     }
     Ok(budget)

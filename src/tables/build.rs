@@ -300,7 +300,7 @@ fn build_chebyshev(
     advance: Advance,
 ) -> Result<(TableSet, BuildRecord)> {
     let mut state: Option<Sums> = None;
-    let mut phasors = Vec::with_capacity(plan.windows.len());
+    let mut phasors = PhasorPower::new(plan.spectra.s, plan.bandwidth_nm);
     let mut transforms = 0;
     let radius_max = plan.lobe_radius;
     let share = 1.0 / plan.windows.len() as f64;
@@ -314,7 +314,9 @@ fn build_chebyshev(
         if let Some(sums) = &mut state {
             sums.add(&spectra, plan, share, advance);
         }
-        phasors.push(PhasorPower::of(&spectra));
+        if plan.lobe_seen {
+            phasors.add(&spectra, share);
+        }
     }
     let Some(sums) = state else {
         return Err(Error::Call("a specimen needs at least one scan".into()));

@@ -77,6 +77,11 @@ impl Domain {
         Self { grid, low: vec![f32::INFINITY; texels], high: vec![-1.0; texels] }
     }
 
+    /// Memory that one takes.
+    pub fn bytes(grid: Grid) -> u64 {
+        2 * size_of::<f32>() as u64 * (grid.size * grid.size) as u64
+    }
+
     /// Marks every texel that a bilinear look-up of these directions reads, and of others up to `margin_texels` beside
     /// them, for the `t` that such a look-up can have.
     pub fn mark(&mut self, directions: &Directions, margin_texels: f64) {

@@ -56,8 +56,8 @@ const NS_PER_TEXEL_AND_TABLE: f64 = 60.0;
 /// What a build takes besides: threads woken, memory fetched, files of one texel.
 const FIXED_NS: f64 = 1e7;
 
-/// For each depth node of a texel and wavelength of the coherent table.
-const NS_PER_LOBE_NODE: f64 = 4.0;
+/// For each texel and wavelength of the coherent table.
+const NS_PER_LOBE_SAMPLE: f64 = 12.0;
 
 /// Predicts a build.
 ///
@@ -111,7 +111,7 @@ pub fn forecast_of(
     if plan.lobe_seen {
         // An invisible light has been refused before there was a plan.
         let samples = lobe::samples(optics, plan.lobe_radius, lobe_depths(plan), rms, config.tolerance).unwrap_or(0.0);
-        work_ns += samples * (transforms * plan.windows.len()) as f64 * NS_PER_LOBE_NODE;
+        work_ns += samples * NS_PER_LOBE_SAMPLE;
     }
     let most = nodes.iter().copied().max().unwrap_or(tables).next_multiple_of(4) as f64;
     let scratch = WAVES as f64 * lines_most.sqrt() * plan.texels.columns.len() as f64 * 4.0 * most.min(16.0);

@@ -51,6 +51,30 @@ fn only_what_a_scene_needs_is_published() {
     assert!(place.call("run m.toml").ended(0).stdout.contains("nothing was published"));
 }
 
+/// Where tables for every direction would not fit, those of a scene may.
+#[test]
+fn what_is_left_out_need_not_fit() {
+    let place = Place::with_scans();
+    let with = |memory_mib: usize| {
+        let size = format!("size = 2001\nmemory_mib = {memory_mib}\n");
+        manifest("\"scenes\"", &[PATCH]).replace("size = 65\n", &size)
+    };
+    place.write("all.toml", &with(160).replace("serve = \"scenes\"", "serve = \"all\""));
+    assert!(place.call("plan all.toml").ended(1).stdout.contains("sums over 2001 x 2001 texels need 183 MiB"));
+    place.publish(&with(160));
+    let budget = &place.json("out/small/v0001/report.json")["specimens"][0]["budget"];
+    assert!(
+        budget["rows"][0]["with_it"]["memory_bytes"].as_f64().unwrap()
+            > 1e3 * budget["served"]["memory_bytes"].as_f64().unwrap()
+    );
+    place.write("tight.toml", &with(64));
+    let said = place.call("plan tight.toml").ended(1).stdout;
+    assert!(
+        said.contains("finding what the scenes reach on 2001 x 2001 texels needs 122 MiB, 64 MiB are allowed"),
+        "{said}"
+    );
+}
+
 #[test]
 fn directions_that_are_not_served_are_refused() {
     let place = Place::with_scans();
