@@ -126,6 +126,34 @@ pub fn is_over(row: &ErrorRow, tolerance: Option<f64>) -> bool {
     tolerance.is_some_and(|limit| governed && row.p95 > limit)
 }
 
+/// Which directions the errors count, and how much of each group the tables show lit.
+pub fn counted_directions(rows: &[ErrorRow]) -> String {
+    let totals: Vec<&ErrorRow> = rows.iter().filter(|row| row.what == "total").collect();
+    let [low, high] = totals
+        .iter()
+        .fold([f64::INFINITY, 0.0f64], |[low, high], row| [low.min(row.floor_per_sr), high.max(row.floor_per_sr)]);
+    let floor = match low < high {
+        true => format!("{} to {}", numbers::number(low, 2), numbers::with_unit(high, 2, "/sr")),
+        false => numbers::with_unit(low, 2, "/sr"),
+    };
+    let shares: Vec<String> =
+        totals.iter().map(|row| format!("{}: {}", row.region, numbers::percent(row.lit_share))).collect();
+    let [dark, missed] =
+        totals.iter().fold([0, 0], |[dark, missed], row| [dark + row.dark_directions, missed + row.missed_directions]);
+    let found = match (dark, missed) {
+        (0, _) => "Nothing is dark.".to_owned(),
+        (_, 0) => format!("Of {dark} dark directions that were evaluated as well, none is brighter than that."),
+        _ => format!(
+            "Of {dark} dark directions that were evaluated as well, {missed} turned out brighter than that, and count."
+        ),
+    };
+    format!(
+        "Medians, percentiles and worst ones count directions brighter than {floor}. Shares that the tables show lit, where \
+         they are drawn from: {}. {found}",
+        shares.join("; ")
+    )
+}
+
 /// The letters of the spectrum's marks and what they stand for.
 pub fn period_marks(periods: &[Period]) -> String {
     if periods.is_empty() {
@@ -307,6 +335,10 @@ pub(super) mod tests {
             what: what.into(),
             region: region.into(),
             directions: 1,
+            floor_per_sr: 1.5e-4,
+            lit_share: 1.0,
+            dark_directions: 32,
+            missed_directions: 0,
             relative_l2: 0.0,
             p50: 0.0,
             p95,
@@ -322,6 +354,19 @@ pub(super) mod tests {
         assert!(!is_over(&row("basis", 1e-3), Some(1e-3)));
         assert!(!is_over(&row("grid", 2e-3), Some(1e-3)));
         assert!(!is_over(&row("basis", 2e-3), None));
+    }
+
+    #[test]
+    fn what_is_counted_is_said_with_what_was_missed() {
+        let row = |region, missed_directions| ErrorRow { missed_directions, ..error_row("total", region, 0.0) };
+        let rows = [row("near", 0), row("far", 0)];
+        let text = counted_directions(&rows).replace('\u{a0}', " ");
+        assert!(text.contains("brighter than 1.5e-4 /sr. ") && text.contains("near: 100 %; far: 100 %."), "{text}");
+        assert!(
+            text.ends_with("Of 64 dark directions that were evaluated as well, none is brighter than that."),
+            "{text}"
+        );
+        assert!(counted_directions(&[row("near", 0), row("far", 3)]).contains(", 3 turned out brighter than that"));
     }
 
     #[test]

@@ -13,7 +13,8 @@ use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 use super::cache::{Cache, CacheUse};
-use super::measure::{self, ErrorDirections, Yardstick};
+use super::error_directions::ErrorDirections;
+use super::measure::{self, Yardstick};
 use super::results::ErrorRow;
 use super::serve::Source;
 use crate::ground::direction::{Vec3, Xyz};

@@ -5,6 +5,7 @@ pub mod cache;
 pub mod config;
 pub(crate) mod describe;
 pub mod diff;
+pub mod error_directions;
 pub mod format_md;
 pub mod frame_time;
 pub mod gpu_check;

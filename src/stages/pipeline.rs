@@ -10,11 +10,12 @@ use super::atlas::{AtlasIndex, InputRecord};
 use super::cache::{Cache, CacheUse};
 use super::config::{RunConfig, Serve, SpecimenConfig};
 use super::describe::{describe, entry, failed_result, inputs, specimen_file};
+use super::error_directions::{Candidates, DIRECTIONS, ErrorDirections};
 use super::format_md::format_md;
 use super::gpu_stage;
 use super::ingest::ingest;
 use super::known::Known;
-use super::measure::{self, ErrorDirections};
+use super::measure;
 use super::measured;
 use super::progress::Progress;
 use super::publish::{self, Published, Staging};
@@ -258,8 +259,8 @@ fn run_specimen(
         clock.stage("render animations", 0, || works.iter().try_for_each(|work| work.animate(&set, &folder)))?;
     }
     let directions = match serving {
-        false => ErrorDirections::fixed(),
-        true => ErrorDirections::of_scenes(&works),
+        false => ErrorDirections::of_regions(&set),
+        true => ErrorDirections::drawn(&set, Candidates::of_scenes(&set, &works), DIRECTIONS),
     };
     let served = directions.pairs.clone();
     let mut result = describe(specimen, &ingested, config, &set, &record, &plan);

@@ -180,9 +180,22 @@ pub struct ErrorRow {
     pub what: String,
     /// Which directions: "whole hemisphere", "near specular", "grazing".
     pub region: String,
-    /// Directions compared.
+    /// Directions compared pointwise: those that the reference has above the floor.
     pub directions: usize,
-    /// Root of the summed squared differences over the root of the summed squares.
+    /// Luminance in 1/sr up to which a direction is too dark for that.
+    #[serde(default = "floor_of_older_reports")]
+    pub floor_per_sr: f64,
+    /// Share of the region that the tables call lit: where they show more than a tenth of the floor.
+    #[serde(default, with = "null_for_nan")]
+    pub lit_share: f64,
+    /// Directions evaluated that the tables call dark.
+    #[serde(default)]
+    pub dark_directions: usize,
+    /// Those of them that the reference has above the floor: light that the tables miss.
+    #[serde(default)]
+    pub missed_directions: usize,
+    /// Root of the summed squared differences over the root of the summed squares, over the whole region: lit and dark
+    /// directions count by the share of it that they stand for.
     #[serde(with = "null_for_nan")]
     pub relative_l2: f64,
     /// Median relative error of the luminance.
@@ -197,6 +210,11 @@ pub struct ErrorRow {
     /// Its maximum.
     #[serde(with = "null_for_nan")]
     pub worst: f64,
+}
+
+/// What reports had before they told: a few millionths of white.
+fn floor_of_older_reports() -> f64 {
+    1e-6
 }
 
 /// `∫ f cos_theta_o dω_o` for one incidence, relative to the incident power.
@@ -343,7 +361,20 @@ mod tests {
 
     fn row(worst: f64) -> ErrorRow {
         let (what, region) = ("total".into(), "grazing".into());
-        ErrorRow { what, region, directions: 3, relative_l2: 1e-6, p50: 1e-7, p95: 1e-6, p99: 1e-6, worst }
+        ErrorRow {
+            what,
+            region,
+            directions: 3,
+            floor_per_sr: 3e-5,
+            lit_share: 0.5,
+            dark_directions: 1,
+            missed_directions: 0,
+            relative_l2: 1e-6,
+            p50: 1e-7,
+            p95: 1e-6,
+            p99: 1e-6,
+            worst,
+        }
     }
 
     #[test]
