@@ -307,15 +307,14 @@ fn shared_view(shared: &SharedSceneResult, album: &mut Album) -> Result<Value> {
 
 /// A table row; only the first of a cause names it.
 fn error_view(row: &ErrorRow, first: bool, over: bool) -> Value {
-    let of_lit = |error: f64| if row.directions == 0 { numbers::MISSING.into() } else { numbers::percent(error) };
     context! {
         what => if first { row.what.as_str() } else { "" },
         region => &row.region,
         directions => numbers::count(row.directions as u64),
-        p50 => of_lit(row.p50),
-        p95 => of_lit(row.p95),
-        p99 => of_lit(row.p99),
-        worst => of_lit(row.worst),
+        p50 => numbers::percent(row.p50),
+        p95 => numbers::percent(row.p95),
+        p99 => numbers::percent(row.p99),
+        worst => numbers::percent(row.worst),
         l2 => numbers::percent(row.relative_l2),
         over => over,
     }

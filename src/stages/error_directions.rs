@@ -26,10 +26,9 @@ pub const DRAWN: usize = 1 << 14;
 /// As many lit directions come with one that is dark.
 const LIT_PER_DARK: usize = 4;
 
-/// Share of the floor up to which the tables call a direction dark. An order's flank falls from the floor to a tenth of it
-/// within a sixth of its width; so few directions between the two are evaluated in vain, and a direction is only missed
-/// where the tables show less than a tenth of its light.
-const DARK_SHARE: f64 = 0.1;
+/// Share of the floor up to which the tables call a direction dark: a lit one is missed only where they show less than half
+/// of its light.
+const DARK_SHARE: f64 = 0.5;
 
 /// Share of a matt surface's luminance, one that reflects as much, up to which directions are left out of pointwise
 /// errors.
@@ -145,32 +144,25 @@ pub struct ErrorDirections {
 }
 
 impl ErrorDirections {
-    /// Of each group the first `count` candidates that the tables call lit, and a quarter as many that they call dark.
+    /// Of each group the first candidates that the tables do not call dark, until `count` of them are above the floor, or
+    /// twice as many are taken; then a quarter as many that they do call dark.
     pub fn drawn(set: &TableSet, candidates: Vec<Candidates>, count: usize) -> Self {
         let mut directions = Self::default();
         for Candidates { name, pairs, floor_per_sr } in candidates {
-            let drawn = pairs.len();
-            let threshold = DARK_SHARE * floor_per_sr;
-            let is_lit = |&(wi, wo): &Pair| {
-                let above = |interpolation| {
-                    let luminance = brdf_xyz(set, interpolation, wi, wo)[1];
-                    // What is no number shall be seen.
-                    luminance.is_nan() || luminance > threshold
-                };
-                above(Interpolation::Cubic) || above(Interpolation::Bilinear)
-            };
-            let told: Vec<bool> = pairs.par_iter().map(is_lit).collect();
-            let pick = |lit: bool, count: usize| -> Vec<Pair> {
-                let of_kind = pairs.iter().zip(&told).filter(|(_, told)| **told == lit);
-                of_kind.map(|(pair, _)| *pair).take(count).collect()
-            };
-            let (lit, dark) = (pick(true, count), pick(false, count.div_ceil(LIT_PER_DARK)));
-            directions.groups.push(ErrorGroup {
-                name,
-                counts: [lit.len(), dark.len()],
-                lit_share: told.iter().filter(|lit| **lit).count() as f64 / drawn.max(1) as f64,
-                floor_per_sr,
+            let told: Vec<f64> = pairs.par_iter().map(|pair| brightest(set, pair)).collect();
+            let lit = pairs.iter().zip(&told).filter(|(_, told)| **told > DARK_SHARE * floor_per_sr);
+            let lit_share = lit.clone().count() as f64 / pairs.len().max(1) as f64;
+            let mut above = 0;
+            let until_enough = lit.take(2 * count).take_while(|(_, told)| {
+                let is_wanted = above < count;
+                above += usize::from(**told > floor_per_sr);
+                is_wanted
             });
+            let lit: Vec<Pair> = until_enough.map(|(pair, _)| *pair).collect();
+            let dark = pairs.iter().zip(&told).filter(|(_, told)| **told <= DARK_SHARE * floor_per_sr);
+            let dark: Vec<Pair> = dark.map(|(pair, _)| *pair).take(count.div_ceil(LIT_PER_DARK)).collect();
+            let counts = [lit.len(), dark.len()];
+            directions.groups.push(ErrorGroup { name, counts, lit_share, floor_per_sr });
             directions.pairs.extend(lit.into_iter().chain(dark));
         }
         directions
@@ -180,6 +172,12 @@ impl ErrorDirections {
     pub fn of_regions(set: &TableSet) -> Self {
         Self::drawn(set, Candidates::of_regions(set, 0), DIRECTIONS)
     }
+}
+
+/// The larger luminance of both look-ups; what is no number shall be seen, and counts as infinite.
+fn brightest(set: &TableSet, &(wi, wo): &Pair) -> f64 {
+    let [a, b] = [Interpolation::Cubic, Interpolation::Bilinear].map(|look_up| brdf_xyz(set, look_up, wi, wo)[1]);
+    if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
 fn luminances(set: &TableSet, pairs: &[Pair]) -> Vec<f64> {

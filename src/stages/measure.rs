@@ -151,12 +151,14 @@ pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) ->
 }
 
 /// Pointwise errors of the directions that the reference has above the floor; the norm of all, each with the share of the
-/// group that it stands for.
+/// group that it stands for. What nothing lit can tell is NaN.
 fn row(what: &str, group: &ErrorGroup, reference: &[f64], test: &[f64]) -> ErrorRow {
     let quantiles = metrics::relative_error_quantiles(reference, test, group.floor_per_sr);
     let weights = group.weights();
     let weighed = |values: &[f64]| -> Vec<f64> { values.iter().zip(&weights).map(|(v, w)| v * w.sqrt()).collect() };
     let [lit, dark] = group.counts;
+    let is_dark = |values: &[f64]| values.iter().all(|y| y.abs() <= group.floor_per_sr);
+    let of_lit = |error: f64| if quantiles.count == 0 { f64::NAN } else { error };
     ErrorRow {
         what: what.into(),
         region: group.name.clone(),
@@ -165,11 +167,14 @@ fn row(what: &str, group: &ErrorGroup, reference: &[f64], test: &[f64]) -> Error
         lit_share: group.lit_share,
         dark_directions: dark,
         missed_directions: reference[lit..].iter().filter(|y| y.abs() > group.floor_per_sr).count(),
-        relative_l2: metrics::relative_l2(&weighed(reference), &weighed(test)),
-        p50: quantiles.p50,
-        p95: quantiles.p95,
-        p99: quantiles.p99,
-        worst: quantiles.worst,
+        relative_l2: match is_dark(reference) && is_dark(test) {
+            true => f64::NAN,
+            false => metrics::relative_l2(&weighed(reference), &weighed(test)),
+        },
+        p50: of_lit(quantiles.p50),
+        p95: of_lit(quantiles.p95),
+        p99: of_lit(quantiles.p99),
+        worst: of_lit(quantiles.worst),
     }
 }
 

@@ -185,7 +185,7 @@ pub struct ErrorRow {
     /// Luminance in 1/sr up to which a direction is too dark for that.
     #[serde(default = "floor_of_older_reports")]
     pub floor_per_sr: f64,
-    /// Share of the region that the tables call lit: where they show more than a tenth of the floor.
+    /// Share of the region that the tables call lit: where they show more than half of the floor.
     #[serde(default, with = "null_for_nan")]
     pub lit_share: f64,
     /// Directions evaluated that the tables call dark.
