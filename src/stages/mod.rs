@@ -28,6 +28,6 @@ pub mod shared_scenes;
 pub mod specimen;
 pub mod stability;
 pub mod study;
-pub(crate) mod usage;
+pub mod usage;
 pub mod verify;
 pub mod worked;

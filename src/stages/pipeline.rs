@@ -38,7 +38,8 @@ use crate::render::cpu;
 use crate::scene::model::{Light, Scene, Shape};
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, surface_xyz};
-use crate::tables::model::TableSet;
+use crate::tables::forecast::forecast_of;
+use crate::tables::model::{Basis, TableSet};
 use crate::tables::storage::{read_tables, write_tables};
 
 /// Directions of the worked number in `FORMAT.md`, in degrees.
@@ -245,9 +246,10 @@ fn run_specimen(
     };
     let plan = clock.stage("plan", 0, || build::plan_for(&ingested.fields, optics, &config.tables, domain.clone()))?;
     let steps = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum::<usize>() * plan.windows.len();
-    let (built, record, build_s) =
+    let done =
         clock.stage("build tables", steps as u64, || known.tables(&source, &plan, &|n| helpers.progress.advance(n)))?;
-    let stored = clock.stage("store tables", 0, || write_tables(&folder, &built, config.tables.storage))?;
+    let built = &done.set;
+    let stored = clock.stage("store tables", 0, || write_tables(&folder, built, config.tables.storage))?;
     let set = clock.stage("read back", 0, || {
         let pigment = specimen.albedo.map(|albedo| pigment(albedo, optics)).transpose()?;
         Ok(TableSet { pigment, ..read_tables(&folder, &stored, optics)? })
@@ -263,7 +265,7 @@ fn run_specimen(
         true => ErrorDirections::drawn(&set, Candidates::of_scenes(&set, &works), DIRECTIONS),
     };
     let served = directions.pairs.clone();
-    let mut result = describe(specimen, &ingested, config, &set, &record, &plan);
+    let mut result = describe(specimen, &ingested, config, &set, &done.record, &plan);
     let yardstick = match config.report.reference {
         false => None,
         true => Some(clock.stage("evaluate the reference", 0, || {
@@ -274,7 +276,7 @@ fn run_specimen(
     result.warnings.extend(scenes::warnings(&wanted, optics));
     clock.stage("measure errors", 0, || {
         if let Some(yardstick) = &yardstick {
-            result.errors = measure::error_rows(yardstick, &set, &built);
+            result.errors = measure::error_rows(yardstick, &set, built);
             result.errors.push(known.direct_row(&source, yardstick)?);
         }
         let (sums, lobe_share) = measure::power_sums(&set);
@@ -318,17 +320,19 @@ fn run_specimen(
         specimen::write(&folder, &file)
     })?;
     let stored_bytes = clock.stage("count bytes", 0, || files::bytes_of(&folder, "exr"))?;
+    let measured = Cost::measured(&done, stored_bytes as f64);
     if let Some(build) = &mut result.build {
-        (build.build_s, build.stored_bytes) = (build_s, stored_bytes);
+        (build.build_s, build.stored_bytes) = (done.seconds, stored_bytes);
+        build.build_cpu_s = done.processor_s;
+        build.memory_bytes = done.memory_bytes;
+        // The published series is built another way, which no forecast knows.
+        if config.tables.basis == Basis::Chebyshev {
+            let threads = rayon::current_num_threads();
+            build.predicted =
+                Some(Cost::predicted(&forecast_of(source.fields, optics, &config.tables, &plan, threads)));
+        }
     }
     if let Some(domain) = &domain {
-        let measured = Cost {
-            node_samples: record.node_samples as f64,
-            seconds: build_s,
-            // Of one stage among many: not known.
-            memory_bytes: f64::NAN,
-            stored_bytes: stored_bytes as f64,
-        };
         result.budget = Some(clock.stage("account for what is left out", 0, || {
             serve::account(&source, &wanted, domain, measured, config.report.savings)
         })?);

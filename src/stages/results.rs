@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cache::CacheUse;
 pub use super::gpu_results::{GpuResult, GpuRow};
-use super::serve::Budget;
+use super::serve::{Budget, Cost};
 use crate::ground::error::{Error, Result};
 pub use crate::height::statistics::{Period, Statistics};
 use crate::optics::config::OpticsConfig;
@@ -160,6 +160,16 @@ pub struct BuildResult {
     pub record: BuildRecord,
     /// Elapsed seconds.
     pub build_s: f64,
+    /// Seconds that all threads together ran: what the machine would have needed with nothing else to do, times its
+    /// threads. `None` where the system does not tell.
+    #[serde(default)]
+    pub build_cpu_s: Option<f64>,
+    /// Most bytes that building held on the heap, its tables included, the scans not; `None` where nobody counted them.
+    #[serde(default)]
+    pub memory_bytes: Option<u64>,
+    /// What the plan predicted, where there is a prediction.
+    #[serde(default)]
+    pub predicted: Option<Cost>,
 }
 
 /// The coherent lobe, in numbers.
