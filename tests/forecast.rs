@@ -70,7 +70,7 @@ fn cases() -> Vec<Case> {
     vec![
         case("tile, larger tables", surface(256, 50.0), &tile, point(401), None),
         case("tile, larger scan", surface(768, 50.0), &tile, point(101), None),
-        case("tile, deep", surface(256, 600.0), &tile, point(151), None),
+        case("tile, deep", surface(192, 400.0), &tile, point(101), None),
         case("tile, one window", surface(256, 50.0), &daylight(2000.0, Edge::Tile, Windows::Centre), point(301), None),
         case(
             "tile, texel means",
@@ -81,9 +81,9 @@ fn cases() -> Vec<Case> {
         ),
         case(
             "fade, several windows",
-            surface(340, 50.0),
+            surface(260, 50.0),
             &daylight(1200.0, Edge::Fade, Windows::Grid),
-            point(201),
+            point(151),
             None,
         ),
         case("fade, one window", surface(512, 50.0), &daylight(3000.0, Edge::Fade, Windows::Centre), point(151), None),
