@@ -41,7 +41,7 @@ fn rows(field: &HeightField, set: &TableSet) -> Vec<ErrorRow> {
     error_rows(&yardstick, set, set)
 }
 
-fn total<'a>(rows: &'a [ErrorRow], region: Region) -> &'a ErrorRow {
+fn total(rows: &[ErrorRow], region: Region) -> &ErrorRow {
     rows.iter().find(|row| row.what == "total, cubic look-up" && row.region == region.name()).unwrap()
 }
 

@@ -155,8 +155,8 @@ pub fn counted_directions(rows: &[ErrorRow]) -> String {
         false => "",
     };
     format!(
-        "Medians, percentiles and worst ones count directions brighter than {floor}. The tables show light in so much \
-         of what they are drawn from: {}. {found}{grid}",
+        "Medians, percentiles and worst ones count directions brighter than {floor}. Shares of each region that the tables \
+         show lit: {}. {found}{grid}",
         shares.join("; ")
     )
 }
