@@ -385,7 +385,7 @@ pub(super) mod tests {
         let row = |region, missed_directions| ErrorRow { missed_directions, ..error_row("total", region, 0.0) };
         let rows = [row("near", 0), row("far", 0)];
         let text = counted_directions(&rows).replace('\u{a0}', " ");
-        assert!(text.contains("brighter than 1.5e-4 /sr. ") && text.contains("near: 100 %; far: 100 %."), "{text}");
+        assert!(text.contains("brighter than 0.00015 /sr. ") && text.contains("near: 100 %; far: 100 %."), "{text}");
         assert!(
             text.ends_with("Of 64 dark directions that were evaluated as well, none is brighter than that."),
             "{text}"
