@@ -91,6 +91,18 @@ fn light_that_the_tables_miss_is_found() {
 }
 
 #[test]
+fn tables_without_light_are_not_right_for_it() {
+    let rough = random([96, 96], [100.0, 100.0], 400.0, 60.0, 3);
+    let mut dark = tables(&rough);
+    dark.tables.iter_mut().for_each(|table| table.fill(0.0));
+    dark.lobe = None;
+    for row in rows(&rough, &dark).iter().filter(|row| row.what == "total") {
+        assert!(row.lit_share == 0.0 && row.dark_directions == 160, "{row:?}");
+        assert!(row.missed_directions > 80 && row.p50 == 1.0 && row.relative_l2 == 1.0, "{row:?}");
+    }
+}
+
+#[test]
 fn directions_stand_for_their_share_and_depend_on_nothing_else() {
     let rough = random([96, 96], [100.0, 100.0], 400.0, 60.0, 3);
     let set = tables(&rough);

@@ -20,7 +20,7 @@ use crate::tables::model::TableSet;
 /// Lit directions of each group in a run.
 pub const DIRECTIONS: usize = 128;
 
-/// Directions drawn for each group. Of a grating of parallel lines one in fifty is lit.
+/// Directions drawn for each group. Of a grating of parallel lines one in thirty is lit.
 pub const DRAWN: usize = 1 << 14;
 
 /// As many lit directions come with one that is dark.
@@ -145,7 +145,8 @@ pub struct ErrorDirections {
 
 impl ErrorDirections {
     /// Of each group the first candidates that the tables do not call dark, until `count` of them are above the floor, or
-    /// twice as many are taken; then a quarter as many that they do call dark.
+    /// twice as many are taken; then a quarter as many that they do call dark, and one for each that is lacking: tables that
+    /// show nothing are not right for it.
     pub fn drawn(set: &TableSet, candidates: Vec<Candidates>, count: usize) -> Self {
         let mut directions = Self::default();
         for Candidates { name, pairs, floor_per_sr } in candidates {
@@ -160,7 +161,8 @@ impl ErrorDirections {
             });
             let lit: Vec<Pair> = until_enough.map(|(pair, _)| *pair).collect();
             let dark = pairs.iter().zip(&told).filter(|(_, told)| **told <= DARK_SHARE * floor_per_sr);
-            let dark: Vec<Pair> = dark.map(|(pair, _)| *pair).take(count.div_ceil(LIT_PER_DARK)).collect();
+            let lacking = count - above.min(count);
+            let dark: Vec<Pair> = dark.map(|(pair, _)| *pair).take(count.div_ceil(LIT_PER_DARK) + lacking).collect();
             let counts = [lit.len(), dark.len()];
             directions.groups.push(ErrorGroup { name, counts, lit_share, floor_per_sr });
             directions.pairs.extend(lit.into_iter().chain(dark));
