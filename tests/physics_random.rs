@@ -11,7 +11,9 @@ use diffraction_atlas::ground::spectrum::Illuminant;
 use diffraction_atlas::height::HeightField;
 use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::optics::reference::brdf_xyz_batch;
-use diffraction_atlas::tables::build::build;
+use diffraction_atlas::optics::spectral;
+use diffraction_atlas::optics::window::{Placement, placements, speckle_deviation};
+use diffraction_atlas::tables::build::{build, plan};
 use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -275,4 +277,47 @@ fn a_flat_scan_in_front_does_not_hide_a_deep_one() {
     let (alone, _) = error_of_scans(&scans[1..], &optics, &pairs, &exact);
     let (few, _) = error_of_scans(&scans[..1], &optics, &pairs, &exact);
     assert!(tables == alone && few < alone && error < 3e-3, "{few} {tables} {alone}: {error:e}");
+}
+
+/// Relative standard deviation of Y over many surfaces of one kind, at directions away from the mirror's.
+fn spread_over_surfaces(optics: &OpticsConfig, samples: usize) -> f64 {
+    let pairs = away(12, 1.0);
+    let config = tables_config(1e-2, Some(51));
+    let values: Vec<Vec<f64>> = (0..32)
+        .map(|seed| {
+            let fields = [random([samples; 2], [100.0; 2], 250.0, 40.0, seed)];
+            let spectra = plan(&fields, optics, &config).unwrap().spectra;
+            spectral::brdf_xyz_batch(&fields, optics, &spectra, &pairs).unwrap().iter().map(|xyz| xyz[1]).collect()
+        })
+        .collect();
+    let count = values.len() as f64;
+    let variance = |at: usize| {
+        let mean = values.iter().map(|v| v[at]).sum::<f64>() / count;
+        values.iter().map(|v| (v[at] / mean - 1.0).powi(2)).sum::<f64>() / (count - 1.0)
+    };
+    ((0..pairs.len()).map(variance).sum::<f64>() / pairs.len() as f64).sqrt()
+}
+
+/// 384 values of a variance whose own deviation is `sqrt(8)` times its mean where powers are exponentially distributed, and
+/// less where several are averaged: 14 % of the variance, 7 % of the deviation, three times that allowed.
+#[test]
+fn the_mean_over_windows_moves_as_speckle_does() {
+    let allowed = 3.0 * 0.5 * (8.0f64 / 384.0).sqrt();
+    for (windows, samples, count) in [(Windows::Centre, 120, 1), (Windows::Grid, 120, 9), (Windows::Grid, 160, 25)] {
+        let optics = laser(&[WAVELENGTH_NM], 1000.0, Edge::Fade, windows);
+        let field = random([samples; 2], [100.0; 2], 250.0, 40.0, 1);
+        let placed: Vec<(usize, Placement)> =
+            placements(&field, &optics).unwrap().into_iter().map(|p| (0, p)).collect();
+        assert_eq!(placed.len(), count);
+        let (predicted, found) = (speckle_deviation(&placed, 1000.0), spread_over_surfaces(&optics, samples));
+        println!("{count} windows: {found:.3}, {predicted:.3} predicted");
+        assert!((found / predicted - 1.0).abs() < allowed, "{count} windows: {found}, {predicted} predicted");
+        // Twice as wide a window has correlated neighbours, and another spread, unless it stands alone.
+        let wrong = speckle_deviation(&placed, 2000.0);
+        assert!(count == 1 || (found / wrong - 1.0).abs() > allowed, "{count} windows: {found}, {wrong}");
+    }
+    // Scans of their own are independent; all positions of a scan that repeats have nothing left to move.
+    let apart: Vec<_> = (0..4).map(|scan| (scan, Placement::TileCentre)).collect();
+    assert_eq!(speckle_deviation(&apart, 1000.0), 0.5);
+    assert_eq!(speckle_deviation(&[(0, Placement::TileMean)], 1000.0), 0.0);
 }

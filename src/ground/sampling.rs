@@ -58,11 +58,16 @@ impl Region {
 
 /// `count` pairs `(wi, wo)` of a region; a longer list starts with the shorter one.
 pub fn direction_pairs(region: Region, count: usize) -> Vec<(Vec3, Vec3)> {
+    direction_pairs_in(region, 0..count)
+}
+
+/// Pairs of a region's list from one place to another.
+pub fn direction_pairs_in(region: Region, places: std::ops::Range<usize>) -> Vec<(Vec3, Vec3)> {
     let theta = |share: f64, low_deg: f64, high_deg: f64| {
         let (low, high) = (low_deg.to_radians().cos(), high_deg.to_radians().cos());
         (low + share * (high - low)).acos().to_degrees()
     };
-    (0..count)
+    places
         .map(|index| {
             let [a, b, c, d] = four(index);
             let phi_i = 360.0 * b;

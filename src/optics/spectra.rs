@@ -136,7 +136,7 @@ pub(super) fn window_plan(
 }
 
 /// Smallest number of at least `size` with prime factors 2, 3 and 5 only: fast for the FFT.
-fn smooth_size(size: usize) -> usize {
+pub fn smooth_size(size: usize) -> usize {
     (size..)
         .find(|&n| {
             let mut rest = n;

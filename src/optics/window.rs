@@ -79,6 +79,26 @@ pub fn placements(field: &HeightField, optics: &OpticsConfig) -> Result<Vec<Plac
         .collect())
 }
 
+/// Relative standard deviation of the mean over windows at one wavelength, from one piece of a rough surface to another;
+/// windows by scan. 0 where the mean is over all positions of a scan that repeats: it is that surface's own.
+///
+/// Outside the coherent lobe, the amplitude of a window that holds many bumps is a sum of many phasors, a complex Gaussian
+/// number: its power, speckle, deviates by its own mean. Amplitudes of two windows `d` apart are correlated by `∫ g(x) g(x
+/// - d) / ∫ g² = exp(-d²/4σ²)`, powers by its square, and different scans not at all. The variance of the mean of `N` is then
+/// `Σ exp(-d²/2σ²) / N²` over all pairs. A spectrum averages over wavelengths as well, and moves by less.
+pub fn speckle_deviation(windows: &[(usize, Placement)], sigma_nm: f64) -> f64 {
+    let correlation = |a: &(usize, Placement), b: &(usize, Placement)| match (a, b) {
+        ((scan, _), (other, _)) if scan != other => 0.0,
+        ((_, Placement::Inside { centre_nm: [x, y] }), (_, Placement::Inside { centre_nm: [u, v] })) => {
+            (-0.5 * ((x - u).powi(2) + (y - v).powi(2)) / (sigma_nm * sigma_nm)).exp()
+        }
+        ((_, Placement::TileMean), _) | (_, (_, Placement::TileMean)) => 0.0,
+        _ => 1.0,
+    };
+    let of_window = |a| windows.iter().map(|b| correlation(a, b)).sum::<f64>();
+    windows.iter().map(of_window).sum::<f64>().sqrt() / windows.len().max(1) as f64
+}
+
 /// Refuses a window that falls between samples.
 fn check_pitch(field: &HeightField, sigma_nm: f64) -> Result<()> {
     let sampled = field.size().into_iter().zip(field.pitch_nm).filter(|(count, _)| *count > 1);

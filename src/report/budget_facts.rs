@@ -50,7 +50,8 @@ fn row_cells(row: &BudgetRow, budget: &Budget) -> Value {
             Some(ratio) if ratio.is_finite() => format!("{} ×", numbers::number(ratio, 2)),
             _ => numbers::MISSING.into(),
         };
-        let parts: [fn(&Cost) -> f64; 3] = [|cost| cost.node_samples, |cost| cost.seconds, |cost| cost.stored_bytes];
+        let parts: [fn(&Cost) -> f64; 4] =
+            [|cost| cost.node_samples, |cost| cost.seconds, |cost| cost.memory_bytes, |cost| cost.stored_bytes];
         parts.map(|part| ratio(part(with), of.map(part)))
     };
     context! {

@@ -126,6 +126,41 @@ pub fn is_over(row: &ErrorRow, tolerance: Option<f64>) -> bool {
     tolerance.is_some_and(|limit| governed && row.p95 > limit)
 }
 
+/// Which directions the errors count, and how much of each group the tables show lit.
+pub fn counted_directions(rows: &[ErrorRow]) -> String {
+    let totals: Vec<&ErrorRow> = rows.iter().filter(|row| row.what == "total").collect();
+    let [low, high] = totals
+        .iter()
+        .fold([f64::INFINITY, 0.0f64], |[low, high], row| [low.min(row.floor_per_sr), high.max(row.floor_per_sr)]);
+    let floor = match low < high {
+        true => format!("{} to {}", numbers::number(low, 2), numbers::with_unit(high, 2, "/sr")),
+        false => numbers::with_unit(low, 2, "/sr"),
+    };
+    let shares: Vec<String> =
+        totals.iter().map(|row| format!("{}: {}", row.region, numbers::percent(row.lit_share))).collect();
+    let [dark, missed] =
+        totals.iter().fold([0, 0], |[dark, missed], row| [dark + row.dark_directions, missed + row.missed_directions]);
+    let found = match (dark, missed) {
+        (0, _) => "Nothing is dark.".to_owned(),
+        (_, 0) => format!("Of {dark} dark directions that were evaluated as well, none is brighter than that."),
+        _ => format!(
+            "Of {dark} dark directions that were evaluated as well, {missed} turned out brighter than that, and count."
+        ),
+    };
+    let p95 = |what: &str| rows.iter().find(|row| row.what == what).map_or(f64::NAN, |row| row.p95);
+    let grid = match p95("grid") > 0.5 * p95("total") {
+        true => {
+            " Most of the total is the grid’s: it arises between texels, and cubic look-ups or a larger tables.size lower it."
+        }
+        false => "",
+    };
+    format!(
+        "Medians, percentiles and worst ones count directions brighter than {floor}. Shares of each region that the tables \
+         show lit: {}. {found}{grid}",
+        shares.join("; ")
+    )
+}
+
 /// The letters of the spectrum's marks and what they stand for.
 pub fn period_marks(periods: &[Period]) -> String {
     if periods.is_empty() {
@@ -263,8 +298,25 @@ fn made_from(built: &BuildResult) -> String {
         if record.windows == 1 { "" } else { "s" },
         record.wavelengths_max,
         numbers::count(record.samples),
-        numbers::seconds(built.build_s),
+        taken(built),
     )
+}
+
+/// "0.41 s (predicted 0.35 s; 0.70 s of processor time), with 64 MB of memory (predicted 59 MB)".
+fn taken(built: &BuildResult) -> String {
+    let in_brackets = |parts: Vec<String>| match parts.is_empty() {
+        true => String::new(),
+        false => format!(" ({})", parts.join("; ")),
+    };
+    let seconds = built.predicted.iter().map(|cost| format!("predicted {}", numbers::seconds(cost.seconds)));
+    let processor = built.build_cpu_s.iter().map(|s| format!("{} of processor time", numbers::seconds(*s)));
+    let mut taken = numbers::seconds(built.build_s) + &in_brackets(seconds.chain(processor).collect());
+    if let Some(bytes) = built.memory_bytes {
+        let memory =
+            built.predicted.iter().map(|cost| format!("predicted {}", numbers::bytes(cost.memory_bytes as u64)));
+        taken += &format!(", with {} of memory{}", numbers::bytes(bytes), in_brackets(memory.collect()));
+    }
+    taken
 }
 
 fn basis(basis: Basis) -> &'static str {
@@ -307,6 +359,10 @@ pub(super) mod tests {
             what: what.into(),
             region: region.into(),
             directions: 1,
+            floor_per_sr: 1.5e-4,
+            lit_share: 1.0,
+            dark_directions: 32,
+            missed_directions: 0,
             relative_l2: 0.0,
             p50: 0.0,
             p95,
@@ -322,6 +378,19 @@ pub(super) mod tests {
         assert!(!is_over(&row("basis", 1e-3), Some(1e-3)));
         assert!(!is_over(&row("grid", 2e-3), Some(1e-3)));
         assert!(!is_over(&row("basis", 2e-3), None));
+    }
+
+    #[test]
+    fn what_is_counted_is_said_with_what_was_missed() {
+        let row = |region, missed_directions| ErrorRow { missed_directions, ..error_row("total", region, 0.0) };
+        let rows = [row("near", 0), row("far", 0)];
+        let text = counted_directions(&rows).replace('\u{a0}', " ");
+        assert!(text.contains("brighter than 0.00015 /sr. ") && text.contains("near: 100 %; far: 100 %."), "{text}");
+        assert!(
+            text.ends_with("Of 64 dark directions that were evaluated as well, none is brighter than that."),
+            "{text}"
+        );
+        assert!(counted_directions(&[row("near", 0), row("far", 3)]).contains(", 3 turned out brighter than that"));
     }
 
     #[test]

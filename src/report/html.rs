@@ -241,6 +241,7 @@ fn specimen_section(
             })
             .collect::<Vec<_>>(),
         error_plot => safe(plots::error_plot(&rows, tolerance)),
+        counted => facts::counted_directions(&rows),
         over => if over {
             format!(
                 "Highlighted: above the tolerance of {} that was asked for.",

@@ -50,6 +50,9 @@ pub(super) fn describe(
             tolerance: tables.tolerance,
             record: record.clone(),
             build_s: 0.0,
+            build_cpu_s: None,
+            memory_bytes: None,
+            predicted: None,
         }),
         lobe: set.lobe.as_ref().map(|lobe| LobeResult {
             radius_max: lobe.radius_max,

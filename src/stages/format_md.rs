@@ -36,6 +36,10 @@ specimen stand in its `specimen.json`, and each EXR header repeats what concerns
 - `tables.lobe`: `radius_max`, and `coherent` and `cross.patches` with `file` and `scale`; `null` where there is none.
 - `optics.material`: `\"ideal\"`, or a `dielectric` of index `n`, or a `conductor` of `n + i k`; `optics.shadowing`.
 - `check_values`: directions and X, Y, Z to test an implementation with, from linear look-ups.
+- `errors`: measured errors of Y against the reference, by cause (`what`) and region, relative to the value itself: quantiles
+  `p50`, `p95`, `p99` and `worst` of the `directions` that are brighter than `floor_per_sr`, and `relative_l2` over all
+  directions. `lit_share` is the share of the region that the tables show lit; of `dark_directions` others that were
+  evaluated, `missed_directions` are brighter than the floor. `null` where nothing is lit.
 
 `scenes/` in a specimen's folder holds the pictures the tables were checked by, and `scenes/` beside `atlas.json`, where there
 is one, those of scenes that show several specimens; both are for looking at.

@@ -13,15 +13,15 @@ use half::f16;
 use ndarray::Array3;
 
 use super::config::{RunConfig, SpecimenConfig};
+use super::error_directions::{ErrorDirections, ErrorGroup};
 use super::gpu_results::{FrameComparison, MethodFrame};
 use super::gpu_stage::GpuStage;
 use super::ingest::ingest;
-use super::measure::{self, ErrorDirections};
+use super::measure;
 use super::specimen;
 use crate::ground::direction::{Vec3, Xyz};
 use crate::ground::error::{Error, Result};
 use crate::ground::metrics;
-use crate::ground::sampling::Region;
 use crate::render::gpu::Gpu;
 use crate::render::gpu_frame::{Frame, FramePlan, FrameTime, copy_gb_per_s, time_frames};
 use crate::render::gpu_layout::{TableImage, peak, table_image};
@@ -43,9 +43,6 @@ const SIZE_PX: usize = 1024;
 /// directions are not better known.
 const EQUAL: f64 = 1.05;
 
-/// Luminance below which a direction is left out, in 1/sr: that of the other measured errors.
-const FLOOR_PER_SR: f64 = 1e-6;
-
 /// Times frames of a specimen whose tables are in `folder`.
 ///
 /// # Errors
@@ -59,11 +56,11 @@ pub fn compare(
     let (_, atlas) = specimen::load(folder)?;
     let fields = ingest(specimen)?.fields;
     let plan = build::plan(&fields, &specimen.optics, &config.tables)?;
-    let directions = ErrorDirections::fixed();
-    let pairs = directions.pairs.clone();
+    let directions = ErrorDirections::of_regions(&atlas);
+    let (groups, pairs) = (directions.groups.clone(), directions.pairs.clone());
     let exact = measure::yardstick(&fields, &specimen.optics, &plan, atlas.tables.len(), directions, [])?.xyz;
     let atlas = as_on_gpu(atlas);
-    let errors = |set: &TableSet| errors_p95(set, &pairs, &exact);
+    let errors = |set: &TableSet| errors_p95(set, &groups, &pairs, &exact);
     let atlas_errors = errors(&atlas);
     // Wavelengths, grid and averages over it stay as they are; the tables come in full precision and are then rounded.
     let wanted = TablesConfig { basis: Basis::Taylor, storage: Storage::Float, count: None, ..config.tables.clone() };
@@ -96,15 +93,16 @@ fn as_on_gpu(mut set: TableSet) -> TableSet {
 }
 
 /// 95th percentile of the luminance's relative error in each region.
-fn errors_p95(set: &TableSet, pairs: &[(Vec3, Vec3)], exact: &[Xyz]) -> [f64; 3] {
+fn errors_p95(set: &TableSet, groups: &[ErrorGroup], pairs: &[(Vec3, Vec3)], exact: &[Xyz]) -> [f64; 3] {
     let luminance = |xyz: &Xyz| xyz[1];
     let found: Vec<f64> =
         pairs.iter().map(|&(wi, wo)| luminance(&brdf_xyz(set, Interpolation::Cubic, wi, wo))).collect();
     let exact: Vec<f64> = exact.iter().map(luminance).collect();
-    let count = pairs.len() / Region::ALL.len();
+    let mut start = 0;
     std::array::from_fn(|region| {
-        let range = region * count..(region + 1) * count;
-        metrics::relative_error_quantiles(&exact[range.clone()], &found[range], FLOOR_PER_SR).p95
+        let range = start..start + groups[region].len();
+        start = range.end;
+        metrics::relative_error_quantiles(&exact[range.clone()], &found[range], groups[region].floor_per_sr).p95
     })
 }
 

@@ -5,7 +5,6 @@
 
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
-use std::time::Instant;
 
 use ndarray::Array3;
 use serde::{Deserialize, Serialize};
@@ -13,9 +12,11 @@ use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 use super::cache::{Cache, CacheUse};
-use super::measure::{self, ErrorDirections, Yardstick};
+use super::error_directions::ErrorDirections;
+use super::measure::{self, Yardstick};
 use super::results::ErrorRow;
 use super::serve::Source;
+use super::usage::{self, Stopwatch};
 use crate::ground::direction::{Vec3, Xyz};
 use crate::ground::error::Result;
 use crate::ground::files;
@@ -32,6 +33,36 @@ const PAIRS_SHARE: u64 = 4;
 
 /// Bytes of a pair of directions with its value.
 const PAIR_BYTES: usize = 9 * 8;
+
+/// Tables, and what building them took.
+#[derive(Debug)]
+pub struct Built {
+    /// The tables.
+    pub set: TableSet,
+    /// What was chosen while building.
+    pub record: BuildRecord,
+    /// Seconds.
+    pub seconds: f64,
+    /// Seconds that all threads together ran; `None` where the system does not tell.
+    pub processor_s: Option<f64>,
+    /// Most bytes on the heap beyond those before; `None` where nobody counts them.
+    pub memory_bytes: Option<u64>,
+}
+
+impl Built {
+    /// Builds and measures.
+    ///
+    /// # Errors
+    /// Those of building.
+    pub fn measured(source: &Source, plan: &BuildPlan, advance: Advance) -> Result<Self> {
+        let stopwatch = Stopwatch::start();
+        let build = || build::build_planned(source.fields, source.optics, source.tables, plan, advance);
+        let (built, memory_bytes) = usage::with_heap_bytes(build);
+        let (set, record) = built?;
+        let time = stopwatch.read("build tables", None);
+        Ok(Self { set, record, seconds: time.wall_s, processor_s: time.cpu_s, memory_bytes })
+    }
+}
 
 /// What the cache knows of one specimen.
 #[derive(Debug)]
@@ -64,15 +95,14 @@ impl<'a> Known<'a> {
         self.cache.key(kind, &json!({ "heights": self.heights, "parts": parts }))
     }
 
-    /// The tables of a plan with their record and the seconds that building them took.
+    /// The tables of a plan, and what building them took.
     ///
     /// # Errors
     /// Those of building.
-    pub fn tables(&self, source: &Source, plan: &BuildPlan, advance: Advance) -> Result<(TableSet, BuildRecord, f64)> {
-        let started = Instant::now();
-        let build = || build::build_planned(source.fields, source.optics, source.tables, plan, advance);
+    pub fn tables(&self, source: &Source, plan: &BuildPlan, advance: Advance) -> Result<Built> {
+        let build = || Built::measured(source, plan, advance);
         if !self.cache.is_on() {
-            return build().map(|(set, record)| (set, record, started.elapsed().as_secs_f64()));
+            return build();
         }
         // How tables are stored changes nothing before it.
         let settings = TablesConfig { storage: Storage::Half, ..source.tables.clone() };
@@ -82,11 +112,10 @@ impl<'a> Known<'a> {
             self.count(|used| used.tables_found += 1);
             return Ok(found);
         }
-        let (set, record) = build()?;
-        let build_s = started.elapsed().as_secs_f64();
-        self.cache.store(&key, &encode_tables(&set, &record, build_s));
+        let built = build()?;
+        self.cache.store(&key, &encode_tables(&built));
         self.count(|used| used.tables_built += 1);
-        Ok((set, record, build_s))
+        Ok(built)
     }
 
     /// [`measure::yardstick`], evaluated where it is not known.
@@ -279,6 +308,8 @@ fn decode_counted(bytes: &[u8], errors: &ErrorDirections) -> Option<Yardstick> {
 struct Header {
     record: BuildRecord,
     build_s: f64,
+    processor_s: Option<f64>,
+    memory_bytes: Option<u64>,
     tables: Vec<[usize; 3]>,
     coherent: Option<[usize; 3]>,
     cross: Vec<[usize; 3]>,
@@ -292,12 +323,15 @@ fn shape(table: &Array3<f32>) -> [usize; 3] {
 }
 
 /// A line of JSON, then the numbers of all arrays in order.
-fn encode_tables(set: &TableSet, record: &BuildRecord, build_s: f64) -> Vec<u8> {
+fn encode_tables(built: &Built) -> Vec<u8> {
+    let Built { set, record, seconds, processor_s, memory_bytes } = built;
     let lobe = set.lobe.as_ref();
     let cross = lobe.map_or(&[][..], |lobe| &lobe.cross);
     let header = json!({
         "record": record,
-        "build_s": build_s,
+        "build_s": seconds,
+        "processor_s": processor_s,
+        "memory_bytes": memory_bytes,
         "tables": set.tables.iter().map(shape).collect::<Vec<_>>(),
         "coherent": lobe.map(|lobe| shape(&lobe.coherent)),
         "cross": cross.iter().map(shape).collect::<Vec<_>>(),
@@ -312,7 +346,7 @@ fn encode_tables(set: &TableSet, record: &BuildRecord, build_s: f64) -> Vec<u8> 
     bytes
 }
 
-fn decode_tables(bytes: &[u8], source: &Source, plan: &BuildPlan) -> Option<(TableSet, BuildRecord, f64)> {
+fn decode_tables(bytes: &[u8], source: &Source, plan: &BuildPlan) -> Option<Built> {
     let end = bytes.iter().position(|byte| *byte == b'\n')?;
     let header: Header = serde_json::from_slice(&bytes[..end]).ok()?;
     let mut rest = &bytes[end + 1..];
@@ -342,5 +376,6 @@ fn decode_tables(bytes: &[u8], source: &Source, plan: &BuildPlan) -> Option<(Tab
         pigment: None,
         usable_radius: header.usable_radius,
     };
-    rest.is_empty().then_some((set, header.record, header.build_s))
+    let Header { record, build_s: seconds, processor_s, memory_bytes, .. } = header;
+    rest.is_empty().then_some(Built { set, record, seconds, processor_s, memory_bytes })
 }

@@ -1,15 +1,14 @@
 //! Measured errors of a specimen's tables: in total, and each cause by itself.
 //!
-//! The yardstick is `optics::spectral`, evaluated at the same fixed directions for every specimen. One
+//! The yardstick is `optics::spectral`, evaluated at directions that the tables show lit and at some that they call dark. One
 //! pass over the windows serves the error rows and the scenes' reference pictures.
 
+use super::error_directions::{ErrorDirections, ErrorGroup};
 use super::results::{ErrorRow, PowerSum};
-use super::scenes::SceneWork;
 use crate::ground::chebyshev;
 use crate::ground::direction::{Vec3, Xyz, from_angles_deg, wave_vector_change};
 use crate::ground::error::Result;
 use crate::ground::metrics;
-use crate::ground::sampling::{Region, direction_pairs};
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
 use crate::optics::reference::{self, FULL_STEP, PICTURE_STEP};
@@ -21,52 +20,14 @@ use crate::tables::model::{Basis, TableSet};
 use crate::tables::plan::w_reach;
 use rayon::prelude::*;
 
-/// Directions per region.
-const DIRECTIONS: usize = 128;
-
 /// Pairs at which the yardstick itself is held against the direct sum.
 const DIRECT_PAIRS: usize = 2;
-
-/// Luminance in 1/sr up to which directions are left out: a few millionths of white.
-const FLOOR_PER_SR: f64 = 1e-6;
-
-/// Directions on which errors are counted, group after group.
-#[derive(Debug, Clone, Default)]
-pub struct ErrorDirections {
-    /// Name and size of each group.
-    pub groups: Vec<(String, usize)>,
-    /// The pairs of all groups in order.
-    pub pairs: Vec<(Vec3, Vec3)>,
-}
-
-impl ErrorDirections {
-    /// The same for every specimen: stratified over the hemisphere, near the mirror direction, and grazing.
-    pub fn fixed() -> Self {
-        Self {
-            groups: Region::ALL.into_iter().map(|region| (region.name().to_owned(), DIRECTIONS)).collect(),
-            pairs: Region::ALL.into_iter().flat_map(|region| direction_pairs(region, DIRECTIONS)).collect(),
-        }
-    }
-
-    /// Drawn evenly from those of scenes: for tables that serve no others.
-    pub fn of_scenes(scenes: &[SceneWork]) -> Self {
-        let mut directions = Self::default();
-        for scene in scenes {
-            let all: Vec<(Vec3, Vec3)> = scene.pairs().collect();
-            let step = all.len().div_ceil(DIRECTIONS).max(1);
-            let drawn: Vec<(Vec3, Vec3)> = all.into_iter().step_by(step).collect();
-            directions.groups.push((format!("scene {}", scene.name()), drawn.len()));
-            directions.pairs.extend(drawn);
-        }
-        directions
-    }
-}
 
 /// Everything the yardstick is asked for, in one list.
 #[derive(Debug, Clone, Default)]
 pub struct Yardstick {
-    /// Name and size of each group of directions on which errors are counted.
-    pub(super) groups: Vec<(String, usize)>,
+    /// The groups of directions on which errors are counted.
+    pub(super) groups: Vec<ErrorGroup>,
     /// Pairs of directions: those of the groups first, then whatever scenes added.
     pub pairs: Vec<(Vec3, Vec3)>,
     /// XYZ of the BRDF at each, in 1/sr.
@@ -155,24 +116,17 @@ fn diffuse_shares(
 
 /// Error rows of the stored tables (as read back) and of the tables before rounding.
 pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) -> Vec<ErrorRow> {
-    error_rows_above(yardstick, stored, built, FLOOR_PER_SR)
-}
-
-/// [`error_rows`] of the directions brighter than a floor in 1/sr.
-pub fn error_rows_above(
-    yardstick: &Yardstick,
-    stored: &TableSet,
-    built: &TableSet,
-    floor_per_sr: f64,
-) -> Vec<ErrorRow> {
     let mut rows = Vec::new();
     let mut start = 0;
-    for (region, count) in &yardstick.groups {
-        let range = start..start + count;
+    for group in &yardstick.groups {
+        let range = start..start + group.len();
         start = range.end;
         let pairs = &yardstick.pairs[range.clone()];
         let luminance = |values: &[Xyz]| values.iter().map(|xyz| xyz[1]).collect::<Vec<_>>();
         let exact = luminance(&yardstick.xyz[range.clone()]);
+        // The diffuse part as bright as it is seen, so that one floor counts for all rows.
+        let front: Vec<f64> = pairs.iter().map(|&(wi, wo)| reference::prefactor(&stored.optics, wi, wo)).collect();
+        let seen = |diffuse: &[f64]| -> Vec<f64> { diffuse.iter().zip(&front).map(|(d, front)| d * front).collect() };
         let tables = |set: &TableSet, interpolation| {
             luminance(&pairs.iter().map(|&(wi, wo)| brdf_xyz(set, interpolation, wi, wo)).collect::<Vec<_>>())
         };
@@ -180,12 +134,11 @@ pub fn error_rows_above(
             let at = |&(wi, wo): &(Vec3, Vec3)| {
                 diffuse_window_power(set, Interpolation::Bilinear, wave_vector_change(wi, wo))[1]
             };
-            pairs.iter().map(at).collect()
+            seen(&pairs.iter().map(at).collect::<Vec<_>>())
         };
-        let [fine, ringed, interpolated] = [0, 1, 2].map(|i| &yardstick.diffuse[i][range.clone()]);
+        let [fine, ringed, interpolated] = [0, 1, 2].map(|i| seen(&yardstick.diffuse[i][range.clone()]));
         let on_grid = diffuse(built);
-        let mut push =
-            |what: &str, reference: &[f64], test: &[f64]| rows.push(row(what, region, reference, test, floor_per_sr));
+        let mut push = |what: &str, reference: &[f64], test: &[f64]| rows.push(row(what, group, reference, test));
         push("total", &exact, &tables(stored, Interpolation::Bilinear));
         push("total, cubic look-up", &exact, &tables(stored, Interpolation::Cubic));
         // The shares below are those of the diffuse part under interpolation in `w`: a power series keeps
@@ -193,25 +146,39 @@ pub fn error_rows_above(
         if stored.basis == Basis::Taylor {
             continue;
         }
-        push("wavelength step", fine, ringed);
-        push("basis", ringed, interpolated);
-        push("grid", interpolated, &on_grid);
+        push("wavelength step", &fine, &ringed);
+        push("basis", &ringed, &interpolated);
+        push("grid", &interpolated, &on_grid);
         push("storage", &on_grid, &diffuse(stored));
     }
     rows
 }
 
-fn row(what: &str, region: &str, reference: &[f64], test: &[f64], floor_per_sr: f64) -> ErrorRow {
-    let quantiles = metrics::relative_error_quantiles(reference, test, floor_per_sr);
+/// Pointwise errors of the directions that the reference has above the floor; the norm of all, each with the share of the
+/// group that it stands for. What nothing lit can tell is NaN.
+fn row(what: &str, group: &ErrorGroup, reference: &[f64], test: &[f64]) -> ErrorRow {
+    let quantiles = metrics::relative_error_quantiles(reference, test, group.floor_per_sr);
+    let weights = group.weights();
+    let weighed = |values: &[f64]| -> Vec<f64> { values.iter().zip(&weights).map(|(v, w)| v * w.sqrt()).collect() };
+    let [lit, dark] = group.counts;
+    let is_dark = |values: &[f64]| values.iter().all(|y| y.abs() <= group.floor_per_sr);
+    let of_lit = |error: f64| if quantiles.count == 0 { f64::NAN } else { error };
     ErrorRow {
         what: what.into(),
-        region: region.into(),
+        region: group.name.clone(),
         directions: quantiles.count,
-        relative_l2: metrics::relative_l2(reference, test),
-        p50: quantiles.p50,
-        p95: quantiles.p95,
-        p99: quantiles.p99,
-        worst: quantiles.worst,
+        floor_per_sr: group.floor_per_sr,
+        lit_share: group.lit_share,
+        dark_directions: dark,
+        missed_directions: reference[lit..].iter().filter(|y| y.abs() > group.floor_per_sr).count(),
+        relative_l2: match is_dark(reference) && is_dark(test) {
+            true => f64::NAN,
+            false => metrics::relative_l2(&weighed(reference), &weighed(test)),
+        },
+        p50: of_lit(quantiles.p50),
+        p95: of_lit(quantiles.p95),
+        p99: of_lit(quantiles.p99),
+        worst: of_lit(quantiles.worst),
     }
 }
 
@@ -224,16 +191,17 @@ pub type DirectSum<'a> = &'a dyn Fn(&[(Vec3, Vec3)]) -> Result<Vec<Xyz>>;
 /// # Errors
 /// Those of the reference.
 pub fn direct_row(yardstick: &Yardstick, direct: DirectSum) -> Result<ErrorRow> {
-    let Some((region, count)) = yardstick.groups.first() else {
+    let Some(group) = yardstick.groups.first() else {
         return Err(crate::ground::error::Error::Call("errors are counted on no directions".into()));
     };
-    let mut brightest: Vec<usize> = (0..*count).collect();
+    let mut brightest: Vec<usize> = (0..group.len()).collect();
     brightest.sort_by(|&a, &b| yardstick.xyz[b][1].total_cmp(&yardstick.xyz[a][1]));
     brightest.truncate(DIRECT_PAIRS);
     let pairs: Vec<(Vec3, Vec3)> = brightest.iter().map(|&index| yardstick.pairs[index]).collect();
     let direct: Vec<f64> = direct(&pairs)?.iter().map(|xyz| xyz[1]).collect();
     let fast: Vec<f64> = brightest.iter().map(|&index| yardstick.xyz[index][1]).collect();
-    Ok(row("yardstick against direct sum", region, &direct, &fast, FLOOR_PER_SR))
+    let group = ErrorGroup { counts: [brightest.len(), 0], ..group.clone() };
+    Ok(row("yardstick against direct sum", &group, &direct, &fast))
 }
 
 /// Luminous sums `∫ f cos_theta_o dω_o` for unit reflectance, from the tables: the diffuse part on a grid

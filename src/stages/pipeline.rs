@@ -10,11 +10,12 @@ use super::atlas::{AtlasIndex, InputRecord};
 use super::cache::{Cache, CacheUse};
 use super::config::{RunConfig, Serve, SpecimenConfig};
 use super::describe::{describe, entry, failed_result, inputs, specimen_file};
+use super::error_directions::{Candidates, DIRECTIONS, ErrorDirections};
 use super::format_md::format_md;
 use super::gpu_stage;
 use super::ingest::ingest;
 use super::known::Known;
-use super::measure::{self, ErrorDirections};
+use super::measure;
 use super::measured;
 use super::progress::Progress;
 use super::publish::{self, Published, Staging};
@@ -37,7 +38,8 @@ use crate::render::cpu;
 use crate::scene::model::{Light, Scene, Shape};
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, surface_xyz};
-use crate::tables::model::TableSet;
+use crate::tables::forecast::forecast_of;
+use crate::tables::model::{Basis, TableSet};
 use crate::tables::storage::{read_tables, write_tables};
 
 /// Directions of the worked number in `FORMAT.md`, in degrees.
@@ -245,9 +247,10 @@ fn run_specimen(
     };
     let plan = clock.stage("plan", 0, || build::plan_for(&ingested.fields, optics, &tables, domain.clone()))?;
     let steps = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum::<usize>() * plan.windows.len();
-    let (built, record, build_s) =
+    let done =
         clock.stage("build tables", steps as u64, || known.tables(&source, &plan, &|n| helpers.progress.advance(n)))?;
-    let stored = clock.stage("store tables", 0, || write_tables(&folder, &built, tables.storage))?;
+    let built = &done.set;
+    let stored = clock.stage("store tables", 0, || write_tables(&folder, built, tables.storage))?;
     let set = clock.stage("read back", 0, || {
         let pigment = specimen.albedo.map(|albedo| pigment(albedo, optics)).transpose()?;
         Ok(TableSet { pigment, ..read_tables(&folder, &stored, optics)? })
@@ -259,11 +262,11 @@ fn run_specimen(
         clock.stage("render animations", 0, || works.iter().try_for_each(|work| work.animate(&set, &folder)))?;
     }
     let directions = match serving {
-        false => ErrorDirections::fixed(),
-        true => ErrorDirections::of_scenes(&works),
+        false => ErrorDirections::of_regions(&set),
+        true => ErrorDirections::drawn(&set, Candidates::of_scenes(&set, &works), DIRECTIONS),
     };
     let served = directions.pairs.clone();
-    let mut result = describe(specimen, &ingested, &tables, &set, &record, &plan);
+    let mut result = describe(specimen, &ingested, &tables, &set, &done.record, &plan);
     let yardstick = match config.report.reference {
         false => None,
         true => Some(clock.stage("evaluate the reference", 0, || {
@@ -274,7 +277,7 @@ fn run_specimen(
     result.warnings.extend(scenes::warnings(&wanted, optics));
     clock.stage("measure errors", 0, || {
         if let Some(yardstick) = &yardstick {
-            result.errors = measure::error_rows(yardstick, &set, &built);
+            result.errors = measure::error_rows(yardstick, &set, built);
             result.errors.push(known.direct_row(&source, yardstick)?);
         }
         let (sums, lobe_share) = measure::power_sums(&set);
@@ -318,17 +321,18 @@ fn run_specimen(
         specimen::write(&folder, &file)
     })?;
     let stored_bytes = clock.stage("count bytes", 0, || files::bytes_of(&folder, "exr"))?;
+    let measured = Cost::measured(&done, stored_bytes as f64);
     if let Some(build) = &mut result.build {
-        (build.build_s, build.stored_bytes) = (build_s, stored_bytes);
+        (build.build_s, build.stored_bytes) = (done.seconds, stored_bytes);
+        build.build_cpu_s = done.processor_s;
+        build.memory_bytes = done.memory_bytes;
+        // The published series is built another way, which no forecast knows.
+        if tables.basis == Basis::Chebyshev {
+            let threads = rayon::current_num_threads();
+            build.predicted = Some(Cost::predicted(&forecast_of(source.fields, optics, &tables, &plan, threads)));
+        }
     }
     if let Some(domain) = &domain {
-        let measured = Cost {
-            node_samples: record.node_samples as f64,
-            seconds: build_s,
-            // Of one stage among many: not known.
-            memory_bytes: f64::NAN,
-            stored_bytes: stored_bytes as f64,
-        };
         result.budget = Some(clock.stage("account for what is left out", 0, || {
             serve::account(&source, &wanted, domain, &config.tables, measured, config.report.savings)
         })?);

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cache::CacheUse;
 pub use super::gpu_results::{GpuResult, GpuRow};
-use super::serve::Budget;
+use super::serve::{Budget, Cost};
 use crate::ground::error::{Error, Result};
 pub use crate::height::statistics::{Period, Statistics};
 use crate::optics::config::OpticsConfig;
@@ -160,6 +160,16 @@ pub struct BuildResult {
     pub record: BuildRecord,
     /// Elapsed seconds.
     pub build_s: f64,
+    /// Seconds that all threads together ran: what the machine would have needed with nothing else to do, times its
+    /// threads. `None` where the system does not tell.
+    #[serde(default)]
+    pub build_cpu_s: Option<f64>,
+    /// Most bytes that building held on the heap, its tables included, the scans not; `None` where nobody counted them.
+    #[serde(default)]
+    pub memory_bytes: Option<u64>,
+    /// What the plan predicted, where there is a prediction.
+    #[serde(default)]
+    pub predicted: Option<Cost>,
 }
 
 /// The coherent lobe, in numbers.
@@ -180,9 +190,22 @@ pub struct ErrorRow {
     pub what: String,
     /// Which directions: "whole hemisphere", "near specular", "grazing".
     pub region: String,
-    /// Directions compared.
+    /// Directions compared pointwise: those that the reference has above the floor.
     pub directions: usize,
-    /// Root of the summed squared differences over the root of the summed squares.
+    /// Luminance in 1/sr up to which a direction is too dark for that.
+    #[serde(default = "floor_of_older_reports")]
+    pub floor_per_sr: f64,
+    /// Share of the region that the tables call lit: where they show more than half of the floor.
+    #[serde(default, with = "null_for_nan")]
+    pub lit_share: f64,
+    /// Directions evaluated that the tables call dark.
+    #[serde(default)]
+    pub dark_directions: usize,
+    /// Those of them that the reference has above the floor: light that the tables miss.
+    #[serde(default)]
+    pub missed_directions: usize,
+    /// Root of the summed squared differences over the root of the summed squares, over the whole region: lit and dark
+    /// directions count by the share of it that they stand for.
     #[serde(with = "null_for_nan")]
     pub relative_l2: f64,
     /// Median relative error of the luminance.
@@ -197,6 +220,11 @@ pub struct ErrorRow {
     /// Its maximum.
     #[serde(with = "null_for_nan")]
     pub worst: f64,
+}
+
+/// What reports had before they told: a few millionths of white.
+fn floor_of_older_reports() -> f64 {
+    1e-6
 }
 
 /// `∫ f cos_theta_o dω_o` for one incidence, relative to the incident power.
@@ -343,7 +371,20 @@ mod tests {
 
     fn row(worst: f64) -> ErrorRow {
         let (what, region) = ("total".into(), "grazing".into());
-        ErrorRow { what, region, directions: 3, relative_l2: 1e-6, p50: 1e-7, p95: 1e-6, p99: 1e-6, worst }
+        ErrorRow {
+            what,
+            region,
+            directions: 3,
+            floor_per_sr: 3e-5,
+            lit_share: 0.5,
+            dark_directions: 1,
+            missed_directions: 0,
+            relative_l2: 1e-6,
+            p50: 1e-7,
+            p95: 1e-6,
+            p99: 1e-6,
+            worst,
+        }
     }
 
     #[test]

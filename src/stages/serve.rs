@@ -4,14 +4,13 @@
 //! gives its share of the work: predicted by the forecast, measured by building.
 
 use std::path::Path;
-use std::time::Instant;
 
 use serde::{Deserialize, Serialize};
 
 use super::config::{GpuCheck, RunConfig, Serve};
+use super::known::Built;
 use super::results::null_for_nan;
 use super::shared_scenes::scenes_for;
-use super::usage;
 use crate::ground::error::{Error, Result};
 use crate::ground::files;
 use crate::ground::spectrum::Illuminant;
@@ -237,7 +236,7 @@ pub struct Cost {
     pub node_samples: f64,
     /// Seconds to build.
     pub seconds: f64,
-    /// Working memory in bytes; the largest resident memory of the process where it is measured.
+    /// Most bytes that building holds on the heap, its tables included, the scans not.
     #[serde(with = "null_for_nan")]
     pub memory_bytes: f64,
     /// Bytes of the table files before compression.
@@ -245,6 +244,16 @@ pub struct Cost {
 }
 
 impl Cost {
+    /// What tables took that were built.
+    pub fn measured(built: &Built, stored_bytes: f64) -> Self {
+        Self {
+            node_samples: built.record.node_samples as f64,
+            seconds: built.seconds,
+            memory_bytes: built.memory_bytes.map_or(f64::NAN, |bytes| bytes as f64),
+            stored_bytes,
+        }
+    }
+
     /// The predicted cost.
     pub fn predicted(forecast: &Forecast) -> Self {
         Self {
@@ -348,15 +357,11 @@ pub fn account(
 /// # Errors
 /// Those of building, and the disk's.
 pub fn measure(source: &Source, plan: &BuildPlan) -> Result<Cost> {
-    usage::restart();
-    let started = Instant::now();
-    let (set, record) = build::build_planned(source.fields, source.optics, source.tables, plan, &|_| ())?;
-    let seconds = started.elapsed().as_secs_f64();
-    let memory_bytes = usage::peak_bytes().map_or(f64::NAN, |bytes| bytes as f64);
+    let built = Built::measured(source, plan, &|_| ())?;
     let folder = tempfile::tempdir().map_err(|e| Error::disk(Path::new("."), "create a temporary folder", e))?;
-    write_tables(folder.path(), &set, source.tables.storage)?;
+    write_tables(folder.path(), &built.set, source.tables.storage)?;
     let stored_bytes = files::bytes_of(folder.path(), "exr")? as f64;
-    Ok(Cost { node_samples: record.node_samples as f64, seconds, memory_bytes, stored_bytes })
+    Ok(Cost::measured(&built, stored_bytes))
 }
 
 fn share_of_disc(domain: &Domain) -> f64 {

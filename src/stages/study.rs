@@ -25,6 +25,7 @@ use timing::Clock;
 use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 
+use super::error_directions::FLOOR_SHARE;
 use super::progress::Progress;
 use crate::ground::error::Result;
 use crate::ground::metrics::ErrorQuantiles;
@@ -37,14 +38,6 @@ use crate::tables::baselines::statistics::{SurfaceStatistics, surface_statistics
 use crate::tables::build::AUTOMATIC_SIZE_MAX;
 use crate::tables::model::{Basis, Storage};
 use crate::tables::plan::{lobe_width, usable_radius};
-
-/// Share of a matt surface's luminance, one that reflects as much, up to which directions are left out of pointwise
-/// errors.
-pub const FLOOR_SHARE: f64 = 1e-2;
-
-/// Share of the brightest directions' luminance up to which they are left out as well: a grating is dark but for a few
-/// orders, and between them a relative error says nothing.
-pub const FLOOR_SHARE_BRIGHT: f64 = 1e-3;
 
 /// Standard deviations of the narrowest lobe per texel of the study's tables: cubic interpolation then errs by
 /// about `3/128 · 0.5⁴ · 3` = 0.4 % of a lobe's peak at worst, and far less at the median.

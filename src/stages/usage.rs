@@ -1,5 +1,6 @@
 //! What the process uses, where the system tells: memory over a stretch of work, processor time of a stage.
 
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
@@ -7,6 +8,35 @@ use super::results::StageTime;
 
 /// The largest peak that [`restart`] has made the system forget, in bytes.
 static FORGOTTEN_BYTES: AtomicU64 = AtomicU64::new(0);
+
+/// An allocator that counts what lives on the heap. Installing one takes a program; a library is lent it.
+#[derive(Debug, Clone, Copy)]
+pub struct HeapCounter {
+    /// Bytes that live now.
+    pub live_bytes: fn() -> usize,
+    /// The most that lived since it was last restarted.
+    pub peak_bytes: fn() -> usize,
+    /// Makes what lives now the peak.
+    pub restart: fn(),
+}
+
+static HEAP: OnceLock<HeapCounter> = OnceLock::new();
+
+/// Lends the counter of the program's allocator, once.
+pub fn lend_heap_counter(counter: HeapCounter) {
+    // A second one would be of the same allocator.
+    let _ = HEAP.set(counter);
+}
+
+/// Does some work, and gives the most bytes that lived on the heap meanwhile beyond those at its start; `None` where
+/// nobody counts. Work of other threads counts too; one stretch at a time can be measured.
+pub fn with_heap_bytes<T>(work: impl FnOnce() -> T) -> (T, Option<u64>) {
+    let Some(heap) = HEAP.get() else { return (work(), None) };
+    (heap.restart)();
+    let before = (heap.live_bytes)();
+    let done = work();
+    (done, Some((heap.peak_bytes)().saturating_sub(before) as u64))
+}
 
 /// Forgets the largest resident memory so far and gives the present one in bytes. Only Linux can; elsewhere nothing
 /// happens and nothing is known.

@@ -21,7 +21,7 @@ use crate::optics::spectra::Spectra;
 type Lane = Vec4;
 
 /// Most lanes handled in one sweep; more nodes take further sweeps.
-const LANES_MAX: usize = 4;
+pub(super) const LANES_MAX: usize = 4;
 
 /// Wavelengths summed in one sweep: the sums, far larger than any cache, are read and written once for all of them.
 pub(super) const WAVES: usize = 4;
@@ -274,7 +274,10 @@ impl<'a> Wave<'a> {
         let targets = self.taps_x.first.len();
         let cells = (last_y - first_y) as usize * targets;
         if scratch.len() < cells * N {
-            scratch.resize(cells * N, Lane::ZERO);
+            // Wavelengths get shorter and lines more: a little room spares most allocations, and what is there is not
+            // needed any more.
+            *scratch = Vec::new();
+            *scratch = vec![Lane::ZERO; cells * N * 9 / 8];
         }
         let rows = &mut scratch.as_chunks_mut::<N>().0[..cells];
         rows.par_chunks_mut(targets).enumerate().for_each_init(

@@ -467,9 +467,14 @@ fn to_tables(
     let matrix = chebyshev::coefficient_matrix(count).concat();
     let interpolants: Vec<Interpolant> =
         rings.iter().zip(&nodes.rings).map(|(ring, &n)| Interpolant::new(n, ring.w[0], ring.w[1])).collect();
-    let mut interleaved = vec![0.0f32; texels.window_texels() * 3 * count];
     let row_length = width * 3;
-    interleaved.par_chunks_mut(row_length * count).enumerate().for_each(|(line, out)| {
+    let mut tables: Vec<Vec<f32>> = (0..count).map(|_| vec![0.0; texels.rows.len() * row_length]).collect();
+    // Each row of all tables together, so that rows are written side by side and no copy is held.
+    let mut rows: Vec<Vec<&mut [f32]>> = texels.rows.clone().map(|_| Vec::with_capacity(count)).collect();
+    for table in &mut tables {
+        rows.iter_mut().zip(table.chunks_exact_mut(row_length)).for_each(|(row, part)| row.push(part));
+    }
+    rows.par_iter_mut().enumerate().for_each(|(line, out)| {
         let row = texels.rows.start + line;
         let mut at_t = vec![0.0; 3 * count];
         let mut coefficients = vec![0.0; 3 * count];
@@ -493,21 +498,18 @@ fn to_tables(
                         coefficients[channel * count + n] = row.iter().zip(at_t).map(|(m, v)| m * v).sum();
                     }
                 }
-                for n in 0..needed(&coefficients, count, dropped) {
+                for (n, out) in out.iter_mut().enumerate().take(needed(&coefficients, count, dropped)) {
                     for channel in 0..3 {
-                        out[n * row_length + index * 3 + channel] = coefficients[channel * count + n] as f32;
+                        out[index * 3 + channel] = coefficients[channel * count + n] as f32;
                     }
                 }
             }
         }
     });
-    (0..count)
-        .map(|n| {
-            let rows = interleaved.chunks_exact(row_length * count);
-            let table = rows.flat_map(|row| &row[n * row_length..(n + 1) * row_length]).copied().collect();
-            Array3::from_shape_vec((texels.rows.len(), width, 3), table).expect("one number for each texel and channel")
-        })
-        .collect()
+    let array = |table| {
+        Array3::from_shape_vec((texels.rows.len(), width, 3), table).expect("one number for each texel and channel")
+    };
+    tables.into_iter().map(array).collect()
 }
 
 fn dot(weights: &[f64], values: &[f32]) -> f64 {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::accumulate::WAVES;
+use super::accumulate::{LANES_MAX, WAVES};
 use super::build::{BuildPlan, lobe_depths, plan, ring_samples};
 use super::lobe;
 use super::model::{Storage, TablesConfig};
@@ -13,13 +13,16 @@ use crate::ground::error::Result;
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
 use crate::optics::kernel::{OVERSAMPLING, SEMICIRCLE_TAPS};
-use crate::optics::window::{Placement, SUPPORT_SIGMAS};
+use crate::optics::spectra::smooth_size;
+use crate::optics::window::{Placement, SUPPORT_SIGMAS, speckle_deviation};
 
 /// What a build will take.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Forecast {
     /// Windows averaged.
     pub windows: usize,
+    /// By how much their mean still moves at one wavelength, on a rough surface: see [`speckle_deviation`].
+    pub speckle_deviation: f64,
     /// Transforms per window.
     pub transforms: usize,
     /// Tables, estimated from the heights' spread.
@@ -87,7 +90,7 @@ pub fn forecast_of(
     let nodes = ring_nodes(fields, plan, config);
     let samples = ring_samples(plan);
     let windows = window_work(fields, optics, plan);
-    let (mut work_ns, mut lines_most) = (0.0, 0.0f64);
+    let mut work_ns = 0.0;
     for (index, (&(_, placement), window)) in plan.windows.iter().zip(&windows).enumerate() {
         let Lines { padded, lines, taps, .. } = &window.lines;
         // Along x every line is transformed, along y only the wanted ones.
@@ -95,7 +98,6 @@ pub fn forecast_of(
         if config.count.is_none() && index == 0 {
             work_ns += pilot_ns(plan, transforms, *taps, placement);
         }
-        lines_most = lines_most.max(lines[0] * lines[1]);
     }
     for ((ring, samples), &nodes) in plan.rings.iter().zip(&samples).zip(&nodes) {
         let texels = samples / ring.quadrature.wavelengths_nm.len() as f64;
@@ -113,15 +115,12 @@ pub fn forecast_of(
         let samples = lobe::samples(optics, plan.lobe_radius, lobe_depths(plan), rms, config.tolerance).unwrap_or(0.0);
         work_ns += samples * NS_PER_LOBE_SAMPLE;
     }
-    let most = nodes.iter().copied().max().unwrap_or(tables).next_multiple_of(4) as f64;
-    let scratch = WAVES as f64 * lines_most.sqrt() * plan.texels.columns.len() as f64 * 4.0 * most.min(16.0);
-    let sums = texels * 3.0 * 4.0 * (most + 2.0 * tables as f64);
-    let memory = lines_most * transforms as f64 * 8.0 + scratch + sums;
     let value_bytes = if config.storage == Storage::Half { 2.0 } else { 4.0 };
     let steps = plan.rings.iter().flat_map(|r| r.quadrature.wavelengths_nm.windows(2).map(|p| (p[0] - p[1]).abs()));
     let range_bytes = if plan.domain.is_some() { texels * 3.0 * 4.0 } else { 0.0 };
     Forecast {
         windows: plan.windows.len(),
+        speckle_deviation: speckle_deviation(&plan.windows, optics.sigma_nm),
         transforms,
         tables,
         size: plan.texels.grid.size,
@@ -130,9 +129,42 @@ pub fn forecast_of(
         samples: samples.iter().sum(),
         node_samples: samples.iter().zip(&nodes).map(|(samples, &nodes)| samples * nodes as f64).sum(),
         seconds: 1e-9 * (FIXED_NS + work_ns / threads as f64),
-        memory_bytes: memory as u64,
+        memory_bytes: memory_bytes(plan, &windows, &nodes, tables) as u64,
         stored_bytes: (counted * 3.0 * value_bytes * tables as f64 + range_bytes) as u64,
     }
+}
+
+/// Most bytes on the heap at once: while a window is transformed, while it is summed, or while the sums become tables.
+fn memory_bytes(plan: &BuildPlan, windows: &[WindowWork], nodes: &[usize], tables: usize) -> f64 {
+    let numbers = plan.texels.window_texels() as f64 * 3.0 * 4.0;
+    let sums = numbers * nodes.iter().copied().max().unwrap_or(tables).next_multiple_of(4) as f64;
+    // Sums and tables stand side by side, the transforms are gone.
+    let mut most = sums + numbers * tables as f64;
+    for (index, window) in windows.iter().enumerate() {
+        let Lines { samples, lines, .. } = &window.lines;
+        let cells = lines[0] * lines[1];
+        let transforms = 8.0 * cells * window.transforms;
+        // Heights and phasors of the samples; lines between the two passes, and after them.
+        let passes = (8.0 + 16.0) * samples[0] * samples[1] + 16.0 * (samples[1] * lines[0] + cells);
+        let sums_before = if index == 0 { 0.0 } else { sums };
+        let of_ring = |(ring, &nodes): (&Ring, &usize)| scratch_bytes(plan, window, ring, nodes);
+        let scratch = plan.rings.iter().zip(nodes).map(of_ring).fold(0.0, f64::max);
+        most = most.max(transforms + passes + sums_before).max(transforms + sums + scratch);
+    }
+    most
+}
+
+/// What summing a ring holds besides: for a few wavelengths at once, every line that its texels read, interpolated to its
+/// columns, with up to four lanes of four nodes each.
+fn scratch_bytes(plan: &BuildPlan, window: &WindowWork, ring: &Ring, nodes: usize) -> f64 {
+    let WindowWork { lines: Lines { step, taps, .. }, parts, box_samples, .. } = window;
+    let texel = plan.texels.grid.texel();
+    let extent = |texels: usize| (2.0 * ring.rho[1]).min(texels as f64 * texel);
+    let lines = extent(plan.texels.rows.len()) / (plan.wavelength_min_nm * step[1]) + taps;
+    let columns = extent(plan.texels.columns.len()) / texel * box_samples;
+    let lanes = (nodes.div_ceil(4) as f64).min(LANES_MAX as f64) * parts;
+    // It is allocated with up to an eighth to spare.
+    17.0 / 16.0 * WAVES as f64 * lines * columns * lanes * 16.0
 }
 
 /// Nodes that each ring will likely have.
@@ -251,6 +283,8 @@ fn expected_nodes(rms_nm: f64, plan: &BuildPlan, w: [f64; 2], tolerance: f64) ->
 
 /// Sizes of one window's transforms.
 struct Lines {
+    /// Samples within the window.
+    samples: [f64; 2],
     padded: [f64; 2],
     step: [f64; 2],
     lines: [f64; 2],
@@ -259,24 +293,26 @@ struct Lines {
 
 fn lines(field: &HeightField, placement: Placement, optics: &OpticsConfig, plan: &BuildPlan) -> Lines {
     let size = field.size();
-    let mut lines = Lines { padded: [0.0; 2], step: [0.0; 2], lines: [0.0; 2], taps: 0.0 };
+    let mut lines = Lines { samples: [0.0; 2], padded: [0.0; 2], step: [0.0; 2], lines: [0.0; 2], taps: 0.0 };
     for (axis, (samples, pitch)) in size.into_iter().zip(field.pitch_nm).enumerate() {
-        let samples = samples as f64;
-        lines.padded[axis] = match placement {
-            Placement::Inside { .. } => OVERSAMPLING * samples.min(2.0 * SUPPORT_SIGMAS * optics.sigma_nm / pitch),
-            _ => samples,
+        let inside = matches!(placement, Placement::Inside { .. });
+        let within = 2.0 * SUPPORT_SIGMAS * optics.sigma_nm / pitch;
+        lines.samples[axis] = if inside { (within + 1.0).floor().min(samples as f64) } else { samples as f64 };
+        lines.padded[axis] = match inside {
+            true => smooth_size((OVERSAMPLING * lines.samples[axis]).ceil() as usize) as f64,
+            false => lines.samples[axis],
         };
         lines.step[axis] = 1.0 / (lines.padded[axis] * pitch);
-        let [low, high] = plan.spectra.frequency[axis];
-        let reach = ((high - low) / lines.step[axis]).min(lines.padded[axis]);
-        lines.lines[axis] = reach + 1.0;
         // A Gaussian of 5.5 standard deviations on each side, or the fixed kernel.
         let gaussian = 11.0 / (std::f64::consts::TAU * optics.sigma_nm * lines.step[axis]);
-        lines.taps = lines.taps.max(match placement {
+        let taps = match placement {
             Placement::Inside { .. } => SEMICIRCLE_TAPS as f64,
             Placement::TileCentre => gaussian.ceil(),
             Placement::TileMean => (gaussian / std::f64::consts::SQRT_2).ceil(),
-        });
+        };
+        lines.taps = lines.taps.max(taps);
+        let [low, high] = plan.spectra.frequency[axis];
+        lines.lines[axis] = ((high - low) / lines.step[axis] + taps + 1.0).min(lines.padded[axis]);
     }
     lines
 }

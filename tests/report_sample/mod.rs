@@ -14,6 +14,7 @@ use diffraction_atlas::report::pictures::{height_map, spectrum_half_range_per_um
 use diffraction_atlas::stages::gpu_check::{CpuPictures, compare, compare_with_reference};
 use diffraction_atlas::stages::gpu_results::{FrameComparison, MethodFrame};
 use diffraction_atlas::stages::results::*;
+use diffraction_atlas::stages::serve::Cost;
 use diffraction_atlas::tables::model::{Basis, BuildRecord, Storage};
 use ndarray::{Array2, Array3};
 
@@ -234,6 +235,9 @@ fn build() -> BuildResult {
             wavelength_step_nm: [0.61, 5.0],
         },
         build_s: 21.4,
+        build_cpu_s: Some(40.2),
+        memory_bytes: Some(83_000_000),
+        predicted: Some(Cost { node_samples: 3.6e6, seconds: 17.2, memory_bytes: 71e6, stored_bytes: 9.2e6 }),
     }
 }
 
@@ -246,6 +250,10 @@ fn errors() -> Vec<ErrorRow> {
                 what: what.into(),
                 region: region.into(),
                 directions: 2000,
+                floor_per_sr: 1.5e-4,
+                lit_share: 1.0,
+                dark_directions: 32,
+                missed_directions: 0,
                 relative_l2: median * factor * 1.4,
                 p50: median * factor * 0.2,
                 p95: median * factor,

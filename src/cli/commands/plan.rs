@@ -32,6 +32,8 @@ pub struct PlanArgs {
 struct Plan {
     atlas: String,
     threads: usize,
+    /// The relative error asked for.
+    tolerance: f64,
     specimens: Vec<SpecimenPlan>,
     /// What no scene, file or stage of this manifest asks for.
     left_out: Vec<String>,
@@ -66,6 +68,7 @@ pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     let plan = Plan {
         atlas: config.atlas_name.clone(),
         threads,
+        tolerance: config.tables.tolerance,
         specimens: specimens.collect(),
         left_out: serve::left_out(&config),
     };
@@ -98,6 +101,20 @@ fn plan_specimen(config: &RunConfig, specimen: &SpecimenConfig, threads: usize) 
 }
 
 impl Plan {
+    /// A line for each kind of averaging, with the specimens that it concerns.
+    fn windows_text(&self) -> String {
+        let mut lines: Vec<(String, Vec<&str>)> = Vec::new();
+        for specimen in &self.specimens {
+            let Some(forecast) = &specimen.forecast else { continue };
+            let line = windows_in_words(forecast, self.tolerance);
+            match lines.iter_mut().find(|(known, _)| *known == line) {
+                Some((_, names)) => names.push(&specimen.name),
+                None => lines.push((line, vec![&specimen.name])),
+            }
+        }
+        lines.iter().map(|(line, names)| format!("windows of {}: {line}\n", names.join(", "))).collect()
+    }
+
     fn to_text(&self) -> String {
         let mut text = format!("atlas \"{}\" on {} threads\n", self.atlas, self.threads);
         text +=
@@ -126,6 +143,7 @@ impl Plan {
             }
         }
         text += &format!("tables in about {total_s:.2} s; pictures and measured errors come on top\n");
+        text += &self.windows_text();
         for specimen in &self.specimens {
             if let Some(budget) = &specimen.budget {
                 text += &budget_text(&specimen.name, budget);
@@ -138,6 +156,21 @@ impl Plan {
             text += &format!("  {row}\n");
         }
         text
+    }
+}
+
+/// Whether any of a specimen's windows, and so of its scans, could be left out.
+fn windows_in_words(forecast: &Forecast, tolerance: f64) -> String {
+    let (count, moves) = (forecast.windows, forecast.speckle_deviation);
+    match count {
+        _ if moves == 0.0 => "the mean over all positions of the window is exact and costs no more than one".into(),
+        1 => "one window with its speckle, which is as large as the light; none can be left out".into(),
+        _ if moves > tolerance => format!(
+            "all {count} windows are needed: at one wavelength their mean still moves by about {:.0} % on a rough \
+             surface; more scans lower it",
+            100.0 * moves
+        ),
+        _ => format!("{count} windows are more than the tolerance asks for: their mean moves by {moves:.0e}"),
     }
 }
 

@@ -6,7 +6,6 @@ use serde::Serialize;
 
 use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
-use crate::ground::direction::Vec3;
 use crate::ground::error::{Error, Result};
 use crate::ground::sampling::{self, Region};
 use crate::ground::{files, metrics};
@@ -17,6 +16,7 @@ use crate::optics::spectral;
 use crate::scene::model::Scene;
 use crate::scene::samples::samples;
 use crate::stages::atlas::{self, AtlasIndex};
+use crate::stages::error_directions::{Candidates, DRAWN, ErrorDirections};
 use crate::stages::ingest::ingest;
 use crate::stages::results::ErrorRow;
 use crate::stages::serve;
@@ -32,8 +32,8 @@ use crate::tables::model::TableSet;
 pub struct VerifyArgs {
     /// An atlas, or one version of it
     pub atlas: PathBuf,
-    /// Directions per specimen, over the hemisphere and again around the mirror direction, that are evaluated
-    /// anew against the reference; 0 checks the files alone
+    /// Lit directions per specimen, over the hemisphere and again around the mirror direction, that are evaluated
+    /// anew against the reference, besides a quarter as many dark ones; 0 checks the files alone
     #[arg(long, value_name = "N", default_value_t = 64)]
     pub samples: usize,
     /// The manifest the atlas was made from, which names the scans [default: pipeline.toml where it is]
@@ -123,9 +123,6 @@ const CHECK_TOLERANCE: f64 = 1e-9;
 /// Errors below this are rounding and not compared.
 const ERROR_FLOOR: f64 = 1e-5;
 
-/// Luminance in 1/sr below which directions are left out, as in the recorded rows.
-const FLOOR_PER_SR: f64 = 1e-6;
-
 /// Standard deviations by which more errors than expected may lie above a recorded quantile.
 const SIGMAS: f64 = 4.0;
 
@@ -206,56 +203,63 @@ fn against_scans(
     let fields = ingested.fields;
     let plan = build::plan(&fields, &config.optics, &manifest.tables)?;
     let recorded: Vec<ErrorRow> = serde_json::from_value(file.errors.clone()).unwrap_or_default();
-    let groups = match set.served {
-        None => hemisphere_groups(args),
-        Some(_) => scene_groups(args, manifest, &file.name)?,
+    let totals = |region: &str| recorded.iter().find(|row| row.what == "total" && row.region == region);
+    let mut candidates = match set.served {
+        None => hemisphere_candidates(args, set),
+        Some(_) => scene_candidates(args, manifest, file, set)?,
     };
-    let all: Vec<_> = groups.iter().flat_map(|(_, pairs)| pairs.clone()).collect();
-    let exact = spectral::brdf_xyz_batch(&fields, &config.optics, &plan.spectra, &all)?;
-    let errors: Vec<Option<f64>> = all
-        .iter()
-        .zip(&exact)
-        .map(|(&(wi, wo), exact)| {
+    candidates.retain(|candidates| totals(&candidates.name).is_some());
+    // What tables that went wrong would call dark is no measure.
+    for candidates in &mut candidates {
+        candidates.floor_per_sr = totals(&candidates.name).map_or(0.0, |row| row.floor_per_sr);
+    }
+    let ErrorDirections { groups, pairs } = ErrorDirections::drawn(set, candidates, args.samples);
+    let exact = spectral::brdf_xyz_batch(&fields, &config.optics, &plan.spectra, &pairs)?;
+    let mut directions = pairs.iter().zip(&exact);
+    for group in &groups {
+        let errors = directions.by_ref().take(group.len()).filter_map(|(&(wi, wo), exact)| {
             let ours = brdf_xyz(set, Interpolation::Bilinear, wi, wo)[1];
             // A NaN is kept, so that it counts as an error.
-            (exact[1] > FLOOR_PER_SR || exact[1].is_nan()).then(|| (ours - exact[1]).abs() / exact[1])
-        })
-        .collect();
-    let mut rest = errors.as_slice();
-    for (region, pairs) in &groups {
-        let (own, others) = rest.split_at(pairs.len());
-        rest = others;
-        if let Some(recorded) = recorded.iter().find(|row| row.what == "total" && row.region == *region) {
-            check.reference.push(reference_check(region, own.iter().copied().flatten().collect(), recorded));
+            (exact[1] > group.floor_per_sr || exact[1].is_nan()).then(|| (ours - exact[1]).abs() / exact[1])
+        });
+        let errors = errors.collect();
+        if let Some(recorded) = totals(&group.name) {
+            check.reference.push(reference_check(&group.name, errors, recorded));
         }
     }
     Ok(())
 }
 
-/// Directions of one kind, by name.
-type Group = (String, Vec<(Vec3, Vec3)>);
+/// Turns of candidates to choose from: indices stay small enough for their points to be evenly spread.
+const TURNS: u64 = 1 << 16;
 
-/// The sequence that chose the recorded directions, further on.
-fn hemisphere_groups(args: &VerifyArgs) -> Vec<Group> {
-    let skip = 1000 + args.seed as usize % 1_000_000;
-    let pairs = |region| sampling::direction_pairs(region, skip + args.samples).split_off(skip);
-    [Region::Hemisphere, Region::NearSpecular].map(|region| (region.name().to_owned(), pairs(region))).to_vec()
+/// From the sequence that gave the recorded directions, further on.
+fn hemisphere_candidates(args: &VerifyArgs, set: &TableSet) -> Vec<Candidates> {
+    Candidates::of_regions(set, 1 + (args.seed % TURNS) as usize)
+        .into_iter()
+        .filter(|candidates| candidates.name != Region::Grazing.name())
+        .collect()
 }
 
 /// Directions of the scenes that the tables were made for, others than the recorded ones.
-fn scene_groups(args: &VerifyArgs, manifest: &Manifest, specimen: &str) -> Result<Vec<Group>> {
+fn scene_candidates(
+    args: &VerifyArgs,
+    manifest: &Manifest,
+    file: &SpecimenFile,
+    set: &TableSet,
+) -> Result<Vec<Candidates>> {
     let config = run_config(manifest, "");
-    let scenes = serve::served_scenes(&config, specimen).unwrap_or_default();
-    let group = |scene: &Scene| {
+    let scenes = serve::served_scenes(&config, &file.name).unwrap_or_default();
+    let of_scene = |scene: &Scene| {
         let samples = samples(scene)?;
         let count = samples.weight.len();
-        let drawn = (0..args.samples.min(count)).map(|index| {
-            let at = (sampling::plane(index + args.seed as usize % 1_000_000)[0] * count as f64) as usize;
+        let drawn = (0..DRAWN.min(count)).map(|index| {
+            let at = (sampling::plane(index + (args.seed % 1_000_000) as usize)[0] * count as f64) as usize;
             (samples.wi[at].map(f64::from), samples.wo[at].map(f64::from))
         });
-        Ok((format!("scene {}", scene.name), drawn.collect()))
+        Ok(Candidates::of_scene(set, &scene.name, drawn.collect()))
     };
-    scenes.iter().map(group).collect()
+    scenes.iter().map(of_scene).collect()
 }
 
 fn reference_check(region: &str, errors: Vec<f64>, recorded: &ErrorRow) -> ReferenceCheck {
@@ -349,7 +353,20 @@ mod tests {
 
     fn recorded(directions: usize, p50: f64, p95: f64) -> ErrorRow {
         let (what, region) = ("total".into(), Region::Hemisphere.name().into());
-        ErrorRow { what, region, directions, relative_l2: 0.0, p50, p95, p99: p95, worst: p95 }
+        ErrorRow {
+            what,
+            region,
+            directions,
+            floor_per_sr: 0.0,
+            lit_share: 1.0,
+            dark_directions: 0,
+            missed_directions: 0,
+            relative_l2: 0.0,
+            p50,
+            p95,
+            p99: p95,
+            worst: p95,
+        }
     }
 
     /// Errors spread over three decades, `scale` at the median.

@@ -1,20 +1,17 @@
 //! The directions on which methods are compared, and what the direct sum says there.
 
+use super::RegionErrors;
 use super::batch::{Batch, Pair, on_all_threads};
-use super::{FLOOR_SHARE, FLOOR_SHARE_BRIGHT, RegionErrors};
 use crate::ground::direction::wave_vector_change;
 use crate::ground::error::Result;
-use crate::ground::metrics::{ErrorQuantiles, quantile_of_sorted, relative_error_quantiles, relative_l2};
+use crate::ground::metrics::{ErrorQuantiles, relative_error_quantiles, relative_l2};
 use crate::ground::sampling::{Region, direction_pairs};
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
-use crate::optics::fresnel::reflectance;
 use crate::optics::reference::brdf_xyz_batch;
+pub use crate::stages::error_directions::floor_per_sr;
 use crate::stages::progress::Progress;
 use crate::tables::plan::usable_radius;
-
-/// Share of the directions that are no brighter than what counts as bright.
-const BRIGHT: f64 = 0.98;
 
 /// Directions summed between two words of progress.
 const PART: usize = 16;
@@ -107,18 +104,6 @@ impl Sample {
     pub fn deviation(&self, reference: &[f64], found: &[f64]) -> ErrorQuantiles {
         relative_error_quantiles(reference, found, self.floor_per_sr)
     }
-}
-
-/// Luminance in 1/sr up to which directions are left out of pointwise errors: a share of what a matt surface of the
-/// material's reflectance at normal incidence would show everywhere, or a smaller one of the brightest directions but
-/// for one in fifty, given Y over the hemisphere: a grating sends its light into fewer than the rest, and a lobe's
-/// flank a thousand times below its peak is the dark between orders.
-pub fn floor_per_sr(optics: &OpticsConfig, hemisphere: &[f64]) -> f64 {
-    let matt = FLOOR_SHARE * reflectance(optics.material, 1.0) / std::f64::consts::PI;
-    let mut sorted = hemisphere.to_vec();
-    sorted.sort_unstable_by(f64::total_cmp);
-    let bright = if sorted.is_empty() { 0.0 } else { quantile_of_sorted(&sorted, BRIGHT) };
-    matt.max(FLOOR_SHARE_BRIGHT * bright)
 }
 
 /// Y of a method for each pair.

@@ -7,13 +7,13 @@
 use serde::{Deserialize, Serialize};
 
 use super::batch::{PackedTables, stored};
-use super::sample::floor_per_sr;
 use super::texels::Texels;
 use super::{StudyConfig, StudySpecimen};
 use crate::ground::error::Result;
 use crate::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
 use crate::ground::sampling::{Region, direction_pairs};
 use crate::optics::config::OpticsConfig;
+use crate::stages::error_directions::ErrorDirections;
 use crate::stages::measure;
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
@@ -120,12 +120,10 @@ fn measured(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<Tolerance
     let build_s = started.elapsed().as_secs_f64();
     let read = stored(&built, storage);
     let plan = build::plan(fields, optics, tables)?;
-    let fixed = measure::ErrorDirections::fixed();
-    let of_region = fixed.pairs.len() / Region::ALL.len();
-    let yardstick = measure::yardstick(fields, optics, &plan, built.tables.len(), fixed, [])?;
-    let hemisphere: Vec<f64> = yardstick.xyz[..of_region].iter().map(|xyz| xyz[1]).collect();
-    let floor_per_sr = floor_per_sr(optics, &hemisphere);
-    let rows = measure::error_rows_above(&yardstick, &read, &built, floor_per_sr);
+    let directions = ErrorDirections::of_regions(&read);
+    let floor_per_sr = directions.groups[0].floor_per_sr;
+    let yardstick = measure::yardstick(fields, optics, &plan, built.tables.len(), directions, [])?;
+    let rows = measure::error_rows(&yardstick, &read, &built);
     let found = |what: &str| {
         let row = rows.iter().find(|row| row.what == what && row.region == Region::Hemisphere.name());
         row.map_or(ErrorQuantiles::default(), |row| ErrorQuantiles {

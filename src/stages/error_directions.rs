@@ -1,0 +1,187 @@
+//! The directions on which the errors of tables are counted: lit ones, and a few that the tables call dark.
+//!
+//! A grating is dark nearly everywhere, and a relative error says nothing there. Directions are drawn by the thousand, the
+//! tables tell in no time how bright each is, and the reference is evaluated for the first few that are lit. Light that
+//! the tables miss is looked for in directions which they call dark.
+
+use std::f64::consts::PI;
+
+use rayon::prelude::*;
+
+use super::scenes::SceneWork;
+use crate::ground::direction::Vec3;
+use crate::ground::metrics::quantile_of_sorted;
+use crate::ground::sampling::{Region, direction_pairs_in};
+use crate::optics::config::OpticsConfig;
+use crate::optics::fresnel::reflectance;
+use crate::tables::evaluate::{Interpolation, brdf_xyz};
+use crate::tables::model::TableSet;
+
+/// Lit directions of each group in a run.
+pub const DIRECTIONS: usize = 128;
+
+/// Directions drawn for each group. Of a grating of parallel lines one in thirty is lit.
+pub const DRAWN: usize = 1 << 14;
+
+/// As many lit directions come with one that is dark.
+const LIT_PER_DARK: usize = 4;
+
+/// Share of the floor up to which the tables call a direction dark: a lit one is missed only where they show less than half
+/// of its light.
+const DARK_SHARE: f64 = 0.5;
+
+/// Share of a matt surface's luminance, one that reflects as much, up to which directions are left out of pointwise
+/// errors.
+pub const FLOOR_SHARE: f64 = 1e-2;
+
+/// Share of the brightest directions' luminance up to which they are left out as well: a grating is dark but for a few
+/// orders, and between them a relative error says nothing.
+pub const FLOOR_SHARE_BRIGHT: f64 = 1e-3;
+
+/// Share of the directions that are no brighter than what counts as bright.
+const BRIGHT: f64 = 0.98;
+
+type Pair = (Vec3, Vec3);
+
+/// Luminance in 1/sr up to which directions are left out of pointwise errors: a share of what a matt surface of the
+/// material's reflectance at normal incidence would show everywhere, or a smaller one of the brightest directions but
+/// for one in fifty, given Y over the hemisphere: a grating sends its light into fewer than the rest, and a lobe's
+/// flank a thousand times below its peak is the dark between orders.
+pub fn floor_per_sr(optics: &OpticsConfig, hemisphere: &[f64]) -> f64 {
+    let matt = FLOOR_SHARE * reflectance(optics.material, 1.0) / PI;
+    let mut sorted = hemisphere.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let bright = if sorted.is_empty() { 0.0 } else { quantile_of_sorted(&sorted, BRIGHT) };
+    // Tables of infinite values shall not hide behind an infinite floor.
+    if bright.is_finite() { matt.max(FLOOR_SHARE_BRIGHT * bright) } else { matt }
+}
+
+/// Directions to draw from, evenly spread over what a group stands for.
+#[derive(Debug, Clone)]
+pub struct Candidates {
+    /// The group's name.
+    pub name: String,
+    /// Pairs `(wi, wo)`.
+    pub pairs: Vec<Pair>,
+    /// Luminance in 1/sr up to which they do not count pointwise.
+    pub floor_per_sr: f64,
+}
+
+impl Candidates {
+    /// [`DRAWN`] of every region, with one floor for all: that of the hemisphere as the tables show it. `turn` chooses
+    /// which: 0 for those of a run, another for others.
+    pub fn of_regions(set: &TableSet, turn: usize) -> Vec<Self> {
+        let drawn = |region| direction_pairs_in(region, turn * DRAWN..(turn + 1) * DRAWN);
+        let hemisphere = luminances(set, &drawn(Region::Hemisphere));
+        let floor_per_sr = floor_per_sr(&set.optics, &hemisphere);
+        Region::ALL.into_iter().map(|r| Self { name: r.name().into(), pairs: drawn(r), floor_per_sr }).collect()
+    }
+
+    /// Those of scenes, each with a floor of its own: for tables that serve no others.
+    pub fn of_scenes(set: &TableSet, scenes: &[SceneWork]) -> Vec<Self> {
+        let of_scene = |scene: &SceneWork| {
+            let step = scene.pair_count().div_ceil(DRAWN).max(1);
+            Self::of_scene(set, scene.name(), scene.pairs().step_by(step).collect())
+        };
+        scenes.iter().map(of_scene).collect()
+    }
+
+    /// Those of one scene, given some of its pairs.
+    pub fn of_scene(set: &TableSet, scene: &str, pairs: Vec<Pair>) -> Self {
+        let floor_per_sr = floor_per_sr(&set.optics, &luminances(set, &pairs));
+        Self { name: format!("scene {scene}"), pairs: in_turns(pairs), floor_per_sr }
+    }
+}
+
+/// In an order of which any first few are spread over all of them.
+fn in_turns(pairs: Vec<Pair>) -> Vec<Pair> {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let mut order: Vec<(f64, Pair)> =
+        pairs.into_iter().enumerate().map(|(index, pair)| ((index as f64 * GOLDEN).fract(), pair)).collect();
+    order.sort_by(|a, b| a.0.total_cmp(&b.0));
+    order.into_iter().map(|(_, pair)| pair).collect()
+}
+
+/// One group of directions.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ErrorGroup {
+    /// Its name.
+    pub name: String,
+    /// Directions that the tables call lit, which come first, and those that they call dark.
+    pub counts: [usize; 2],
+    /// Share of the lit among all candidates.
+    pub lit_share: f64,
+    /// Luminance in 1/sr up to which directions do not count pointwise.
+    pub floor_per_sr: f64,
+}
+
+impl ErrorGroup {
+    /// Number of directions.
+    pub fn len(&self) -> usize {
+        self.counts.iter().sum()
+    }
+
+    /// Whether it has none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// What share of the group's candidates each direction stands for.
+    pub fn weights(&self) -> Vec<f64> {
+        let shares = [self.lit_share, 1.0 - self.lit_share];
+        let of = |part: usize| std::iter::repeat_n(shares[part] / self.counts[part].max(1) as f64, self.counts[part]);
+        of(0).chain(of(1)).collect()
+    }
+}
+
+/// Directions on which errors are counted, group after group.
+#[derive(Debug, Clone, Default)]
+pub struct ErrorDirections {
+    /// The groups.
+    pub groups: Vec<ErrorGroup>,
+    /// The pairs of all groups in order.
+    pub pairs: Vec<Pair>,
+}
+
+impl ErrorDirections {
+    /// Of each group the first candidates that the tables do not call dark, until `count` of them are above the floor, or
+    /// twice as many are taken; then a quarter as many that they do call dark, and one for each that is lacking: tables that
+    /// show nothing are not right for it.
+    pub fn drawn(set: &TableSet, candidates: Vec<Candidates>, count: usize) -> Self {
+        let mut directions = Self::default();
+        for Candidates { name, pairs, floor_per_sr } in candidates {
+            let told: Vec<f64> = pairs.par_iter().map(|pair| brightest(set, pair)).collect();
+            let lit = pairs.iter().zip(&told).filter(|(_, told)| **told > DARK_SHARE * floor_per_sr);
+            let lit_share = lit.clone().count() as f64 / pairs.len().max(1) as f64;
+            let mut above = 0;
+            let until_enough = lit.take(2 * count).take_while(|(_, told)| {
+                let is_wanted = above < count;
+                above += usize::from(**told > floor_per_sr);
+                is_wanted
+            });
+            let lit: Vec<Pair> = until_enough.map(|(pair, _)| *pair).collect();
+            let dark = pairs.iter().zip(&told).filter(|(_, told)| **told <= DARK_SHARE * floor_per_sr);
+            let lacking = count - above.min(count);
+            let dark: Vec<Pair> = dark.map(|(pair, _)| *pair).take(count.div_ceil(LIT_PER_DARK) + lacking).collect();
+            let counts = [lit.len(), dark.len()];
+            directions.groups.push(ErrorGroup { name, counts, lit_share, floor_per_sr });
+            directions.pairs.extend(lit.into_iter().chain(dark));
+        }
+        directions
+    }
+
+    /// Those of a run over every region.
+    pub fn of_regions(set: &TableSet) -> Self {
+        Self::drawn(set, Candidates::of_regions(set, 0), DIRECTIONS)
+    }
+}
+
+/// The larger luminance of both look-ups; what is no number shall be seen, and counts as infinite.
+fn brightest(set: &TableSet, &(wi, wo): &Pair) -> f64 {
+    let [a, b] = [Interpolation::Cubic, Interpolation::Bilinear].map(|look_up| brdf_xyz(set, look_up, wi, wo)[1]);
+    if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(b) }
+}
+
+fn luminances(set: &TableSet, pairs: &[Pair]) -> Vec<f64> {
+    pairs.par_iter().map(|&(wi, wo)| brdf_xyz(set, Interpolation::Cubic, wi, wo)[1]).collect()
+}
