@@ -5,7 +5,7 @@ use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
 use crate::report::frames::period_letter;
 use crate::report::numbers;
 use crate::stages::results::{BuildResult, ErrorRow, Period, SpecimenResult, Statistics};
-use crate::tables::model::{Basis, Storage};
+use crate::tables::model::{Basis, Rounding, Storage};
 
 /// A name and what is to be said about it.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,6 +45,7 @@ pub fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
     }
     if let Some(built) = &specimen.build {
         facts.push(fact("Tables", tables(built)));
+        facts.extend(built.rounding.map(|rounding| fact("Numbers", format_of(built.storage, rounding))));
         facts.push(fact("Texels", texels(built)));
         facts.push(fact("Made from", made_from(built)));
     }
@@ -238,6 +239,21 @@ fn tables(built: &BuildResult) -> String {
         numbers::bytes(built.stored_bytes),
         numbers::round_percent(built.tolerance),
     )
+}
+
+/// The number format and what it does.
+fn format_of(storage: Storage, rounding: Rounding) -> String {
+    let shift = |share| numbers::number(share, 2);
+    let Rounding { half, float, allowed } = rounding;
+    match storage {
+        Storage::Half => format!("16-bit floats, shifting colours by {} ({} allowed)", shift(half), shift(allowed)),
+        Storage::Float => format!(
+            "32-bit floats, shifting colours by {} ({} allowed; 16-bit floats: {})",
+            shift(float),
+            shift(allowed),
+            shift(half)
+        ),
+    }
 }
 
 fn texels(built: &BuildResult) -> String {

@@ -38,7 +38,8 @@ use crate::scene::model::{Light, Scene, Shape};
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, surface_xyz};
 use crate::tables::model::TableSet;
-use crate::tables::storage::{read_tables, write_tables};
+use crate::tables::rounding;
+use crate::tables::storage::read_tables;
 
 /// Directions of the worked number in `FORMAT.md`, in degrees.
 const WORKED_DEG: [f64; 4] = [35.0, 20.0, 61.0, 250.0];
@@ -246,7 +247,10 @@ fn run_specimen(
     let steps = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum::<usize>() * plan.windows.len();
     let (built, record, build_s) =
         clock.stage("build tables", steps as u64, || known.tables(&source, &plan, &|n| helpers.progress.advance(n)))?;
-    let stored = clock.stage("store tables", 0, || write_tables(&folder, &built, config.tables.storage))?;
+    let chosen = clock.stage("round to the tolerance", 0, || {
+        Ok(rounding::choose(&built, config.tables.storage, config.tables.tolerance))
+    })?;
+    let stored = clock.stage("store tables", 0, || chosen.write(&folder))?;
     let set = clock.stage("read back", 0, || {
         let pigment = specimen.albedo.map(|albedo| pigment(albedo, optics)).transpose()?;
         Ok(TableSet { pigment, ..read_tables(&folder, &stored, optics)? })
@@ -262,7 +266,7 @@ fn run_specimen(
         true => ErrorDirections::of_scenes(&works),
     };
     let served = directions.pairs.clone();
-    let mut result = describe(specimen, &ingested, config, &set, &record, &plan);
+    let mut result = describe(specimen, &ingested, config, &set, &stored, &record, &plan);
     let yardstick = match config.report.reference {
         false => None,
         true => Some(clock.stage("evaluate the reference", 0, || {

@@ -23,7 +23,7 @@ use crate::tables::build::{self, BuildPlan, plan, plan_for, smooth};
 use crate::tables::domain::Domain;
 use crate::tables::forecast::{Forecast, forecast_of};
 use crate::tables::model::TablesConfig;
-use crate::tables::storage::write_tables;
+use crate::tables::rounding;
 
 /// The scenes that a specimen's tables must serve, or its shares of them; `None` where they serve every direction.
 pub fn served_scenes(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
@@ -294,7 +294,7 @@ pub fn measure(source: &Source, plan: &BuildPlan) -> Result<Cost> {
     let seconds = started.elapsed().as_secs_f64();
     let memory_bytes = usage::peak_bytes().map_or(f64::NAN, |bytes| bytes as f64);
     let folder = tempfile::tempdir().map_err(|e| Error::disk(Path::new("."), "create a temporary folder", e))?;
-    write_tables(folder.path(), &set, source.tables.storage)?;
+    rounding::choose(&set, source.tables.storage, source.tables.tolerance).write(folder.path())?;
     let stored_bytes = files::bytes_of(folder.path(), "exr")? as f64;
     Ok(Cost { node_samples: record.node_samples as f64, seconds, memory_bytes, stored_bytes })
 }
