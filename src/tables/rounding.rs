@@ -116,6 +116,7 @@ pub fn to_tolerance(set: &TableSet, tolerance: f64) -> TableSet {
     }
     rows.par_iter_mut().enumerate().for_each(|(row, lines)| {
         let mut texel = vec![[0.0; 3]; lines.len()];
+        let mut scratch = Scratch::new(lines.len());
         for column in 0..columns {
             for (numbers, line) in texel.iter_mut().zip(lines.iter()) {
                 *numbers = std::array::from_fn(|c| f64::from(line[3 * column + c]));
@@ -123,7 +124,7 @@ pub fn to_tolerance(set: &TableSet, tolerance: f64) -> TableSet {
             if texel.iter().flatten().all(|number| *number == 0.0) {
                 continue;
             }
-            steps.round(&mut texel, [row, column]);
+            steps.round(&mut texel, [row, column], &mut scratch);
             for (numbers, line) in texel.iter().zip(lines.iter_mut()) {
                 (0..3).for_each(|c| line[3 * column + c] = numbers[c] as f32);
             }
@@ -155,53 +156,84 @@ impl Steps {
     }
 
     /// Rounds the numbers of the texel in this row and column, `[table][channel]`.
-    fn round(&self, texel: &mut [Xyz], at: [usize; 2]) {
-        let powers = self.powers(texel.len(), at);
-        let magnitudes = match self.basis {
-            // Polynomials are at most 1 wherever they are looked up.
-            Basis::Chebyshev => vec![vec![1.0; texel.len()]],
-            Basis::Taylor => {
-                let at_place = |basis: &Vec<f64>| basis.iter().zip(&powers).map(|(b, power)| b * power).collect();
-                self.at_places.iter().map(at_place).collect()
-            }
+    fn round(&self, texel: &mut [Xyz], at: [usize; 2], scratch: &mut Scratch) {
+        self.set_magnitudes(at, scratch);
+        let Scratch { powers, magnitudes, terms, limits: [luminance, sum], trial } = scratch;
+        let mut limits = |of: fn(&Xyz) -> f64, limits: &mut Vec<f64>| {
+            terms.iter_mut().zip(&*texel).zip(&*powers).for_each(|((term, xyz), power)| *term = of(xyz) * power);
+            self.limits(terms, limits)
         };
-        let luminance = self.limits(texel, &powers, &|xyz| xyz[1]);
-        let sum = self.limits(texel, &powers, &|xyz| xyz.iter().sum());
-        for (c, limits) in [&sum, &luminance, &sum].into_iter().enumerate() {
-            let numbers: Vec<f64> = texel.iter().map(|xyz| xyz[c]).collect();
+        let kept = [limits(|xyz| xyz[1], luminance), limits(|xyz| xyz.iter().sum(), sum)];
+        for (c, limits) in [&*sum, &*luminance, &*sum].into_iter().enumerate() {
             // What can vanish keeps all its digits.
-            if let Some(rounded) = limits.as_ref().and_then(|limits| rounded(&numbers, &magnitudes, limits)) {
-                texel.iter_mut().zip(rounded).for_each(|(xyz, number)| xyz[c] = number);
+            let vanishes = if c == 1 { !kept[0] } else { !kept[1] };
+            trial.numbers.iter_mut().zip(&*texel).for_each(|(number, xyz)| *number = xyz[c]);
+            if !vanishes && trial.round(magnitudes, limits) {
+                texel.iter_mut().zip(&trial.rounded).for_each(|(xyz, number)| xyz[c] = *number);
             }
         }
     }
 
-    /// Powers of the largest `|w|` at which a look-up may read a texel; for polynomials in shares of a range, ones.
-    fn powers(&self, count: usize, [row, column]: [usize; 2]) -> Vec<f64> {
-        let reach = match self.basis {
-            Basis::Chebyshev => 1.0,
-            Basis::Taylor => {
-                let rho = self.grid.u(column).hypot(self.grid.v(row));
-                w_reach((rho - RIM_TEXELS * self.grid.texel()).max(0.0))
-            }
-        };
-        (0..count).map(|n| reach.powi(n as i32)).collect()
+    /// Powers of the largest `|w|` at which a look-up may read a texel, and how large the basis is at each place.
+    /// Polynomials in shares of a range have neither, and are at most 1 wherever they are looked up.
+    fn set_magnitudes(&self, [row, column]: [usize; 2], scratch: &mut Scratch) {
+        if self.basis == Basis::Chebyshev {
+            return;
+        }
+        let rho = self.grid.u(column).hypot(self.grid.v(row));
+        let reach = w_reach((rho - RIM_TEXELS * self.grid.texel()).max(0.0));
+        scratch.powers.iter_mut().enumerate().for_each(|(n, power)| *power = reach.powi(n as i32));
+        let powers = &scratch.powers;
+        scratch.magnitudes.clear();
+        scratch.magnitudes.extend(self.at_places.iter().flat_map(|basis| basis.iter().zip(powers).map(|(b, p)| b * p)));
     }
 
-    /// What rounding may shift a texel's values by: at each place, or for polynomials anywhere; `None` where what it is
-    /// relative to is not above zero everywhere.
-    fn limits(&self, texel: &[Xyz], powers: &[f64], of: &dyn Fn(&Xyz) -> f64) -> Option<Vec<f64>> {
-        let terms: Vec<f64> = texel.iter().zip(powers).map(|(xyz, power)| of(xyz) * power).collect();
+    /// What rounding may shift a texel's values by, given its terms: at each place, or for polynomials anywhere. False
+    /// where what it is relative to is not above zero everywhere.
+    fn limits(&self, terms: &[f64], limits: &mut Vec<f64>) -> bool {
         let value = |basis: &Vec<f64>| terms.iter().zip(basis).map(|(term, b)| term * b).sum::<f64>();
-        let limits: Vec<f64> = self.at_places.iter().map(|basis| self.allowed * value(basis)).collect();
-        if !limits.iter().all(|limit| *limit > 0.0 && limit.is_finite()) {
-            return None;
+        limits.clear();
+        limits.extend(self.at_places.iter().map(|basis| self.allowed * value(basis)));
+        let kept = limits.iter().all(|limit| *limit > 0.0 && limit.is_finite());
+        if self.basis == Basis::Chebyshev {
+            let least = limits.iter().copied().fold(f64::INFINITY, f64::min);
+            limits.clear();
+            limits.push(least);
         }
-        Some(match self.basis {
-            Basis::Chebyshev => vec![limits.into_iter().fold(f64::INFINITY, f64::min)],
-            Basis::Taylor => limits,
-        })
+        kept
     }
+}
+
+/// Working memory of one thread.
+struct Scratch {
+    powers: Vec<f64>,
+    /// Sizes of the basis functions, `[limit][table]`.
+    magnitudes: Vec<f64>,
+    terms: Vec<f64>,
+    /// Of the luminance and of the sum of the channels.
+    limits: [Vec<f64>; 2],
+    trial: Trial,
+}
+
+impl Scratch {
+    fn new(count: usize) -> Self {
+        let zeros = || vec![0.0; count];
+        Self {
+            powers: vec![1.0; count],
+            magnitudes: vec![1.0; count],
+            terms: zeros(),
+            limits: [Vec::new(), Vec::new()],
+            trial: Trial { numbers: zeros(), rounded: zeros(), errors: zeros(), steps: zeros() },
+        }
+    }
+}
+
+/// The numbers of one channel of a texel, and what rounding makes of them.
+struct Trial {
+    numbers: Vec<f64>,
+    rounded: Vec<f64>,
+    errors: Vec<f64>,
+    steps: Vec<f64>,
 }
 
 /// Halvings of the steps that are tried: with as many, no bit of a float is left out.
@@ -210,29 +242,35 @@ const HALVINGS: i32 = 64;
 /// Largest step: any number becomes zero.
 const STEP_MAX: f64 = 1e30;
 
-/// A texel's numbers as multiples of the largest steps whose errors keep `Σ error_n magnitudes[k][n] <= limits[k]`.
-fn rounded(numbers: &[f64], magnitudes: &[Vec<f64>], limits: &[f64]) -> Option<Vec<f64>> {
-    // A step of twice what one table alone may err.
-    let first = |n: usize| {
-        let alone = magnitudes.iter().zip(limits).map(|(magnitudes, limit)| limit / magnitudes[n]);
-        let step = 2.0 * alone.fold(f64::INFINITY, f64::min);
-        2f64.powi(step.clamp(f64::MIN_POSITIVE, STEP_MAX).log2().floor() as i32)
-    };
-    let mut steps: Vec<f64> = (0..numbers.len()).map(first).collect();
-    let mut rounded = numbers.to_vec();
-    let mut errors = vec![0.0; numbers.len()];
-    for _ in 0..HALVINGS {
-        for (n, (&number, step)) in numbers.iter().zip(&mut steps).enumerate() {
-            rounded[n] = to_multiple(number, *step);
-            errors[n] = (number - rounded[n]).abs();
-            *step *= 0.5;
+impl Trial {
+    /// Rounds to multiples of the largest steps whose errors keep `Σ errors[n] magnitudes[k][n] <= limits[k]`; false where
+    /// there are none.
+    fn round(&mut self, magnitudes: &[f64], limits: &[f64]) -> bool {
+        let Self { numbers, rounded, errors, steps } = self;
+        let count = numbers.len();
+        for (n, step) in steps.iter_mut().enumerate() {
+            // Twice what one table alone may err.
+            let alone = limits.iter().zip(magnitudes[n..].iter().step_by(count)).map(|(limit, size)| limit / size);
+            *step = power_of_two_below((2.0 * alone.fold(f64::INFINITY, f64::min)).clamp(f64::MIN_POSITIVE, STEP_MAX));
         }
-        let shift = |magnitudes: &Vec<f64>| errors.iter().zip(magnitudes).map(|(e, m)| e * m).sum::<f64>();
-        if magnitudes.iter().zip(limits).all(|(magnitudes, limit)| shift(magnitudes) <= *limit) {
-            return Some(rounded);
+        for _ in 0..HALVINGS {
+            for (n, step) in steps.iter_mut().enumerate() {
+                rounded[n] = to_multiple(numbers[n], *step);
+                errors[n] = (numbers[n] - rounded[n]).abs();
+                *step *= 0.5;
+            }
+            let shift = |sizes: &[f64]| errors.iter().zip(sizes).map(|(error, size)| error * size).sum::<f64>();
+            if magnitudes.chunks_exact(count).zip(limits).all(|(sizes, limit)| shift(sizes) <= *limit) {
+                return true;
+            }
         }
+        false
     }
-    None
+}
+
+/// The largest power of two that is no larger than a normal number above zero: its sign and significand cleared.
+fn power_of_two_below(number: f64) -> f64 {
+    f64::from_bits(number.to_bits() & (0x7ff << 52))
 }
 
 /// The multiple of a power of two that is nearest to a 32-bit number; the number where that has fewer bits.
