@@ -243,15 +243,17 @@ fn tables(built: &BuildResult) -> String {
 
 /// The number format and what it does.
 fn format_of(storage: Storage, rounding: Rounding) -> String {
-    let shift = |share| numbers::number(share, 2);
+    let number = |share| numbers::number(share, 2);
     let Rounding { half, float, allowed } = rounding;
+    let allowed = number(allowed);
     match storage {
-        Storage::Half => format!("16-bit floats, shifting colours by {} ({} allowed)", shift(half), shift(allowed)),
+        Storage::Half => {
+            format!("16-bit floats: 95 % of colours shift by less than {} ({allowed} is allowed)", number(half))
+        }
         Storage::Float => format!(
-            "32-bit floats, shifting colours by {} ({} allowed; 16-bit floats: {})",
-            shift(float),
-            shift(allowed),
-            shift(half)
+            "32-bit floats: 95 % of colours shift by less than {} ({allowed} is allowed, 16-bit ones come to {})",
+            number(float),
+            number(half)
         ),
     }
 }

@@ -92,17 +92,15 @@ fn warnings(set: &TableSet, stored: &StoredTables, config: &RunConfig, plan: &Bu
 /// halves were asked for and are too coarse.
 fn format_warning(storage: Storage, config: &RunConfig, rounding: Rounding) -> Option<String> {
     let Rounding { half, allowed, .. } = rounding;
-    let too_coarse = format!(
-        "16-bit floats would shift colours by {half:.1e} in one place of twenty, where the tolerance of {:.0e} leaves {allowed:.1e} to \
-         storage",
-        config.tables.tolerance
-    );
+    let shift = format!("one colour in twenty by {half:.1e} or more");
+    let left = format!("the tolerance of {:.0e} leaves {allowed:.1e} to storage", config.tables.tolerance);
     match (storage, config.tables.storage) {
-        (Storage::Float, None) => {
-            Some(format!("stored as 32-bit floats: {too_coarse}; textures of halves, as on GPUs, show that shift"))
-        }
+        (Storage::Float, None) => Some(format!(
+            "stored as 32-bit floats: 16-bit ones would shift {shift}, and {left}; textures of 16-bit floats, as on GPUs, \
+             show that shift"
+        )),
         (Storage::Half, Some(_)) if half > allowed => {
-            Some(format!("{}; tables.storage = \"auto\" takes 32-bit ones", too_coarse.replace("would shift", "shift")))
+            Some(format!("16-bit floats shift {shift}, and {left}: tables.storage = \"auto\" would take 32-bit ones"))
         }
         _ => None,
     }
