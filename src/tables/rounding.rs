@@ -273,10 +273,14 @@ fn power_of_two_below(number: f64) -> f64 {
     f64::from_bits(number.to_bits() & (0x7ff << 52))
 }
 
+/// Added to a smaller number and taken away again, it leaves a whole one, the nearest: doubles of this size are whole.
+/// Much faster than the call that processors without an instruction for it take.
+const ROUNDING: f64 = 1.5 * (1u64 << 52) as f64;
+
 /// The multiple of a power of two that is nearest to a 32-bit number; the number where that has fewer bits.
 fn to_multiple(number: f64, step: f64) -> f64 {
     let steps = number / step;
-    if steps.abs() < f64::from(1 << 24) { steps.round_ties_even() * step } else { number }
+    if steps.abs() < f64::from(1 << 24) { (steps + ROUNDING - ROUNDING) * step } else { number }
 }
 
 /// Values of the basis functions at a share of a texel's range.
