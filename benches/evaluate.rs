@@ -43,7 +43,7 @@ fn config() -> TablesConfig {
         size: Some(251),
         count: None,
         wavelength_step_nm: None,
-        storage: Storage::Float,
+        storage: Some(Storage::Float),
         prefilter: Prefilter::None,
         memory_mib: 2048,
     }

@@ -40,7 +40,7 @@ fn config() -> TablesConfig {
         size: Some(251),
         count: Some(NODES),
         wavelength_step_nm: None,
-        storage: Storage::Half,
+        storage: Some(Storage::Half),
         prefilter: Prefilter::Auto,
         memory_mib: 2048,
     }

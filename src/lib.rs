@@ -52,7 +52,7 @@
 //!     size: Some(401), // four texels per standard deviation of an order: look-ups err by 3e-4
 //!     count: None,
 //!     wavelength_step_nm: None,
-//!     storage: Storage::Float,
+//!     storage: Some(Storage::Float),
 //!     prefilter: Prefilter::None,
 //!     memory_mib: 256,
 //! };

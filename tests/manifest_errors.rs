@@ -113,7 +113,7 @@ const CASES: &[Case] = &[
     ("windows = \"grid\"", "windows = \"center\"", "11:11", "\"center\"", &["\"grid\", \"centre\"", "did you mean \"centre\""]),
     ("edge = \"tile\"", "edge = \"mirror\"", "10:40", "\"mirror\"", &["one of \"tile\", \"fade\""]),
     ("level = \"plane\"", "level = \"plan\"", "23:9", "\"plan\"", &["\"quadratic\"", "did you mean \"plane\""]),
-    ("size = 501", "storage = \"f16\"", "15:11", "\"f16\"", &["one of \"half\", \"float\""]),
+    ("size = 501", "storage = \"f16\"", "15:11", "\"f16\"", &["one of \"auto\", \"half\", \"float\""]),
     ("size = 501", "basis = \"Chebyshev\"", "15:9", "\"Chebyshev\"", &["did you mean \"chebyshev\""]),
     ("size = 501", "prefilter = \"box\"", "15:13", "\"box\"", &["\"auto\", \"none\""]),
     ("material = { n = 1.56 }", "material = \"ideal\"\nalbedo = [0.4, 0.2, 0.1]", "25:10", "[0.4, 0.2, 0.1]", &["`specimen[0].albedo` needs a transparent material", "{ n = 1.56 }"]),

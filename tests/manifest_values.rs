@@ -90,7 +90,7 @@ fn every_key_of_the_example_arrives() {
     assert_eq!(all.optics.material, Material::Conductor { n: 0.2, k: 3.4 });
     assert!(all.optics.shadowing);
 
-    assert_eq!((all.tables.basis, all.tables.storage), (Basis::Taylor, Storage::Float));
+    assert_eq!((all.tables.basis, all.tables.storage), (Basis::Taylor, Some(Storage::Float)));
     assert_eq!((all.tables.tolerance, all.tables.size, all.tables.count), (0.01, Some(501), Some(40)));
     assert_eq!((all.tables.wavelength_step_nm, all.tables.memory_mib), (Some(2.5), 512));
     assert_eq!(all.tables.prefilter, Prefilter::Width(0.0093));

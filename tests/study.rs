@@ -165,6 +165,19 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
     for row in &study.specimens[0].methods {
         assert!(html.contains(&format!("<td>{}</td><td>{}</td>", row.method, row.setting)), "{}", row.method);
     }
+    let equal = &study.specimens[0].equal;
+    let mut filed = 0;
+    for row in equal {
+        for contender in [&row.chebyshev, &row.taylor].into_iter().flatten() {
+            let Some(files) = contender.files else { continue };
+            filed += 1;
+            assert!(files.error <= row.target && files.tables >= contender.tables, "{row:?}");
+            // Bits that the error leaves out are not in the files, nor is what lies beyond the disc.
+            let all = contender.bytes * files.tables as u64 / contender.tables as u64;
+            assert!(files.bytes < all * 3 / 4, "{row:?}");
+        }
+    }
+    assert!(filed >= 8, "{filed}");
     let again: Study = serde_json::from_str(&text("study.json")).unwrap();
     assert_eq!(again.specimens[0].methods.len(), study.specimens[0].methods.len());
     let svg: Vec<_> = files.iter().filter(|f| f.0.ends_with(".svg")).collect();
@@ -263,7 +276,7 @@ fn snake_scans_at_equal_error() {
         assert!(study.failures.is_empty(), "{:?}", study.failures);
         for row in &study.specimens[0].equal {
             println!("{name} {:?} {:.1e} best {}: {:?}", row.measure, row.target, row.taylors_best, row.ratios());
-            println!("    {:?}\n    {:?}", row.chebyshev, row.taylor);
+            println!("    files {:?}\n    {:?}\n    {:?}", row.files_ratio(), row.chebyshev, row.taylor);
         }
         // Half against float storage is a factor of two, and the series takes at least twice the tables.
         let ratios = study.specimens[0].equal.iter().filter_map(|row| row.ratios());

@@ -42,7 +42,7 @@ fn config(basis: Basis) -> TablesConfig {
         size: Some(81),
         count: None,
         wavelength_step_nm: None,
-        storage: Storage::Float,
+        storage: Some(Storage::Float),
         prefilter: Prefilter::None,
         memory_mib: 1024,
     }

@@ -5,7 +5,7 @@ use crate::ground::spectrum::Illuminant;
 use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
 use crate::scene::animation::Axis;
 use crate::stages::config::ReportConfig;
-use crate::tables::model::{Basis, Prefilter, Storage, TablesConfig};
+use crate::tables::model::{Basis, Prefilter, TablesConfig};
 
 /// `[atlas] out`.
 pub const OUT: &str = "out/atlas";
@@ -88,7 +88,7 @@ pub fn tables() -> TablesConfig {
         size: None,
         count: None,
         wavelength_step_nm: None,
-        storage: Storage::Half,
+        storage: None,
         prefilter: Prefilter::Auto,
         memory_mib: 2048,
     }

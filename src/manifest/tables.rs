@@ -42,7 +42,8 @@ pub fn read(item: &Item) -> Result<TablesConfig> {
         tables.wavelength_step_nm = Some(item.number_above(0.0, STEP_MAX_NM, "nm")?);
     }
     if let Some(item) = section.get("storage") {
-        tables.storage = item.choice(&[("half", Storage::Half), ("float", Storage::Float)])?;
+        tables.storage =
+            item.choice(&[("auto", None), ("half", Some(Storage::Half)), ("float", Some(Storage::Float))])?;
     }
     if let Some(item) = section.get("prefilter") {
         tables.prefilter = prefilter(&item)?;

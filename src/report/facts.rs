@@ -5,7 +5,7 @@ use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
 use crate::report::frames::period_letter;
 use crate::report::numbers;
 use crate::stages::results::{BuildResult, ErrorRow, Period, SpecimenResult, Statistics};
-use crate::tables::model::{Basis, Storage};
+use crate::tables::model::{Basis, Rounding, Storage};
 
 /// A name and what is to be said about it.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,6 +45,7 @@ pub fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
     }
     if let Some(built) = &specimen.build {
         facts.push(fact("Tables", tables(built)));
+        facts.extend(built.rounding.map(|rounding| fact("Numbers", format_of(built.storage, rounding))));
         facts.push(fact("Texels", texels(built)));
         facts.push(fact("Made from", made_from(built)));
     }
@@ -273,6 +274,23 @@ fn tables(built: &BuildResult) -> String {
         numbers::bytes(built.stored_bytes),
         numbers::round_percent(built.tolerance),
     )
+}
+
+/// The number format and what it does.
+fn format_of(storage: Storage, rounding: Rounding) -> String {
+    let number = |share| numbers::number(share, 2);
+    let Rounding { half, float, allowed } = rounding;
+    let allowed = number(allowed);
+    match storage {
+        Storage::Half => {
+            format!("16-bit floats: 95 % of colours shift by less than {} ({allowed} is allowed)", number(half))
+        }
+        Storage::Float => format!(
+            "32-bit floats: 95 % of colours shift by less than {} ({allowed} is allowed, 16-bit ones come to {})",
+            number(float),
+            number(half)
+        ),
+    }
 }
 
 fn texels(built: &BuildResult) -> String {

@@ -15,7 +15,8 @@ use crate::ground::error::Error;
 use crate::ground::sampling;
 use crate::tables::build::BuildPlan;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::{Basis, BuildRecord, TableSet, TablesConfig};
+use crate::tables::model::{Basis, BuildRecord, Rounding, Storage, TableSet, TablesConfig};
+use crate::tables::storage::StoredTables;
 
 /// Directions whose values are stored for testing other programs.
 const CHECK_VALUES: usize = 20;
@@ -26,6 +27,7 @@ pub(super) fn describe(
     ingested: &Ingested,
     tables: &TablesConfig,
     set: &TableSet,
+    stored: &StoredTables,
     record: &BuildRecord,
     plan: &BuildPlan,
 ) -> SpecimenResult {
@@ -44,7 +46,8 @@ pub(super) fn describe(
             basis: set.basis,
             tables: set.tables.len(),
             size: set.size(),
-            storage: tables.storage,
+            storage: stored.storage,
+            rounding: stored.rounding,
             stored_bytes: 0,
             prefilter_width: set.prefilter_width,
             tolerance: tables.tolerance,
@@ -59,13 +62,13 @@ pub(super) fn describe(
             cross_tables: lobe.cross.len(),
             power_share: None,
         }),
-        warnings: warnings(set, plan),
+        warnings: warnings(set, stored, tables, plan),
         ..nothing_yet(specimen)
     }
 }
 
 /// What a user must know about these tables.
-fn warnings(set: &TableSet, plan: &BuildPlan) -> Vec<String> {
+fn warnings(set: &TableSet, stored: &StoredTables, tables: &TablesConfig, plan: &BuildPlan) -> Vec<String> {
     let mut warnings = Vec::new();
     if set.usable_radius < 2.0 {
         warnings.push(format!(
@@ -81,10 +84,29 @@ fn warnings(set: &TableSet, plan: &BuildPlan) -> Vec<String> {
             set.prefilter_width
         ));
     }
+    warnings.extend(stored.rounding.and_then(|rounding| format_warning(stored.storage, tables, rounding)));
     if set.basis == Basis::Taylor {
         warnings.push("tables of the published Taylor series, kept for comparison".into());
     }
     warnings
+}
+
+/// What a user must know about the number format: that the automatic choice is floats although halves do for most, or that
+/// halves were asked for and are too coarse.
+fn format_warning(storage: Storage, tables: &TablesConfig, rounding: Rounding) -> Option<String> {
+    let Rounding { half, allowed, .. } = rounding;
+    let shift = format!("one colour in twenty by {half:.1e} or more");
+    let left = format!("the tolerance of {:.0e} leaves {allowed:.1e} to storage", tables.tolerance);
+    match (storage, tables.storage) {
+        (Storage::Float, None) => Some(format!(
+            "stored as 32-bit floats: 16-bit ones would shift {shift}, and {left}; textures of 16-bit floats, as on GPUs, \
+             show that shift"
+        )),
+        (Storage::Half, Some(_)) if half > allowed => {
+            Some(format!("16-bit floats shift {shift}, and {left}: tables.storage = \"auto\" would take 32-bit ones"))
+        }
+        _ => None,
+    }
 }
 
 pub(super) fn entry(specimen: &SpecimenConfig) -> SpecimenEntry {
@@ -110,7 +132,7 @@ fn to_value(value: &impl serde::Serialize) -> Value {
 pub(super) fn specimen_file(
     specimen: &SpecimenConfig,
     ingested: &Ingested,
-    tables: crate::tables::storage::StoredTables,
+    tables: StoredTables,
     result: &SpecimenResult,
     set: &TableSet,
     served: &[(Vec3, Vec3)],

@@ -9,9 +9,6 @@
 
 use std::path::Path;
 
-use half::f16;
-use ndarray::Array3;
-
 use super::config::{RunConfig, SpecimenConfig};
 use super::error_directions::{ErrorDirections, ErrorGroup};
 use super::gpu_results::{FrameComparison, MethodFrame};
@@ -24,14 +21,14 @@ use crate::ground::error::{Error, Result};
 use crate::ground::metrics;
 use crate::render::gpu::Gpu;
 use crate::render::gpu_frame::{Frame, FramePlan, FrameTime, copy_gb_per_s, time_frames};
-use crate::render::gpu_layout::{TableImage, peak, table_image};
+use crate::render::gpu_layout::{TableImage, table_image};
 use crate::render::gpu_tables::upload;
 use crate::scene::gbuffer::{GBuffer, gbuffer};
 use crate::scene::model::{Light, Scene, Shape};
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
 use crate::tables::model::{Basis, Storage, TableSet, TablesConfig};
-use crate::tables::storage::half_scale;
+use crate::tables::storage::round_to_half;
 
 /// Name of the stage, in times and failures.
 pub const STAGE: &str = "time frames";
@@ -63,7 +60,8 @@ pub fn compare(
     let errors = |set: &TableSet| errors_p95(set, &groups, &pairs, &exact);
     let atlas_errors = errors(&atlas);
     // Wavelengths, grid and averages over it stay as they are; the tables come in full precision and are then rounded.
-    let wanted = TablesConfig { basis: Basis::Taylor, storage: Storage::Float, count: None, ..config.tables.clone() };
+    let wanted =
+        TablesConfig { basis: Basis::Taylor, storage: Some(Storage::Float), count: None, ..config.tables.clone() };
     let (taylor, refused) = match build::build(&fields, &specimen.optics, &wanted, &|_| ()) {
         Ok((set, _)) => (Some(at_equal_error(as_on_gpu(set), atlas_errors, errors)), None),
         Err(error @ Error::Limit { .. }) => (None, Some(error.to_string())),
@@ -87,8 +85,8 @@ pub fn compare(
 
 /// The tables with the rounding that uploading brings.
 fn as_on_gpu(mut set: TableSet) -> TableSet {
-    set.tables.iter_mut().for_each(round);
-    set.lobe.iter_mut().flat_map(|lobe| &mut lobe.cross).for_each(round);
+    set.tables.iter_mut().for_each(round_to_half);
+    set.lobe.iter_mut().flat_map(|lobe| &mut lobe.cross).for_each(round_to_half);
     set
 }
 
@@ -150,11 +148,6 @@ fn time(
         }
     };
     Ok((times, copy_gb_per_s(gpu)?))
-}
-
-fn round(table: &mut Array3<f32>) {
-    let scale = half_scale(peak(table));
-    table.mapv_inplace(|value| f16::from_f32(value / scale).to_f32() * scale);
 }
 
 #[cfg(test)]

@@ -30,7 +30,7 @@ use crate::render::gpu_tables::{shade, upload};
 use crate::render::gpu_thread::OwningThread;
 use crate::scene::model::Scene;
 use crate::scene::samples::ShadingSamples;
-use crate::tables::model::{Basis, TableSet, TablesConfig};
+use crate::tables::model::{Basis, Storage, TableSet, TablesConfig};
 use crate::tables::plan::lobe_width;
 
 /// Name of the stage, in times and failures.
@@ -182,7 +182,7 @@ pub fn check_files(
     config: &TablesConfig,
     reference: bool,
 ) -> Result<Vec<GpuRow>> {
-    let (_, set) = specimen::load(folder)?;
+    let (file, set) = specimen::load(folder)?;
     let thread = stage.thread();
     let image = table_image(&set)?;
     let tables = Arc::new(thread.run("upload the tables", move |gpu| upload(gpu, &image))?);
@@ -190,7 +190,8 @@ pub fn check_files(
         let (tables, samples) = (tables.clone(), samples.clone());
         thread.run("shade samples", move |gpu| shade(gpu, &tables, &samples))
     };
-    let job = Job { shade: &shade, set: &set, folder, specimen, config, reference };
+    let storage = file.tables.storage;
+    let job = Job { shade: &shade, set: &set, storage, folder, specimen, config, reference };
     let side_max = if stage.info.is_software() { SOFTWARE_SIDE_MAX_PX } else { usize::MAX };
     scenes.iter().map(|scene| job.check(scene, scene.size_px.div_ceil(side_max))).collect()
 }
@@ -199,6 +200,7 @@ pub fn check_files(
 struct Job<'a> {
     shade: Shade<'a>,
     set: &'a TableSet,
+    storage: Storage,
     folder: &'a Path,
     specimen: &'a str,
     config: &'a TablesConfig,
@@ -223,7 +225,7 @@ impl Job<'_> {
     fn against_reference(&self, scene: &Scene, by_cpu: &Array3<f32>) -> Result<ReferenceCheck> {
         let side = scene.size_px.div_ceil(reference_stride(scene));
         let reference = self.picture(scene, ".reference.exr", side)?;
-        let limit = reference_limit(self.config.tolerance, self.config.storage);
+        let limit = reference_limit(self.config.tolerance, self.storage);
         check_reference(self.shade, self.set, scene, by_cpu, &reference, limit)
     }
 

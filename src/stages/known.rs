@@ -24,7 +24,7 @@ use crate::height::HeightField;
 use crate::optics::reference;
 use crate::tables::build::{self, Advance, BuildPlan};
 use crate::tables::domain::Domain;
-use crate::tables::model::{BuildRecord, Lobe, Storage, TableSet, TablesConfig};
+use crate::tables::model::{Basis, BuildRecord, Lobe, TableSet, TablesConfig};
 
 type Pair = (Vec3, Vec3);
 
@@ -104,8 +104,9 @@ impl<'a> Known<'a> {
         if !self.cache.is_on() {
             return build();
         }
-        // How tables are stored changes nothing before it.
-        let settings = TablesConfig { storage: Storage::Half, ..source.tables.clone() };
+        // How tables are stored changes nothing before it, but that the series is refused where its format is too coarse.
+        let storage = source.tables.storage.filter(|_| source.tables.basis == Basis::Taylor);
+        let settings = TablesConfig { storage, ..source.tables.clone() };
         let parts = json!({ "optics": source.optics, "settings": settings, "plan": plan_parts(plan) });
         let key = self.key("tables", &parts);
         if let Some(found) = self.cache.load(&key).and_then(|bytes| decode_tables(&bytes, source, plan)) {

@@ -40,7 +40,8 @@ use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, surface_xyz};
 use crate::tables::forecast::forecast_of;
 use crate::tables::model::{Basis, TableSet};
-use crate::tables::storage::{read_tables, write_tables};
+use crate::tables::rounding;
+use crate::tables::storage::read_tables;
 
 /// Directions of the worked number in `FORMAT.md`, in degrees.
 const WORKED_DEG: [f64; 4] = [35.0, 20.0, 61.0, 250.0];
@@ -250,7 +251,9 @@ fn run_specimen(
     let done =
         clock.stage("build tables", steps as u64, || known.tables(&source, &plan, &|n| helpers.progress.advance(n)))?;
     let built = &done.set;
-    let stored = clock.stage("store tables", 0, || write_tables(&folder, built, tables.storage))?;
+    let chosen =
+        clock.stage("round to the tolerance", 0, || Ok(rounding::choose(built, tables.storage, tables.tolerance)))?;
+    let stored = clock.stage("store tables", 0, || chosen.write(&folder))?;
     let set = clock.stage("read back", 0, || {
         let pigment = specimen.albedo.map(|albedo| pigment(albedo, optics)).transpose()?;
         Ok(TableSet { pigment, ..read_tables(&folder, &stored, optics)? })
@@ -266,7 +269,7 @@ fn run_specimen(
         true => ErrorDirections::drawn(&set, Candidates::of_scenes(&set, &works), DIRECTIONS),
     };
     let served = directions.pairs.clone();
-    let mut result = describe(specimen, &ingested, &tables, &set, &done.record, &plan);
+    let mut result = describe(specimen, &ingested, &tables, &set, &stored, &done.record, &plan);
     let yardstick = match config.report.reference {
         false => None,
         true => Some(clock.stage("evaluate the reference", 0, || {

@@ -13,7 +13,7 @@ pub use crate::height::statistics::{Period, Statistics};
 use crate::optics::config::OpticsConfig;
 use crate::optics::pigment::Pigment;
 use crate::stages::measured::MeasuredResult;
-use crate::tables::model::{Basis, BuildRecord, Storage};
+use crate::tables::model::{Basis, BuildRecord, Rounding, Storage};
 
 /// Version of the layout of `report.json`; raised when a field changes its meaning or disappears.
 pub const RESULTS_SCHEMA: u32 = 2;
@@ -150,6 +150,9 @@ pub struct BuildResult {
     pub size: usize,
     /// Number format of the stored tables.
     pub storage: Storage,
+    /// What storing did to their values.
+    #[serde(default)]
+    pub rounding: Option<Rounding>,
     /// Bytes of all table files of the specimen.
     pub stored_bytes: u64,
     /// Side of the square in (u, v) that a texel averages over; 0 for point samples.

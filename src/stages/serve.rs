@@ -23,7 +23,7 @@ use crate::tables::domain::Domain;
 use crate::tables::forecast::{Forecast, forecast_of};
 use crate::tables::model::TablesConfig;
 use crate::tables::plan::Grid;
-use crate::tables::storage::write_tables;
+use crate::tables::rounding;
 
 /// The scenes that a specimen's tables must serve, or its shares of them; `None` where they serve every direction.
 pub fn served_scenes(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
@@ -359,7 +359,7 @@ pub fn account(
 pub fn measure(source: &Source, plan: &BuildPlan) -> Result<Cost> {
     let built = Built::measured(source, plan, &|_| ())?;
     let folder = tempfile::tempdir().map_err(|e| Error::disk(Path::new("."), "create a temporary folder", e))?;
-    write_tables(folder.path(), &built.set, source.tables.storage)?;
+    rounding::choose(&built.set, source.tables.storage, source.tables.tolerance).write(folder.path())?;
     let stored_bytes = files::bytes_of(folder.path(), "exr")? as f64;
     Ok(Cost::measured(&built, stored_bytes))
 }

@@ -15,7 +15,7 @@ mod timing;
 mod tolerance;
 
 pub use batch::stored;
-pub use equal::{Contender, EqualError, Measure};
+pub use equal::{Contender, EqualError, Filed, Measure};
 pub use sample::pair_of;
 pub use tolerance::{Kept, TOLERANCES, ToleranceRow, automatic, row as tolerance_row};
 

@@ -21,9 +21,6 @@ use crate::optics::window::{Placement, placements, rms_within_nm};
 /// Largest table chosen without being asked for.
 pub const AUTOMATIC_SIZE_MAX: usize = 1001;
 
-/// Texels beyond the rim of the disc that are filled, so that interpolation at the rim sees no zeros.
-const RIM_TEXELS: f64 = 3.0;
-
 /// Share of the tolerance that the interpolation in depth may take, as an amplitude of the window's
 /// whole: weak orders must keep their digits too.
 const DEPTH_SHARE: f64 = 1e-3;
@@ -34,9 +31,6 @@ const RANGE_SHARES: [f64; 2] = [0.5, 0.1];
 
 /// Both together.
 pub const RANGE_SHARE: f64 = RANGE_SHARES[0] + RANGE_SHARES[1];
-
-/// Share of the tolerance that dropping a texel's highest polynomials may take. What is zero takes no room in a file.
-const DROPPED_SHARE: f64 = 0.1;
 
 /// What ranges of `t` are widened by at both ends: a look-up never lies at an end, nor is a range a point.
 const RANGE_PAD: f64 = 2e-3;
@@ -138,7 +132,7 @@ pub fn plan_for(
         Prefilter::Auto => 0.0,
     };
     let bandwidth = fields.iter().map(bandwidth_nm).fold(0.0, f64::max);
-    let rho_max = 2.0 + RIM_TEXELS * grid.texel();
+    let rho_max = 2.0 + plan::RIM_TEXELS * grid.texel();
     let (texels, rings, hull) = match &domain {
         None => {
             let rings = plan::rings(optics, bandwidth, rho_max, config.tolerance, config.wavelength_step_nm)?;
@@ -336,11 +330,10 @@ fn build_chebyshev(
             cross: sums.cross_tables(),
         }),
     };
-    let dropped = DROPPED_SHARE * config.tolerance;
     let usable = fields.iter().map(|f| plan::usable_radius(optics, f.pitch_nm)).fold(2.0, f64::min);
     let set = TableSet {
         basis: Basis::Chebyshev,
-        tables: to_tables(&sums.main, &plan.texels, plan.domain.as_ref(), &plan.rings, &sums.nodes, dropped),
+        tables: to_tables(&sums.main, &plan.texels, plan.domain.as_ref(), &plan.rings, &sums.nodes),
         lobe,
         prefilter_width: plan.filter.width,
         optics: optics.clone(),
@@ -446,7 +439,7 @@ impl Sums {
             Some(Cross { sums, texels, ring }) => {
                 let cross = self.nodes.cross;
                 let nodes = Nodes { tables: cross, cross, rings: vec![cross] };
-                to_tables(sums, texels, None, ring, &nodes, 0.0)
+                to_tables(sums, texels, None, ring, &nodes)
             }
             None => Vec::new(),
         }
@@ -460,7 +453,6 @@ fn to_tables(
     domain: Option<&Domain>,
     rings: &[Ring],
     nodes: &Nodes,
-    dropped: f64,
 ) -> Vec<Array3<f32>> {
     let (count, width) = (nodes.tables, texels.columns.len());
     let t_nodes = chebyshev::gauss_nodes(count, 0.0, 1.0);
@@ -498,9 +490,9 @@ fn to_tables(
                         coefficients[channel * count + n] = row.iter().zip(at_t).map(|(m, v)| m * v).sum();
                     }
                 }
-                for (n, out) in out.iter_mut().enumerate().take(needed(&coefficients, count, dropped)) {
-                    for channel in 0..3 {
-                        out[index * 3 + channel] = coefficients[channel * count + n] as f32;
+                for (channel, coefficients) in coefficients.chunks_exact(count).enumerate() {
+                    for (out, &coefficient) in out.iter_mut().zip(coefficients) {
+                        out[index * 3 + channel] = coefficient as f32;
                     }
                 }
             }
@@ -514,22 +506,6 @@ fn to_tables(
 
 fn dot(weights: &[f64], values: &[f32]) -> f64 {
     weights.iter().zip(values).map(|(weight, &value)| weight * f64::from(value)).sum()
-}
-
-/// Polynomials that a texel needs, given `count` coefficients of each channel: those after them add less than the share
-/// `dropped` of the least value it can have.
-fn needed(coefficients: &[f64], count: usize, dropped: f64) -> usize {
-    let of_channel = |channel: &[f64]| {
-        let rest: f64 = channel.iter().skip(1).map(|c| c.abs()).sum();
-        let allowed = dropped * (channel[0].abs() - rest).max(0.0);
-        let mut tail = 0.0;
-        let fits = |c: &&f64| {
-            tail += c.abs();
-            tail <= allowed
-        };
-        channel.len() - channel.iter().rev().take_while(fits).count()
-    };
-    coefficients.chunks_exact(count).map(of_channel).max().unwrap_or(0)
 }
 
 /// Root mean square of the heights about their mean, in nm.
@@ -569,20 +545,4 @@ pub(super) fn record(plan: &BuildPlan) -> BuildRecord {
     }
     record.wavelength_step_nm[0] = record.wavelength_step_nm[0].min(record.wavelength_step_nm[1]);
     record
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn polynomials_that_add_nothing_are_not_needed() {
-        let same = |c: &[f64], dropped: f64| needed(&[c, c, c].concat(), c.len(), dropped);
-        assert_eq!(same(&[1.0, 0.5, 1e-5, 1e-6], 1e-4), 2);
-        assert_eq!(same(&[1.0, 0.5, 1e-5, 1e-6], 1e-6), 4);
-        // One channel that needs them is enough, and a value that can vanish needs them all.
-        assert_eq!(needed(&[1.0, 0.0, 1.0, 0.1, 1.0, 0.0], 2, 1e-3), 2);
-        assert_eq!(same(&[1.0, 1.0, 1e-9], 1e-3), 3);
-        assert_eq!(same(&[0.0, 0.0], 1e-3), 0);
-    }
 }

@@ -8,6 +8,7 @@ use super::lobe;
 use super::model::{Storage, TablesConfig};
 use super::pilot::{self, RING_SHARE};
 use super::plan::{Ring, w_reach};
+use super::rounding;
 use crate::ground::chebyshev;
 use crate::ground::error::Result;
 use crate::height::HeightField;
@@ -43,6 +44,10 @@ pub struct Forecast {
     pub memory_bytes: u64,
     /// Predicted bytes of the table files before compression.
     pub stored_bytes: u64,
+    /// Number format, where not asked for the likely one: what the tables lose decides once they are built.
+    pub storage: Storage,
+    /// Whether it was asked for.
+    pub storage_asked: bool,
 }
 
 /// Nanoseconds per elementary operation on one thread, measured on a server processor of 2023; another
@@ -115,9 +120,11 @@ pub fn forecast_of(
         let samples = lobe::samples(optics, plan.lobe_radius, lobe_depths(plan), rms, config.tolerance).unwrap_or(0.0);
         work_ns += samples * NS_PER_LOBE_SAMPLE;
     }
-    let value_bytes = if config.storage == Storage::Half { 2.0 } else { 4.0 };
+    let storage = rounding::expected(config.storage, config.tolerance);
+    let value_bytes = if storage == Storage::Half { 2.0 } else { 4.0 };
     let steps = plan.rings.iter().flat_map(|r| r.quadrature.wavelengths_nm.windows(2).map(|p| (p[0] - p[1]).abs()));
-    let range_bytes = if plan.domain.is_some() { texels * 3.0 * 4.0 } else { 0.0 };
+    // Halves, whatever the tables are.
+    let range_bytes = if plan.domain.is_some() { texels * 3.0 * 2.0 } else { 0.0 };
     Forecast {
         windows: plan.windows.len(),
         speckle_deviation: speckle_deviation(&plan.windows, optics.sigma_nm),
@@ -131,6 +138,8 @@ pub fn forecast_of(
         seconds: 1e-9 * (FIXED_NS + work_ns / threads as f64),
         memory_bytes: memory_bytes(plan, &windows, &nodes, tables) as u64,
         stored_bytes: (counted * 3.0 * value_bytes * tables as f64 + range_bytes) as u64,
+        storage,
+        storage_asked: config.storage.is_some(),
     }
 }
 

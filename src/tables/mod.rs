@@ -10,5 +10,6 @@ pub mod lobe;
 pub mod model;
 pub mod pilot;
 pub mod plan;
+pub mod rounding;
 pub mod storage;
 pub mod taylor;

@@ -26,6 +26,18 @@ pub enum Storage {
     Float,
 }
 
+/// What storing a set's numbers does to its values: 95th percentiles of relative changes, the largest of those of texels
+/// spread over the disc, of lit ones, and of those around the mirror direction.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Rounding {
+    /// With 16-bit floats.
+    pub half: f64,
+    /// With 32-bit floats.
+    pub float: f64,
+    /// What the tolerance gives to it.
+    pub allowed: f64,
+}
+
 /// Box average over (u, v) that every texel holds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -51,8 +63,8 @@ pub struct TablesConfig {
     pub count: Option<usize>,
     /// Largest wavelength step in nm.
     pub wavelength_step_nm: Option<f64>,
-    /// Number format in the atlas.
-    pub storage: Storage,
+    /// Number format in the atlas; decided by [`super::rounding::choose`] once tables are built.
+    pub storage: Option<Storage>,
     /// Average over (u, v) held by a texel.
     pub prefilter: Prefilter,
     /// Working memory that building may take, in MiB.

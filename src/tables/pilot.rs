@@ -16,7 +16,7 @@ use crate::optics::spectra::Spectra;
 pub const TEXELS: usize = 160;
 
 /// Places in a range of `w` at which the interpolation is judged: between and beyond the nodes.
-const PLACES_TESTED: [f64; 5] = [0.02, 0.21, 0.47, 0.76, 1.0];
+pub(super) const PLACES_TESTED: [f64; 5] = [0.02, 0.21, 0.47, 0.76, 1.0];
 
 /// Share of the tolerance that the basis may take; where tables serve scenes alone, whose pictures may look at nothing but
 /// the one direction in twenty that errs by more; and the nodes of a ring there, within which texels have ranges of
@@ -161,7 +161,7 @@ fn dot(weights: &[f64], values: &[f64]) -> f64 {
     weights.iter().zip(values).map(|(w, v)| w * v).sum()
 }
 
-fn quantile(mut errors: Vec<f64>) -> f64 {
+pub(super) fn quantile(mut errors: Vec<f64>) -> f64 {
     errors.sort_by(f64::total_cmp);
     let last = errors.len().saturating_sub(1);
     errors.get((last as f64 * QUANTILE).ceil() as usize).copied().unwrap_or(0.0)
@@ -169,7 +169,7 @@ fn quantile(mut errors: Vec<f64>) -> f64 {
 
 /// Texels `(u, v)`: half of them even over the disc, half towards its centre, where directions crowd near
 /// specular.
-fn spread_texels(count: usize) -> Vec<[f64; 2]> {
+pub(super) fn spread_texels(count: usize) -> Vec<[f64; 2]> {
     (0..count)
         .map(|index| {
             let [a, b] = sampling::plane(index);
@@ -187,7 +187,7 @@ fn middle_texels(plan: &BuildPlan, count: usize) -> Vec<[f64; 2]> {
 }
 
 /// Share of the brightest line's power from which on a line counts as lit.
-const LIT: f64 = 1e-4;
+pub(super) const LIT: f64 = 1e-4;
 
 /// Texels drawn evenly from the lit lines at the middle node, each at one of the wavelengths.
 fn lit_texels(spectra: &Spectra, plan: &BuildPlan, count: usize) -> Vec<[f64; 2]> {

@@ -8,6 +8,9 @@ use crate::ground::error::Result;
 use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers, wavenumbers_for_pulses};
 use crate::optics::config::OpticsConfig;
 
+/// Texels beyond the rim of the disc that are filled, so that interpolation at the rim sees no zeros.
+pub(super) const RIM_TEXELS: f64 = 3.0;
+
 /// Texel positions over [-2, 2] in u and v.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grid {

@@ -11,7 +11,7 @@ use crate::ground::error::{Error, Result};
 use crate::ground::exr_image::{self, Place, Precision};
 use crate::ground::files;
 use crate::optics::config::OpticsConfig;
-use crate::tables::model::{Basis, Lobe, Served, Storage, TableSet};
+use crate::tables::model::{Basis, Lobe, Rounding, Served, Storage, TableSet};
 
 /// Exponent of the power of two at which the largest value of a half table is stored: 2^11 < peak <= 2^12.
 ///
@@ -100,6 +100,9 @@ pub struct StoredTables {
     pub formula: String,
     /// Number format of tables and cross term.
     pub storage: Storage,
+    /// What storing did to the values; absent where the numbers were written as they were read.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rounding: Option<Rounding>,
     /// Columns of the tables.
     pub u: Axis,
     /// Rows of the tables.
@@ -180,6 +183,7 @@ pub fn write_tables(folder: &Path, set: &TableSet, storage: Storage) -> Result<S
         formula: formula.to_owned(),
         served: served.map(|(served, range)| StoredServed { size: served.size, first: served.first, range }),
         storage,
+        rounding: None,
         u,
         v,
         prefilter_width: set.prefilter_width,
@@ -368,6 +372,12 @@ pub fn half_scale(peak: f32) -> f32 {
     }
     let exponent = f64::from(peak).log2().ceil() as i32 - PEAK_EXPONENT;
     2f32.powi(exponent.clamp(-126, 127))
+}
+
+/// Rounds an array to what halves over its scale give back.
+pub fn round_to_half(values: &mut Array3<f32>) {
+    let scale = half_scale(values.iter().fold(0.0, |peak, value| peak.max(value.abs())));
+    values.mapv_inplace(|value| half::f16::from_f32(value / scale).to_f32() * scale);
 }
 
 fn read_array(folder: &Path, stored: &StoredArray, shape: (usize, usize)) -> Result<Array3<f32>> {

@@ -123,7 +123,7 @@ pub fn build_taylor(
 ) -> Result<(TableSet, BuildRecord)> {
     let plan = plan(fields, optics, config)?;
     let forecast = forecast(fields, plan.spectra.s[1], config.tolerance);
-    refuse_catastrophe(&forecast, config.storage)?;
+    refuse_catastrophe(&forecast, config.storage.unwrap_or(Storage::Float))?;
     let terms = config.count.unwrap_or(forecast.terms).max(1);
     check_limits(&plan, terms, config)?;
     let powers = PowersConfig {

@@ -42,7 +42,7 @@ pub fn tables_config(tolerance: f64, size: Option<usize>) -> TablesConfig {
         size,
         count: None,
         wavelength_step_nm: None,
-        storage: Storage::Float,
+        storage: Some(Storage::Float),
         prefilter: Prefilter::None,
         memory_mib: 8192,
     }

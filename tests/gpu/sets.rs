@@ -51,7 +51,7 @@ pub fn build_set(basis: Basis, windows: Windows, material: Material, shadowing: 
         // Few enough that the last Chebyshev table still shows above rounding; enough powers to converge.
         count: Some(if basis == Basis::Taylor { 16 } else { 5 }),
         wavelength_step_nm: Some(20.0),
-        storage: Storage::Float,
+        storage: Some(Storage::Float),
         prefilter: Prefilter::None,
         memory_mib: 256,
     };
@@ -73,7 +73,7 @@ pub fn served_set(scene: &Scene) -> TableSet {
         size: Some(65),
         count: Some(3),
         wavelength_step_nm: Some(20.0),
-        storage: Storage::Float,
+        storage: Some(Storage::Float),
         prefilter: Prefilter::None,
         memory_mib: 256,
     };

@@ -15,7 +15,7 @@ use diffraction_atlas::stages::gpu_check::{CpuPictures, compare, compare_with_re
 use diffraction_atlas::stages::gpu_results::{FrameComparison, MethodFrame};
 use diffraction_atlas::stages::results::*;
 use diffraction_atlas::stages::serve::Cost;
-use diffraction_atlas::tables::model::{Basis, BuildRecord, Storage};
+use diffraction_atlas::tables::model::{Basis, BuildRecord, Rounding, Storage};
 use ndarray::{Array2, Array3};
 
 /// Results and the pictures they name.
@@ -223,6 +223,7 @@ fn build() -> BuildResult {
         tables: 6,
         size: 501,
         storage: Storage::Half,
+        rounding: Some(Rounding { half: 2.3e-4, float: 9.1e-5, allowed: 5e-4 }),
         stored_bytes: 9_646_899,
         prefilter_width: 0.008,
         tolerance: 1e-3,

@@ -14,6 +14,7 @@ use crate::stages::ingest::ingest;
 use crate::stages::measured;
 use crate::stages::serve::{self, Budget, Cost, Source};
 use crate::tables::forecast::{Forecast, forecast, forecast_of};
+use crate::tables::model::Storage;
 
 /// Arguments of `plan`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
@@ -117,8 +118,7 @@ impl Plan {
 
     fn to_text(&self) -> String {
         let mut text = format!("atlas \"{}\" on {} threads\n", self.atlas, self.threads);
-        text +=
-            "specimen                    windows transforms tables  size  nm at rim  seconds     memory      stored\n";
+        text += "specimen                    windows transforms tables  size  nm at rim  seconds     memory      stored  numbers\n";
         let mut total_s = 0.0;
         for specimen in &self.specimens {
             match (&specimen.forecast, &specimen.failure) {
@@ -126,7 +126,7 @@ impl Plan {
                     total_s += f.seconds;
                     let step = f.step_min_nm.map_or("-".into(), |step_nm| format!("{step_nm:.2}"));
                     text += &format!(
-                        "{:<27} {:>7} {:>10} {:>6} {:>5} {:>10} {:>8.2} {:>10} {:>11}\n",
+                        "{:<27} {:>7} {:>10} {:>6} {:>5} {:>10} {:>8.2} {:>10} {:>11}  {}\n",
                         specimen.name,
                         f.windows,
                         f.transforms,
@@ -135,7 +135,8 @@ impl Plan {
                         step,
                         f.seconds,
                         bytes_in_words(f.memory_bytes),
-                        bytes_in_words(f.stored_bytes)
+                        bytes_in_words(f.stored_bytes),
+                        numbers_in_words(f)
                     );
                 }
                 (None, Some(failure)) => text += &format!("{:<27} would fail: {failure}\n", specimen.name),
@@ -144,6 +145,10 @@ impl Plan {
         }
         text += &format!("tables in about {total_s:.2} s; pictures and measured errors come on top\n");
         text += &self.windows_text();
+        if self.specimens.iter().flat_map(|specimen| &specimen.forecast).any(|forecast| !forecast.storage_asked) {
+            text +=
+                "whether numbers are half or float is decided by what halves do to the tables, once they are built\n";
+        }
         for specimen in &self.specimens {
             if let Some(budget) = &specimen.budget {
                 text += &budget_text(&specimen.name, budget);
@@ -171,6 +176,16 @@ fn windows_in_words(forecast: &Forecast, tolerance: f64) -> String {
             100.0 * moves
         ),
         _ => format!("{count} windows are more than the tolerance asks for: their mean moves by {moves:.0e}"),
+    }
+}
+
+/// The number format of a forecast.
+fn numbers_in_words(forecast: &Forecast) -> &'static str {
+    match (forecast.storage, forecast.storage_asked) {
+        (Storage::Half, true) => "half",
+        (Storage::Float, true) => "float",
+        (Storage::Half, false) => "half is likely",
+        (Storage::Float, false) => "float is likely",
     }
 }
 

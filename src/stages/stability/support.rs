@@ -85,7 +85,7 @@ pub fn config(basis: Basis) -> TablesConfig {
         size: Some(21),
         count: None,
         wavelength_step_nm: None,
-        storage: Storage::Float,
+        storage: Some(Storage::Float),
         prefilter: Prefilter::None,
         memory_mib: 1024,
     }

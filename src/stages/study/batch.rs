@@ -13,7 +13,7 @@ use crate::optics::config::{Material, OpticsConfig};
 use crate::optics::fresnel::reflectance;
 use crate::tables::evaluate::{Interpolation, lobe_window_power};
 use crate::tables::model::{Basis, Storage, TableSet};
-use crate::tables::storage::half_scale;
+use crate::tables::storage::{half_scale, round_to_half};
 
 /// A pair of directions, to the light and to the viewer.
 pub type Pair = (Vec3, Vec3);
@@ -249,11 +249,6 @@ fn without_tables(set: &TableSet, storage: Storage) -> TableSet {
         pigment: None,
         usable_radius: set.usable_radius,
     }
-}
-
-fn round_to_half(table: &mut Array3<f32>) {
-    let scale = half_scale(peak(table));
-    table.mapv_inplace(|value| f16::from_f32(value / scale).to_f32() * scale);
 }
 
 #[cfg(test)]

@@ -1,8 +1,13 @@
 //! Half-float Chebyshev tables against the published method in floats, at equal error: bytes and time.
 //!
+//! Bytes are counted in a renderer's memory and in the atlas's files. In files, both methods' numbers are rounded to the
+//! error as their tolerance and compressed alike.
+//!
 //! Settings follow from measured errors: of each method the fewest tables that reach an error at texels
 //! outside the mirror lobe, so that the grid, the same for both, hides neither. Light, windows and prefilter are the
 //! specimen's own.
+
+use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
@@ -12,12 +17,15 @@ use super::sample::{floor_per_sr, luminances};
 use super::texels::Texels;
 use super::{Refusal, StudyConfig, StudySpecimen};
 use crate::ground::direction::Xyz;
-use crate::ground::error::Result;
+use crate::ground::error::{Error, Result};
+use crate::ground::files;
 use crate::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
 use crate::ground::sampling::{Region, direction_pairs};
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
 use crate::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+use crate::tables::rounding::to_tolerance;
+use crate::tables::storage::write_tables;
 
 /// Errors at which the methods are compared.
 const TARGETS: [f64; 4] = [3e-2, 1e-2, 3e-3, 1e-3];
@@ -95,6 +103,19 @@ pub struct Contender {
     pub bilinear_s: f64,
     /// Seconds per direction on the GPU, whose textures hold halves either way.
     pub gpu_s: Option<f64>,
+    /// What files take; `None` where they were not asked for, or no number of tables reaches the error once rounded.
+    pub files: Option<Filed>,
+}
+
+/// The fewest tables that reach an error with their numbers rounded to it, in the atlas's files.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Filed {
+    /// Tables.
+    pub tables: usize,
+    /// Relative error of Y on texels, rounded.
+    pub error: f64,
+    /// Bytes of all files, compressed.
+    pub bytes: u64,
 }
 
 impl EqualError {
@@ -107,12 +128,53 @@ impl EqualError {
     }
 }
 
+impl EqualError {
+    /// How many times smaller the Chebyshev tables' files are.
+    pub fn files_ratio(&self) -> Option<f64> {
+        let [ours, theirs] = [&self.chebyshev, &self.taylor].map(|one| one.as_ref().and_then(|one| one.files));
+        Some(theirs?.bytes as f64 / ours?.bytes as f64)
+    }
+}
+
 /// A set cut to a number of tables, with its error.
 struct Candidate<'a> {
     set: &'a TableSet,
     tables: usize,
     storage: Storage,
     errors: Errors,
+}
+
+impl Candidate<'_> {
+    /// The set with no more than its own number of tables.
+    fn cut(&self) -> TableSet {
+        let Self { set, tables, .. } = self;
+        TableSet {
+            basis: set.basis,
+            tables: set.tables[..*tables].to_vec(),
+            lobe: set.lobe.clone(),
+            prefilter_width: set.prefilter_width,
+            optics: set.optics.clone(),
+            served: None,
+            pigment: None,
+            usable_radius: set.usable_radius,
+        }
+    }
+}
+
+/// The first of the candidates that keeps the target with its numbers rounded to it, in files.
+fn filed(list: &[Candidate], target: f64, error_of: &dyn Fn(&PackedTables) -> f64) -> Result<Option<Filed>> {
+    for candidate in list {
+        let &Candidate { tables, storage, .. } = candidate;
+        let rounded = to_tolerance(&candidate.cut(), target);
+        let error = error_of(&PackedTables::new(&rounded, tables, storage));
+        if error <= target {
+            let folder =
+                tempfile::tempdir().map_err(|e| Error::disk(Path::new("."), "create a temporary folder", e))?;
+            write_tables(folder.path(), &rounded, storage)?;
+            return Ok(Some(Filed { tables, error, bytes: files::bytes_of(folder.path(), "exr")? }));
+        }
+    }
+    Ok(None)
 }
 
 /// What settings are tried.
@@ -142,14 +204,17 @@ pub fn rows(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refu
         let reference = texels_of.reference(&specimen.fields, &specimen.optics, &plan)?;
         texels.push((texels_of.centres, reference));
     }
-    let candidate = |set, tables, storage| {
-        let packed = PackedTables::new(set, tables, storage);
+    let errors_of = |packed: &PackedTables| {
         let batch = |pairs: &[Pair], out: &mut [Xyz]| packed.evaluate(Interpolation::Cubic, pairs, out);
         let errors = |region: usize| {
             let (pairs, reference) = &texels[region];
             relative_error_quantiles(reference, &luminances(&batch, pairs), floor)
         };
-        Candidate { set, tables, storage, errors: Errors { hemisphere: errors(0), steep: errors(1) } }
+        Errors { hemisphere: errors(0), steep: errors(1) }
+    };
+    let candidate = |set, tables, storage| {
+        let errors = errors_of(&PackedTables::new(set, tables, storage));
+        Candidate { set, tables, storage, errors }
     };
     let ours: Vec<Candidate> =
         trials.chebyshev.iter().map(|set| candidate(set, set.tables.len(), Storage::Half)).collect();
@@ -163,8 +228,15 @@ pub fn rows(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refu
         let targets = TARGETS.into_iter().map(|target| (target, false)).chain([(best, true)]);
         for (target, taylors_best) in targets.filter(|(target, _)| target.is_finite()) {
             let first = |list: &[Candidate]| -> Result<Option<Contender>> {
-                let reached = list.iter().find(|c| measure.of(&c.errors) <= target);
-                reached.map(|c| timed(context, c, measure.of(&c.errors))).transpose()
+                let reached = list.iter().position(|c| measure.of(&c.errors) <= target);
+                let Some(first) = reached else { return Ok(None) };
+                let contender = timed(context, &list[first], measure.of(&list[first].errors))?;
+                // Rounded to the published method's best, and in single directions, there is little to learn.
+                let files = match taylors_best || measure == Measure::Worst {
+                    true => None,
+                    false => filed(&list[first..], target, &|packed| measure.of(&errors_of(packed)))?,
+                };
+                Ok(Some(Contender { files, ..contender }))
             };
             found.push(EqualError { measure, target, taylors_best, chebyshev: first(&ours)?, taylor: first(&theirs)? });
         }
@@ -198,14 +270,14 @@ fn build_trials(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<
 }
 
 fn timed(context: &Context, candidate: &Candidate, error: f64) -> Result<Contender> {
-    let &Candidate { set, tables, storage, .. } = candidate;
-    let packed = PackedTables::new(set, tables, storage);
+    let &Candidate { tables, storage, .. } = candidate;
+    let cut = candidate.cut();
+    let packed = PackedTables::new(&cut, tables, storage);
     let pairs = context.timed_pairs();
     let time = |interpolation| {
         let batch = |pairs: &[Pair], out: &mut [Xyz]| packed.evaluate(interpolation, pairs, out);
         context.clock.on_one_thread(&batch, &pairs)
     };
-    let cut = TableSet { tables: set.tables[..tables].to_vec(), ..set.clone() };
     let gpu_s = context.gpu.map(|gpu| gpu.seconds_per_direction(&stored(&cut, Storage::Half))).transpose()?;
     Ok(Contender {
         tables,
@@ -214,5 +286,6 @@ fn timed(context: &Context, candidate: &Candidate, error: f64) -> Result<Contend
         cubic_s: time(Interpolation::Cubic),
         bilinear_s: time(Interpolation::Bilinear),
         gpu_s,
+        files: None,
     })
 }

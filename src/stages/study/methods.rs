@@ -304,7 +304,7 @@ pub fn tables_config(config: &StudyConfig, basis: Basis) -> TablesConfig {
         size: Some(config.size),
         count: None,
         wavelength_step_nm: None,
-        storage: Storage::Float,
+        storage: Some(Storage::Float),
         prefilter: Prefilter::None,
         memory_mib: config.memory_mib,
     }

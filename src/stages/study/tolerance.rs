@@ -17,17 +17,15 @@ use crate::stages::error_directions::ErrorDirections;
 use crate::stages::measure;
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::{Basis, BuildRecord, Prefilter, Storage, TablesConfig};
+use crate::tables::model::{Basis, BuildRecord, Prefilter, Rounding, Storage, TablesConfig};
 use crate::tables::plan::resolving_size;
+use crate::tables::rounding::{Chosen, choose};
 
 /// Tolerances asked for.
 pub const TOLERANCES: [f64; 3] = [1e-2, 1e-3, 1e-4];
 
 /// Directions drawn, of which the first that meet usable texels are taken.
 const DRAWN: usize = 8_192;
-
-/// Tolerance below which halves are no choice: they round by up to 2^-11 of a number.
-const HALF_MIN: f64 = 5e-4;
 
 /// What a tolerance's promise came to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -48,8 +46,10 @@ pub enum Kept {
 pub struct ToleranceRow {
     /// The relative error asked for.
     pub tolerance: f64,
-    /// Halves, or floats where halves are too coarse.
+    /// What was chosen for it: halves, or floats where these are too coarse.
     pub storage: Storage,
+    /// What storing does to the values.
+    pub rounding: Rounding,
     /// Texels along u and v, and as many as the tolerance asks for.
     pub size: [usize; 2],
     /// Side of the square that a texel averages over; 0 for point samples.
@@ -93,32 +93,24 @@ pub fn automatic(optics: &OpticsConfig, config: &StudyConfig, tolerance: f64) ->
     TablesConfig {
         tolerance,
         size: Some(resolving_size(optics, tolerance).min(config.size_max)),
-        storage: if tolerance < HALF_MIN { Storage::Float } else { Storage::Half },
+        storage: None,
         prefilter: Prefilter::Auto,
         ..super::methods::tables_config(config, Basis::Chebyshev)
     }
 }
 
-/// Builds with these settings and measures against their tolerance; once more in floats where halves do not keep it: a
-/// relative error of 2^-12 of each polynomial is more of their sum where they cancel, as at a grating's vanishing orders.
+/// Builds and stores with these settings and measures against their tolerance.
 ///
 /// # Errors
 /// Those of building, and of the transforms.
 pub fn row(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<ToleranceRow> {
-    let found = measured(specimen, tables)?;
-    if found.kept == Kept::Missed && tables.storage == Storage::Half {
-        return measured(specimen, &TablesConfig { storage: Storage::Float, ..tables.clone() });
-    }
-    Ok(found)
-}
-
-fn measured(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<ToleranceRow> {
     let (fields, optics) = (&specimen.fields, &specimen.optics);
-    let (tolerance, storage) = (tables.tolerance, tables.storage);
+    let tolerance = tables.tolerance;
     let started = std::time::Instant::now();
     let (built, record) = build::build(fields, optics, tables, &|_| ())?;
     let build_s = started.elapsed().as_secs_f64();
-    let read = stored(&built, storage);
+    let Chosen { set, storage, rounding } = choose(&built, tables.storage, tolerance);
+    let read = stored(&set, storage);
     let plan = build::plan(fields, optics, tables)?;
     let directions = ErrorDirections::of_regions(&read);
     let floor_per_sr = directions.groups[0].floor_per_sr;
@@ -150,6 +142,7 @@ fn measured(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<Tolerance
     Ok(ToleranceRow {
         tolerance,
         storage,
+        rounding,
         size: [built.size(), resolving_size(optics, tolerance)],
         prefilter_width: built.prefilter_width,
         tables: built.tables.len(),
