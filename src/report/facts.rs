@@ -121,12 +121,6 @@ pub fn by_cause(rows: &[ErrorRow]) -> Vec<ErrorRow> {
     sorted
 }
 
-/// Whether a row breaks the tolerance. Only the causes that the tolerance governs can.
-pub fn is_over(row: &ErrorRow, tolerance: Option<f64>) -> bool {
-    let governed = matches!(row.what.as_str(), "basis" | "wavelength step");
-    tolerance.is_some_and(|limit| governed && row.p95 > limit)
-}
-
 /// Which directions the errors count, and how much of each group the tables show lit.
 pub fn counted_directions(rows: &[ErrorRow]) -> String {
     let totals: Vec<&ErrorRow> = rows.iter().filter(|row| row.what == "total").collect();
@@ -370,6 +364,7 @@ fn value_text(value: &serde_json::Value) -> String {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
+    use crate::stages::measure;
 
     /// A row of one direction with this 95th percentile.
     pub fn error_row(what: &str, region: &str, p95: f64) -> ErrorRow {
@@ -392,10 +387,18 @@ pub(super) mod tests {
     #[test]
     fn the_tolerance_governs_basis_and_wavelength_step_only() {
         let row = |what, p95| error_row(what, "grazing", p95);
-        assert!(is_over(&row("basis", 2e-3), Some(1e-3)));
-        assert!(!is_over(&row("basis", 1e-3), Some(1e-3)));
-        assert!(!is_over(&row("grid", 2e-3), Some(1e-3)));
-        assert!(!is_over(&row("basis", 2e-3), None));
+        let rows = [row("basis", 2e-3), row("basis", 1e-3), row("grid", 2e-3), row("wavelength step", 0.5)];
+        assert_eq!(rows.each_ref().map(|row| row.is_over(1e-3)), [true, false, false, true]);
+        let lines = measure::broken_tolerances(&rows, 1e-3);
+        assert_eq!(lines.len(), 2);
+        assert!(lines[1].contains("1e-3 is not kept: wavelength step, grazing") && lines[1].contains("5.0e-1"));
+    }
+
+    #[test]
+    fn a_reference_that_is_off_the_direct_sum_is_a_failure() {
+        let direct = |worst| vec![ErrorRow { worst, ..error_row("yardstick against direct sum", "grazing", 0.0) }];
+        assert!(measure::disagreement(&direct(1e-6)).is_none() && measure::disagreement(&[]).is_none());
+        assert!(measure::disagreement(&direct(0.3)).unwrap().contains("off the direct sum by 3.0e-1"));
     }
 
     #[test]

@@ -212,7 +212,8 @@ fn specimen_section(
     let scenes = specimen.scenes.iter().map(|scene| scene_view(scene, album)).collect::<Result<Vec<Value>>>()?;
     let tolerance = specimen.build.as_ref().map(|built| built.tolerance);
     let rows = facts::by_cause(&specimen.errors);
-    let errors: Vec<(&ErrorRow, bool)> = rows.iter().map(|row| (row, facts::is_over(row, tolerance))).collect();
+    let errors: Vec<(&ErrorRow, bool)> =
+        rows.iter().map(|row| (row, tolerance.is_some_and(|tolerance| row.is_over(tolerance)))).collect();
     let over = errors.iter().any(|(_, over)| *over);
     Ok(context! {
         id => anchor(number),

@@ -20,7 +20,10 @@ use crate::tables::model::{Basis, TableSet};
 use crate::tables::plan::w_reach;
 use rayon::prelude::*;
 
-/// Pairs at which the yardstick itself is held against the direct sum.
+/// What the row is called that holds the yardstick itself against the direct sum.
+const DIRECT_ROW: &str = "yardstick against direct sum";
+
+/// Pairs at which it is.
 const DIRECT_PAIRS: usize = 2;
 
 /// Everything the yardstick is asked for, in one list.
@@ -201,7 +204,34 @@ pub fn direct_row(yardstick: &Yardstick, direct: DirectSum) -> Result<ErrorRow> 
     let direct: Vec<f64> = direct(&pairs)?.iter().map(|xyz| xyz[1]).collect();
     let fast: Vec<f64> = brightest.iter().map(|&index| yardstick.xyz[index][1]).collect();
     let group = ErrorGroup { counts: [brightest.len(), 0], ..group.clone() };
-    Ok(row("yardstick against direct sum", &group, &direct, &fast))
+    Ok(row(DIRECT_ROW, &group, &direct, &fast))
+}
+
+/// Most that the yardstick may differ from the direct sum: beyond, it measures nothing.
+const DISAGREEMENT_MAX: f64 = 1e-3;
+
+/// What is wrong with the yardstick itself, if anything is.
+pub fn disagreement(rows: &[ErrorRow]) -> Option<String> {
+    let row = rows.iter().find(|row| row.what == DIRECT_ROW)?;
+    (row.worst > DISAGREEMENT_MAX).then(|| {
+        format!(
+            "the reference is off the direct sum by {:.1e}, so that measured errors and reference pictures mean nothing: \
+             please report this surface",
+            row.worst
+        )
+    })
+}
+
+/// A line for each error that breaks the tolerance.
+pub fn broken_tolerances(rows: &[ErrorRow], tolerance: f64) -> Vec<String> {
+    let broken = rows.iter().filter(|row| row.is_over(tolerance));
+    let line = |row: &ErrorRow| {
+        format!(
+            "the tolerance of {tolerance:.0e} is not kept: {}, {}: one direction in twenty errs by {:.1e} or more",
+            row.what, row.region, row.p95
+        )
+    };
+    broken.map(line).collect()
 }
 
 /// Luminous sums `∫ f cos_theta_o dω_o` for unit reflectance, from the tables: the diffuse part on a grid

@@ -112,6 +112,11 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
                 }
                 helpers.progress.message(&done_line(&label, &done, specimen_started.elapsed().as_secs_f64()));
                 record_unserved(&mut results, &done.result);
+                results.failures.extend(measure::disagreement(&done.result.errors).map(|message| Failure {
+                    specimen: Some(specimen.name.clone()),
+                    stage: "measure errors".into(),
+                    message,
+                }));
                 index.inputs.extend(done.inputs);
                 shared.add(done.shares);
                 index.specimens.push(entry(specimen));
@@ -282,6 +287,7 @@ fn run_specimen(
         if let Some(yardstick) = &yardstick {
             result.errors = measure::error_rows(yardstick, &set, built);
             result.errors.push(known.direct_row(&source, yardstick)?);
+            result.warnings.extend(measure::broken_tolerances(&result.errors, tables.tolerance));
         }
         let (sums, lobe_share) = measure::power_sums(&set);
         result.power_sums = sums;

@@ -225,6 +225,13 @@ pub struct ErrorRow {
     pub worst: f64,
 }
 
+impl ErrorRow {
+    /// Whether it breaks the tolerance. Only the causes that the tolerance governs can.
+    pub fn is_over(&self, tolerance: f64) -> bool {
+        matches!(self.what.as_str(), "basis" | "wavelength step") && self.p95 > tolerance
+    }
+}
+
 /// What reports had before they told: a few millionths of white.
 fn floor_of_older_reports() -> f64 {
     1e-6

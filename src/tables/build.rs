@@ -161,19 +161,8 @@ pub fn plan_for(
     let depths = if crosses { [0.0, w_reach(0.0)] } else { hull.w };
     let memory_bytes = (config.memory_mib as u64) << 20;
     let fine_tolerance = 0.1 * config.tolerance;
-    let sums_bytes = (texels.window_texels() * 3 * 4) as u64 * config.count.unwrap_or(4).next_multiple_of(4) as u64;
-    if sums_bytes > memory_bytes {
-        return Err(Error::limit(
-            format!(
-                "sums over {} x {} texels need {} MiB, {} MiB are allowed",
-                texels.columns.len(),
-                texels.rows.len(),
-                sums_bytes >> 20,
-                config.memory_mib
-            ),
-            "lower tables.size or raise tables.memory_mib",
-        ));
-    }
+    // As few as there can be; how many it will be is known later.
+    check_memory(&texels, config.count.unwrap_or(4), 0, memory_bytes)?;
     let at_rim = plan::wavelengths_of(optics, bandwidth, [rho_max; 2], config.tolerance, config.wavelength_step_nm);
     let mut plan = BuildPlan {
         rim: uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, at_rim)?,
@@ -195,6 +184,26 @@ pub fn plan_for(
         forecast::join_rings(&mut plan, fields, optics, config);
     }
     Ok(plan)
+}
+
+/// Refuses sums over so many nodes, and tables beside them, that exceed the memory allowed.
+fn check_memory(texels: &Texels, nodes: usize, tables: usize, memory_bytes: u64) -> Result<()> {
+    let numbers = 3 * (nodes.next_multiple_of(4) + tables) as u64;
+    let bytes = texels.window_texels() as u64 * size_of::<f32>() as u64 * numbers;
+    if bytes <= memory_bytes {
+        return Ok(());
+    }
+    let besides = if tables > 0 { format!(" and {tables} tables") } else { String::new() };
+    Err(Error::limit(
+        format!(
+            "sums over {} x {} texels{besides} need {} MiB, {} MiB are allowed",
+            texels.columns.len(),
+            texels.rows.len(),
+            bytes >> 20,
+            memory_bytes >> 20
+        ),
+        "lower tables.size, fix tables.count, or raise tables.memory_mib",
+    ))
 }
 
 /// Puts the window with the highest relief first: the pilot looks at that one alone, and none asks for more depths.
@@ -303,6 +312,8 @@ fn build_chebyshev(
         transforms = transforms.max(spectra.nodes);
         if state.is_none() {
             let nodes = choose_nodes(&spectra, plan, config);
+            let most = nodes.rings.iter().copied().max().unwrap_or(1);
+            check_memory(&plan.texels, most, nodes.tables, plan.spectra.memory_bytes)?;
             state = Some(Sums::new(plan, optics, nodes)?);
         }
         if let Some(sums) = &mut state {

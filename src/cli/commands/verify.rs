@@ -24,7 +24,7 @@ use crate::stages::specimen::{self, CheckValue, SpecimenFile};
 use crate::stages::verify::{self, VerifyReport};
 use crate::tables::build;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::TableSet;
+use crate::tables::model::{TableSet, TablesConfig};
 
 /// Arguments of `verify`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
@@ -201,7 +201,10 @@ fn against_scans(
         return Ok(());
     }
     let fields = ingested.fields;
-    let plan = build::plan(&fields, &config.optics, &manifest.tables)?;
+    // Sums over every direction are not what is asked for here; transforms are.
+    let roomy = TablesConfig { memory_mib: usize::MAX >> 20, ..manifest.tables.clone() };
+    let mut plan = build::plan(&fields, &config.optics, &roomy)?;
+    plan.spectra.memory_bytes = (manifest.tables.memory_mib as u64) << 20;
     let recorded: Vec<ErrorRow> = serde_json::from_value(file.errors.clone()).unwrap_or_default();
     let totals = |region: &str| recorded.iter().find(|row| row.what == "total" && row.region == region);
     let mut candidates = match set.served {
