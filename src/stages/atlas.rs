@@ -169,20 +169,19 @@ pub fn version_numbers(root: &Path) -> Result<Vec<u64>> {
 
 /// The newest version whose index is sound and whose files are all there in their sizes; `None` for an empty atlas.
 pub fn newest_version(root: &Path) -> Result<Option<(String, AtlasIndex)>> {
-    Ok(search(root)?.0)
+    search(root, &mut Vec::new())
 }
 
-/// The newest sound version, and what is wrong with each newer one.
-fn search(root: &Path) -> Result<(Option<(String, AtlasIndex)>, Vec<String>)> {
-    let mut damage = Vec::new();
+/// The newest sound version; what is wrong with each newer one is added to `damage`.
+fn search(root: &Path, damage: &mut Vec<String>) -> Result<Option<(String, AtlasIndex)>> {
     for number in version_numbers(root)?.into_iter().rev() {
         let name = version_name(number);
         match sound_index(&root.join(&name)) {
-            Ok(index) => return Ok((Some((name, index)), damage)),
+            Ok(index) => return Ok(Some((name, index))),
             Err(what) => damage.push(what),
         }
     }
-    Ok((None, damage))
+    Ok(None)
 }
 
 /// The index of a version whose files are all there in their sizes, or what is wrong, in one line.
@@ -227,14 +226,13 @@ pub fn resolve(path: &Path) -> Result<Resolved> {
     if !path.is_dir() {
         return Err(Error::Call(format!("{}: there is no such folder", path.display())));
     }
-    match search(path)? {
-        (Some((name, _)), passed_over) => Ok(Resolved { folder: path.join(name), passed_over }),
-        (None, damage) if damage.is_empty() => {
+    let mut damage = Vec::new();
+    match search(path, &mut damage)? {
+        Some((name, _)) => Ok(Resolved { folder: path.join(name), passed_over: damage }),
+        None if damage.is_empty() => {
             Err(Error::Call(format!("{}: this is no atlas, and holds no complete version of one", path.display())))
         }
-        (None, damage) => {
-            Err(Error::bad_file(path, format!("it holds no complete version: {}", damage.join("; ")), FIX))
-        }
+        None => Err(Error::bad_file(path, format!("it holds no complete version: {}", damage.join("; ")), FIX)),
     }
 }
 
