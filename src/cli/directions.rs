@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use crate::ground::csv;
-use crate::ground::direction::{THETA_MAX_DEG, Vec3, from_angles_deg};
+use crate::ground::direction::{Vec3, from_angles_deg};
 use crate::ground::error::{Error, Result};
 use crate::ground::files;
 
@@ -31,8 +31,8 @@ impl Row {
     }
 }
 
-/// Largest angle of each column, either way.
-const MAX_DEG: [f64; 4] = [THETA_MAX_DEG, 360.0, THETA_MAX_DEG, 360.0];
+/// Largest azimuth, either way.
+const PHI_MAX_DEG: f64 = 360.0;
 
 /// Reads a list of directions in any of the forms that measured reflectance may have: separated by commas, semicolons or
 /// tabs, with comments. Further columns are ignored.
@@ -76,17 +76,26 @@ impl<'a> Table<'a> {
         let cells = csv::row_cells(line, self.separator, self.cells).map_err(wrong)?;
         let mut row = Row { cells: Default::default(), angles_deg: [0.0; 4] };
         for (index, &position) in self.positions.iter().enumerate() {
-            let (cell, name, max) = (cells[position].1, COLUMNS[index], MAX_DEG[index]);
+            let (cell, name) = (cells[position].1, COLUMNS[index]);
             let angle = csv::number(cell, self.separator)
                 .ok_or_else(|| wrong(format!("`{cell}` in `{name}` is not an angle in degrees")))?;
-            if angle.abs() > max {
-                return Err(wrong(format!("`{name}` must lie between -{max} and {max}; found {cell}")));
+            if let Some(allowed) = beyond(index, angle) {
+                return Err(wrong(format!("`{name}` must {allowed}; found {cell}")));
             }
             row.cells[index] = csv::with_point(cell, self.separator);
             row.angles_deg[index] = angle;
         }
         Ok(row)
     }
+}
+
+/// What an angle of this column must be, where it is not: thetas lie above the horizon, where nothing is lit or seen.
+fn beyond(column: usize, angle_deg: f64) -> Option<String> {
+    if column % 2 == 1 {
+        return (angle_deg.abs() > PHI_MAX_DEG).then(|| format!("lie between -{PHI_MAX_DEG} and {PHI_MAX_DEG}"));
+    }
+    let above = angle_deg.abs() < 90.0 && from_angles_deg(angle_deg, 0.0)[2] > 0.0;
+    (!above).then(|| "lie above the horizon, between -90 and 90 with neither included".into())
 }
 
 /// The directions as they were read, with further columns: ten significant digits.
@@ -152,13 +161,13 @@ mod tests {
             ("theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,,4\n", "line 2: `` in `theta_r_deg`"),
             (
                 "# lab\ntheta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,3,4\n90,2,3,4\n",
-                "line 4: `theta_i_deg` must lie between",
+                "line 4: `theta_i_deg` must lie above the horizon",
             ),
-            ("theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,-90,4\n", "line 2: `theta_r_deg` must lie between"),
             (
-                "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,1e300,4\n",
-                "`theta_r_deg` must lie between -89.9 and 89.9; found 1e300",
+                "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,-90,4\n",
+                "line 2: `theta_r_deg` must lie above the horizon",
             ),
+            ("theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,1e300,4\n", "neither included; found 1e300"),
             (
                 "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,3,361\n",
                 "`phi_r_deg` must lie between -360 and 360; found 361",

@@ -6,9 +6,6 @@ pub type Vec3 = [f64; 3];
 /// CIE XYZ, Y being luminous; 1/sr where it is a BRDF.
 pub type Xyz = [f64; 3];
 
-/// Steepest angle from the normal that lists of directions may hold: at the horizon nothing is lit or seen.
-pub const THETA_MAX_DEG: f64 = 89.9;
-
 /// Cosines below this are rounding of a right angle: the cosine of 90 degrees itself comes out as 6e-17.
 const COSINE_MIN: f64 = 1e-12;
 

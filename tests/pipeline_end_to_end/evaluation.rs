@@ -118,7 +118,7 @@ fn directions_below_the_surface_are_refused_by_their_line() {
         ] {
             let called = eval(&format!("{COLUMNS}\n10,0,12,170\n{row}\n")).ended(1);
             assert_eq!(called.stdout, "");
-            let expected = format!("line 3: `{column}_deg` must lie between -89.9 and 89.9");
+            let expected = format!("line 3: `{column}_deg` must lie above the horizon, between -90 and 90");
             assert!(called.stderr.contains(&expected), "{line}, {row}: {}", called.stderr);
         }
         let plain = eval(&format!("{COLUMNS}\n10,0,89.9,170\n")).ended(0).stdout;

@@ -24,7 +24,7 @@ use crate::tables::plan::usable_radius;
   diffraction-atlas eval --directions d.csv --method reference --manifest pipeline.toml --specimen elaphe_guttata
   diffraction-atlas eval --directions d.csv --method reference --specimen elaphe_guttata --wavelengths-nm 450,550,650
 
-The CSV has the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, thetas up to 89.9 either way, between commas,
+The CSV has the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, thetas below 90 either way, between commas,
 semicolons or tabs; lines that start with # are comments. X, Y, Z in 1/sr are added to them, or one column for each of
 the wavelengths asked for.")]
 pub struct EvalArgs {

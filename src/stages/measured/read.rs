@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 
 use super::MeasuredConfig;
 use crate::ground::csv::{self, Cell};
-use crate::ground::direction::THETA_MAX_DEG;
 use crate::ground::error::{Error, Result};
 use crate::ground::files;
 
@@ -21,6 +20,9 @@ const COLUMNS_MAX: usize = 16;
 
 /// The columns of a geometry, in degrees, and of the wavelength.
 const PLACE: [&str; 5] = ["theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg", "wavelength_nm"];
+
+/// Steepest direction: at the horizon nothing is lit or seen.
+const THETA_MAX_DEG: f64 = 89.9;
 
 /// Shortest and longest wavelength, those of the manifest.
 const WAVELENGTH_NM: [f64; 2] = [200.0, 2500.0];
