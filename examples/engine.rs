@@ -68,7 +68,7 @@ pub fn draw(exported: &Path, specimen: &str, side: u32) -> Outcome<Array3<f32>> 
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
         view_formats: &[],
     });
-    let material = std::fs::read_to_string(exported.join("tables.wgsl.wgsl"))?;
+    let material = std::fs::read_to_string(exported.join("tables.wgsl"))?;
     let pipeline = pipeline(&device, &material, target.format());
     let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: None,

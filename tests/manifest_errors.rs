@@ -83,9 +83,10 @@ const CASES: &[Case] = &[
     ("size = 501", "size = 0x7fffffffffffffff", "15:8", "0x7fffffffffffffff", &["between 3 and"]),
     ("size = 501", "size = 99999999999999999999999999", "15:8", "99999999999999999999999999", &["between 3 and"]),
     ("size = 501", "count = 0", "15:9", "0", &["between 1 and 256"]),
-    ("size = 501", "wavelength_step_nm = 0", "15:22", "0", &["above 0"]),
+    ("size = 501", "wavelength_step_nm = 0", "15:22", "0", &["between 0.01 and 100 nm"]),
+    ("size = 501", "wavelength_step_nm = 1e-9", "15:22", "1e-9", &["`tables.wavelength_step_nm`", "between 0.01 and 100 nm", "found 1e-9"]),
     ("size = 501", "prefilter = { width = -0.1 }", "15:23", "-0.1", &["`tables.prefilter.width`", "above 0"]),
-    ("tolerance = 1e-3", "tolerance = 1e-8", "14:13", "1e-8", &["above 0.00000001 and at most 0.5"]),
+    ("tolerance = 1e-3", "tolerance = 1e-8", "14:13", "1e-8", &["above 1e-8 and at most 0.5"]),
     ("tolerance = 1e-3", "tolerance = 0.6", "14:13", "0.6", &["at most 0.5"]),
     ("memory_mib = 512", "memory_mib = 1", "16:14", "1", &["between 64 and"]),
     ("sigma_um = 16.25", "sigma_um = -1", "10:26", "-1", &["`optics.coherence.sigma_um`", "between 0.1 and 10000 µm"]),
@@ -101,6 +102,9 @@ const CASES: &[Case] = &[
     ("level = \"plane\"", "blend_nm = -1", "23:12", "-1", &["above 0"]),
     ("level = \"plane\"", "page = -1", "23:8", "-1", &["between 0 and 65535"]),
     ("size_px = 512", "size_px = 9000", "35:11", "9000", &["between 16 and 8192"]),
+    ("sigma_um = 16.25", "sigma_um = 1e300", "10:26", "1e300", &["found 1e300"]),
+    ("size_px = 512", "size_px = 8192\nlight_samples = 1024", "36:1", "light_samples", &["8192 x 1024 x 1 = 8388608", "lower size_px"]),
+    ("size_px = 512", "size_px = 2048\nanimate = { kind = \"light\", axis = \"viewing\", frames = 2, size_px = 5000 }\npixel_samples = 1024", "37:1", "pixel_samples", &["5000 x 1024 x 1"]),
     ("size_px = 512", "size_px = 0", "35:11", "0", &["between 16 and 8192"]),
     ("size_px = 512", "light_samples = 0", "35:17", "0", &["between 1 and 4096"]),
     ("size_px = 512", "exposure = { ev = inf }", "35:19", "inf", &["finite"]),
@@ -267,6 +271,16 @@ fn no_specimen_is_a_fault() {
     assert!(message.contains("at least one specimen"), "{message}");
     let message = parse_in(folder.path(), "").unwrap_err().to_string();
     assert!(message.contains(":1:1: `schema` is missing"), "{message}");
+}
+
+#[test]
+fn scenes_to_serve_must_be_there() {
+    let folder = folder();
+    let good = good_with("size = 501", "serve = [\"q\"]");
+    let message = parse_in(folder.path(), &good).unwrap_err().to_string();
+    assert!(message.contains("must be one of \"sphere\", \"patch\"; found \"q\""), "{message}");
+    let message = parse_in(folder.path(), &good[..good.find("[[scene]]").unwrap()]).unwrap_err().to_string();
+    assert!(message.contains(":15:9: `tables.serve` names scenes, but there is no [[scene]]"), "{message}");
 }
 
 #[test]

@@ -54,8 +54,8 @@ fn a_change_publishes_and_no_change_does_not() {
     assert_eq!(run(root, 1, "10:15"), version(3), "going back is a change");
     assert_eq!((latest(root).as_str(), names(root).len()), ("v0003", 4));
     assert_eq!(atlas::record_files(&root.join("v0001")).unwrap(), first, "published versions never change");
-    assert_eq!(atlas::resolve(root).unwrap(), root.join("v0003"));
-    assert_eq!(atlas::resolve(&root.join("v0001")).unwrap(), root.join("v0001"));
+    assert_eq!(atlas::resolve(root).unwrap().folder, root.join("v0003"));
+    assert_eq!(atlas::resolve(&root.join("v0001")).unwrap().folder, root.join("v0001"));
 
     // Another digest of an input is a change though the tables are the same.
     let staging = publish::begin(root).unwrap();
@@ -88,7 +88,7 @@ fn what_a_dead_run_left_is_put_right() {
     fs::write(root.join(".staging-99999/table.000.exr"), "half").unwrap();
     fs::write(root.join(".latest.99999-0.part"), "v00").unwrap();
     fs::write(root.join("latest"), "v0001\n").unwrap();
-    assert_eq!(atlas::resolve(root).unwrap(), root.join("v0002"), "readers need no repair");
+    assert_eq!(atlas::resolve(root).unwrap().folder, root.join("v0002"), "readers need no repair");
     assert_eq!(run(root, 2, ""), unchanged(2));
     assert_eq!((names(root), latest(root)), (vec!["latest".into(), "v0001".into(), "v0002".into()], "v0002".into()));
 
@@ -110,7 +110,7 @@ fn damaged_versions_are_passed_over_and_never_overwritten() {
     run(root, 2, "");
     // A version without its index, as a copy that broke off would leave.
     fs::remove_file(root.join("v0002/atlas.json")).unwrap();
-    assert_eq!(atlas::resolve(root).unwrap(), root.join("v0001"));
+    assert_eq!(atlas::resolve(root).unwrap().folder, root.join("v0001"));
     assert_eq!(run(root, 1, ""), unchanged(1));
     assert_eq!((run(root, 2, ""), latest(root)), (version(3), "v0003".to_owned()));
     assert!(root.join("v0002").exists());

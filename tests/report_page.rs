@@ -114,6 +114,23 @@ fn the_page_is_well_formed_and_says_what_was_found() {
 }
 
 #[test]
+fn warnings_of_several_scans_are_named_by_their_files() {
+    let mut sample = sample();
+    let grating = sample.results.specimens.iter_mut().find(|specimen| specimen.name.starts_with("grating")).unwrap();
+    let mut second = grating.scans[0].clone();
+    second["file_name"] = "second.tif".into();
+    grating.scans.push(second);
+    grating.statistics.as_mut().unwrap().warnings = vec!["steep".into()];
+    let html = render(&sample);
+    let text = visible_text(&parse(&html));
+    for expected in ["grating_nanosurf_314nm.tif: steep", "second.tif: the unit was", " of the first of 2 scans"] {
+        assert!(text.contains(expected), "the page does not say {expected:?}");
+    }
+    // Of one scan, its specimen's name says enough.
+    assert!(!text.contains("corn_snake_like.tif: "));
+}
+
+#[test]
 fn nothing_is_fetched_and_nothing_runs() {
     let sample = sample();
     let html = render(&sample);

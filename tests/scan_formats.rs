@@ -260,7 +260,7 @@ fn published_scans() {
     // A full scale makes no sense for floats.
     config.height = Some(HeightScale::FullScaleNm(375.0));
     let error = read_scan(&folder.join("blazed_2500nm.tif"), &config).unwrap_err();
-    assert!(error.to_string().contains("full_scale_nm is for integer samples"), "{error}");
+    assert!(error.to_string().contains("a full scale is for integer samples"), "{error}");
     config.height = Some(HeightScale::Unit(LengthUnit::Nm));
     assert!(read_scan(&folder.join("blazed_2500nm.tif"), &config).is_ok());
 }

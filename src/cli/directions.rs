@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use crate::ground::csv;
 use crate::ground::direction::{Vec3, from_angles_deg};
 use crate::ground::error::{Error, Result};
 use crate::ground::files;
@@ -16,7 +17,7 @@ const FIX: &str = "The first line names the columns theta_i_deg, phi_i_deg, thet
 /// One pair of directions, as written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// The four cells, word for word.
+    /// The four cells, word for word but for decimal commas.
     pub cells: [String; 4],
     /// Their numbers in degrees.
     pub angles_deg: [f64; 4],
@@ -30,40 +31,71 @@ impl Row {
     }
 }
 
-/// Reads a list of directions; further columns are ignored.
+/// Largest azimuth, either way.
+const PHI_MAX_DEG: f64 = 360.0;
+
+/// Reads a list of directions in any of the forms that measured reflectance may have: separated by commas, semicolons or
+/// tabs, with comments. Further columns are ignored.
 ///
 /// # Errors
-/// An unreadable file, a missing column, or a cell that is no number, with its line.
+/// An unreadable file, a missing column, or a cell that is no angle above the surface, with its line.
 pub fn read(path: &Path) -> Result<Vec<Row>> {
     let text = files::read_text(path)?;
-    let mut lines = text.lines().enumerate();
-    let header: Vec<&str> = lines.next().map_or(Vec::new(), |(_, line)| line.split(',').map(str::trim).collect());
-    let mut positions = [0; 4];
-    for (position, name) in positions.iter_mut().zip(COLUMNS) {
-        *position = header
-            .iter()
-            .position(|column| column.trim_start_matches('\u{feff}') == name)
-            .ok_or_else(|| Error::bad_file(path, format!("the column `{name}` is missing"), FIX))?;
-    }
-    lines
-        .filter(|(_, line)| !line.trim().is_empty())
-        .map(|(index, line)| row(path, index + 1, line, &positions))
-        .collect()
+    let mut lines = csv::lines(&text);
+    let header = lines.next().map_or("", |(_, line)| line);
+    let table = Table::new(path, header)?;
+    lines.map(|(number, line)| table.row(number, line)).collect()
 }
 
-fn row(path: &Path, line_number: usize, line: &str, positions: &[usize; 4]) -> Result<Row> {
-    let cells: Vec<&str> = line.split(',').map(str::trim).collect();
-    let mut row = Row { cells: Default::default(), angles_deg: [0.0; 4] };
-    for (index, &position) in positions.iter().enumerate() {
-        let cell = cells.get(position).copied().unwrap_or("");
-        let angle = cell.parse().ok().filter(|angle: &f64| angle.is_finite()).ok_or_else(|| {
-            let what = format!("line {line_number}: `{cell}` in `{}` is not an angle in degrees", COLUMNS[index]);
-            Error::bad_file(path, what, FIX)
-        })?;
-        row.cells[index] = cell.to_owned();
-        row.angles_deg[index] = angle;
+/// A file being read.
+struct Table<'a> {
+    path: &'a Path,
+    separator: char,
+    /// Cells in a line, and which of them hold the angles.
+    cells: usize,
+    positions: [usize; 4],
+}
+
+impl<'a> Table<'a> {
+    fn new(path: &'a Path, header: &str) -> Result<Self> {
+        let separator = csv::separator(header);
+        let names: Vec<String> =
+            csv::cells(header, separator).into_iter().map(|(_, name)| name.to_lowercase()).collect();
+        let mut positions = [0; 4];
+        for (position, name) in positions.iter_mut().zip(COLUMNS) {
+            *position = names
+                .iter()
+                .position(|column| column == name)
+                .ok_or_else(|| Error::bad_file(path, format!("the column `{name}` is missing"), FIX))?;
+        }
+        Ok(Self { path, separator, cells: names.len(), positions })
     }
-    Ok(row)
+
+    fn row(&self, number: usize, line: &str) -> Result<Row> {
+        let wrong = |what: String| Error::bad_file(self.path, format!("line {number}: {what}"), FIX);
+        let cells = csv::row_cells(line, self.separator, self.cells).map_err(wrong)?;
+        let mut row = Row { cells: Default::default(), angles_deg: [0.0; 4] };
+        for (index, &position) in self.positions.iter().enumerate() {
+            let (cell, name) = (cells[position].1, COLUMNS[index]);
+            let angle = csv::number(cell, self.separator)
+                .ok_or_else(|| wrong(format!("`{cell}` in `{name}` is not an angle in degrees")))?;
+            if let Some(allowed) = beyond(index, angle) {
+                return Err(wrong(format!("`{name}` must {allowed}; found {cell}")));
+            }
+            row.cells[index] = csv::with_point(cell, self.separator);
+            row.angles_deg[index] = angle;
+        }
+        Ok(row)
+    }
+}
+
+/// What an angle of this column must be, where it is not: thetas lie above the horizon, where nothing is lit or seen.
+fn beyond(column: usize, angle_deg: f64) -> Option<String> {
+    if column % 2 == 1 {
+        return (angle_deg.abs() > PHI_MAX_DEG).then(|| format!("lie between -{PHI_MAX_DEG} and {PHI_MAX_DEG}"));
+    }
+    let above = angle_deg.abs() < 90.0 && from_angles_deg(angle_deg, 0.0)[2] > 0.0;
+    (!above).then(|| "lie above the horizon, between -90 and 90 with neither included".into())
 }
 
 /// The directions as they were read, with further columns: ten significant digits.
@@ -101,12 +133,45 @@ mod tests {
     }
 
     #[test]
+    fn the_dialects_of_measured_files_are_taken() {
+        let plain = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n10,20,-30.5,40\n";
+        let (_folder, path) = file(plain);
+        let expected = read(&path).unwrap();
+        for text in [
+            "\u{feff}# lamp A\r\n\"theta_i_deg\", phi_i_deg,Theta_r_deg,phi_r_deg\r\n\r\n# first\r\n10,20,-30.5,40\r\n",
+            "theta_i_deg;phi_i_deg;theta_r_deg;phi_r_deg\n10;20;-30,5;40\n",
+            "theta_i_deg\tphi_i_deg\ttheta_r_deg\tphi_r_deg\n10\t20\t-30.5\t40\n",
+        ] {
+            let (_folder, path) = file(text);
+            assert_eq!(read(&path).unwrap(), expected, "{text}");
+        }
+    }
+
+    #[test]
     fn faults_are_named_with_their_line() {
         for (text, expected) in [
             ("", "`theta_i_deg` is missing"),
             ("theta_i_deg,phi_i_deg,theta_r_deg\n", "`phi_r_deg` is missing"),
             ("theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,3,4\n1,2,x,4\n", "line 3: `x` in `theta_r_deg`"),
-            ("theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,3\n", "line 2: `` in `phi_r_deg`"),
+            (
+                "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,3\n",
+                "line 2: expected 4 cells as in the line of names, found 3",
+            ),
+            ("theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,5,2,3,4\n", "where commas are decimal marks"),
+            ("theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,,4\n", "line 2: `` in `theta_r_deg`"),
+            (
+                "# lab\ntheta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,3,4\n90,2,3,4\n",
+                "line 4: `theta_i_deg` must lie above the horizon",
+            ),
+            (
+                "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,-90,4\n",
+                "line 2: `theta_r_deg` must lie above the horizon",
+            ),
+            ("theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,1e300,4\n", "neither included; found 1e300"),
+            (
+                "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,3,361\n",
+                "`phi_r_deg` must lie between -360 and 360; found 361",
+            ),
             ("theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n1,2,3,nan\n", "line 2: `nan`"),
         ] {
             let (_folder, path) = file(text);

@@ -1,12 +1,13 @@
 //! Output conventions: results on stdout, messages on stderr, exit status 0, 1, or 2.
 
 use std::io::{ErrorKind, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use serde::Serialize;
 
 use crate::ground::error::{Error, Result};
+use crate::stages::atlas;
 
 /// How a command that ran to its end has ended.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -41,6 +42,18 @@ pub fn print_json(value: &impl Serialize) -> Result<()> {
         .map_err(|error| Error::Call(format!("this result has no form in JSON: {error}")))?;
     text.push('\n');
     print(&text)
+}
+
+/// The version's folder that a path means. Where newer versions are damaged, says so on stderr: the answer is an older one.
+///
+/// # Errors
+/// A path that is no atlas, or none whose files are all there.
+pub fn version_folder(path: &Path) -> Result<PathBuf> {
+    let found = atlas::resolve(path)?;
+    for what in &found.passed_over {
+        eprintln!("warning: a newer version is damaged, {} is taken in its place: {what}", found.folder.display());
+    }
+    Ok(found.folder)
 }
 
 /// Reports errors and failures on stderr and gives the exit status.

@@ -6,9 +6,13 @@ pub type Vec3 = [f64; 3];
 /// CIE XYZ, Y being luminous; 1/sr where it is a BRDF.
 pub type Xyz = [f64; 3];
 
-/// Unit vector from polar angles in degrees (theta from the normal, phi from +x towards +y).
+/// Cosines below this are rounding of a right angle: the cosine of 90 degrees itself comes out as 6e-17.
+const COSINE_MIN: f64 = 1e-12;
+
+/// Unit vector from polar angles in degrees (theta from the normal, phi from +x towards +y). At 90 degrees z is 0.
 pub fn from_angles_deg(theta_deg: f64, phi_deg: f64) -> Vec3 {
-    let (sin_t, cos_t) = theta_deg.to_radians().sin_cos();
+    let (sin_t, cosine) = theta_deg.to_radians().sin_cos();
+    let cos_t = if cosine.abs() < COSINE_MIN { 0.0 } else { cosine };
     let (sin_p, cos_p) = phi_deg.to_radians().sin_cos();
     [sin_t * cos_p, sin_t * sin_p, cos_t]
 }
@@ -75,6 +79,14 @@ mod tests {
             let [theta_deg, phi_deg] = angles_deg(from_angles_deg(theta, phi));
             assert!((theta_deg - theta).abs() < 1e-12 && (phi_deg - phi).abs() < 1e-9, "{theta_deg} {phi_deg}");
         }
+    }
+
+    #[test]
+    fn the_horizon_is_not_above_the_surface() {
+        for (theta_deg, phi_deg) in [(90.0, 0.0), (-90.0, 30.0), (90.0, 200.0), (270.0, 10.0)] {
+            assert_eq!(from_angles_deg(theta_deg, phi_deg)[2], 0.0, "{theta_deg}");
+        }
+        assert!(from_angles_deg(89.999_999, 0.0)[2] > 1e-8);
     }
 
     #[test]

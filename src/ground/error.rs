@@ -79,6 +79,11 @@ impl Error {
         Self::Limit { what: what.into(), fix: fix.into() }
     }
 
+    /// Whether the operating system refused to read or write something in this folder.
+    pub fn is_of_disk_below(&self, folder: &Path) -> bool {
+        matches!(self, Self::Disk { path, .. } if path.starts_with(folder))
+    }
+
     /// The process exit status this error calls for: 2 for a wrong call or manifest, 1 otherwise.
     pub fn exit_status(&self) -> u8 {
         match self {

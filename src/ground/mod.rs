@@ -3,6 +3,7 @@
 pub mod chebyshev;
 pub mod cie_data;
 pub mod colour;
+pub mod csv;
 pub mod direction;
 pub mod error;
 pub mod exr_foreign;

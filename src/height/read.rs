@@ -50,8 +50,42 @@ pub enum HeightScale {
     },
 }
 
+/// What messages and provenance call the things that a caller can say of a scan: keys of a manifest, or whatever else the
+/// user has at hand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CallerWords {
+    /// Where the user says it.
+    pub source: &'static str,
+    /// Sample spacing.
+    pub pitch: &'static str,
+    /// What to do where the file does not tell the spacing.
+    pub add_pitch: &'static str,
+    /// What the numbers mean.
+    pub height: &'static str,
+    /// What to do where the file does not tell what its integers mean...
+    pub add_integer_height: &'static str,
+    /// ...and its floating-point numbers.
+    pub add_float_height: &'static str,
+    /// Where more missing samples may be accepted, as the end of a sentence; empty where they may not.
+    pub or_accept_missing: &'static str,
+}
+
+impl CallerWords {
+    /// A specimen's keys in a manifest.
+    pub const MANIFEST: Self = Self {
+        source: "manifest",
+        pitch: "pitch_nm",
+        add_pitch: "add `pitch_nm = N` (or `pitch_nm = [X, Y]`, nm per sample) to the specimen",
+        height: "height",
+        add_integer_height: "add `height = { full_scale_nm = N }` (nm from the smallest to the largest value of the integer \
+                             type) or `height = { nm_per_count = N, offset_nm = M }` to the specimen",
+        add_float_height: "add `height = { unit = \"U\" }` to the specimen, U being pm, nm, um, mm, cm, m, angstrom or inch",
+        or_accept_missing: ", or raise max_missing_share",
+    };
+}
+
 /// How to read a scan, and what the caller knows that its file may not say.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct ReadConfig {
     /// Which page of a file with several, counted from 0; `None` where there is one choice only.
     pub page: Option<usize>,
@@ -64,11 +98,20 @@ pub struct ReadConfig {
     /// Largest accepted number of samples: bounds the memory, about 60 bytes each, 120
     /// for missing ones.
     pub max_samples: usize,
+    /// What messages and provenance call all this.
+    pub words: CallerWords,
 }
 
 impl Default for ReadConfig {
     fn default() -> Self {
-        Self { page: None, pitch_nm: None, height: None, max_missing_share: 0.05, max_samples: 1 << 26 }
+        Self {
+            page: None,
+            pitch_nm: None,
+            height: None,
+            max_missing_share: 0.05,
+            max_samples: 1 << 26,
+            words: CallerWords::MANIFEST,
+        }
     }
 }
 
@@ -89,9 +132,9 @@ pub struct Provenance {
     pub size: [usize; 2],
     /// Sample spacing in nm along x and y.
     pub pitch_nm: [f64; 2],
-    /// Who said so: "file: ..." or "manifest: pitch_nm".
+    /// Who said so: "file: ...", or the caller: "manifest: pitch_nm".
     pub pitch_from: String,
-    /// Who gave the numbers their meaning: "file: ..." or "manifest: height".
+    /// Who gave the numbers their meaning: "file: ...", or the caller: "manifest: height".
     pub height_from: String,
     /// Samples that were missing and have been filled in.
     pub missing_samples: usize,
@@ -206,8 +249,8 @@ impl Refusal {
     /// More samples than allowed.
     fn too_large([nx, ny]: [u64; 2], max_samples: usize) -> Self {
         Self {
-            what: format!("the file claims {nx} x {ny} samples; the limit (max_samples) is {max_samples}"),
-            fix: "crop or bin the scan, or raise max_samples".to_owned(),
+            what: format!("the file claims {nx} x {ny} samples; the limit is {max_samples}"),
+            fix: "crop or bin the scan".to_owned(),
             limit: true,
         }
     }

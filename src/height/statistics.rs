@@ -2,6 +2,7 @@
 
 mod autocorrelation;
 mod periods;
+mod seams;
 mod slopes;
 
 use serde::{Deserialize, Deserializer, Serialize};
@@ -10,6 +11,7 @@ use super::prepare::level::{Order, subtract_surface};
 use super::prepare::range_nm;
 use crate::height::HeightField;
 
+pub use seams::seam_warning;
 pub use slopes::STEEP_SLOPE;
 
 /// Share of steep surface from which on the reader is warned.

@@ -204,8 +204,8 @@ pub fn unknown_key(unknown: &str, keys: &Keys, number: Option<f64>, text: Option
         );
     }
     if let Some((name, factor)) = in_another_unit(unknown, keys.names) {
-        let converted =
-            number.map_or(String::new(), |value| format!(" (here {name} = {})", round_to_9_digits(value * factor)));
+        let converted = number
+            .map_or(String::new(), |value| format!(" (here {name} = {})", short(round_to_9_digits(value * factor))));
         return format!(
             "unknown key `{unknown}` in {table}: this quantity is given as `{name}`{converted}; \
              the unit is the last word of the key"
@@ -244,6 +244,12 @@ pub fn quoted(words: &[&str]) -> String {
     quoted.join(", ")
 }
 
+/// A number without rows of zeros: as a power of ten beyond a million and below a millionth.
+pub fn short(number: f64) -> String {
+    let plain = number == 0.0 || !number.is_finite() || (1e-6..=1e6).contains(&number.abs());
+    if plain { number.to_string() } else { format!("{number:e}") }
+}
+
 /// Nine significant digits: hides the last bits that a change of unit leaves behind.
 fn round_to_9_digits(value: f64) -> f64 {
     format!("{value:.8e}").parse().unwrap_or(value)
@@ -259,6 +265,7 @@ mod tests {
         assert!(message.contains("`sigma_um`") && message.contains("sigma_um = 16.25)"), "{message}");
         let message = unknown_key("tilt_rad", &SCENE, Some(0.5), None);
         assert!(message.contains("tilt_deg = 28.6478898)"), "{message}");
+        assert!(unknown_key("sigma_nm", &COHERENCE, Some(1e300), None).contains("sigma_um = 1e297)"));
         assert!(unknown_key("memory_gib", &TABLES, Some(2.0), None).contains("memory_mib = 2048)"));
     }
 

@@ -153,6 +153,7 @@ impl<'s> Item<'s> {
         let number = self.number()?;
         if number < low || number > high {
             let unit = spaced(unit);
+            let [low, high, number] = [low, high, number].map(keys::short);
             return Err(self.error(format!("must lie between {low} and {high}{unit}; found {number}")));
         }
         Ok(number)
@@ -163,6 +164,7 @@ impl<'s> Item<'s> {
         let number = self.number()?;
         if number <= low || number > high {
             let unit = spaced(unit);
+            let [low, high, number] = [low, high, number].map(keys::short);
             return Err(self.error(format!("must be above {low} and at most {high}{unit}; found {number}")));
         }
         Ok(number)
@@ -179,7 +181,8 @@ impl<'s> Item<'s> {
             .filter(|value| (low..=high).contains(value))
             .ok_or_else(|| {
                 let unit = spaced(unit);
-                self.error(format!("must lie between {low} and {high}{unit}; found {integer}"))
+                let found = cut(&integer.to_string());
+                self.error(format!("must lie between {low} and {high}{unit}; found {found}"))
             })
     }
 
@@ -264,6 +267,11 @@ fn spaced(unit: &str) -> String {
     if unit.is_empty() { String::new() } else { format!(" {unit}") }
 }
 
+/// What a message shows of a text.
+fn cut(text: &str) -> String {
+    text.chars().take(40).collect()
+}
+
 fn as_number(value: &DeValue) -> Option<f64> {
     match value {
         DeValue::Integer(integer) => {
@@ -277,12 +285,9 @@ fn as_number(value: &DeValue) -> Option<f64> {
 /// A value in words.
 fn describe(value: &DeValue) -> String {
     match value {
-        DeValue::String(text) => {
-            let shown: String = text.chars().take(40).collect();
-            format!("the string {shown:?}")
-        }
-        DeValue::Integer(integer) => format!("the number {integer}"),
-        DeValue::Float(float) => format!("the number {float}"),
+        DeValue::String(text) => format!("the string {:?}", cut(text)),
+        DeValue::Integer(integer) => format!("the number {}", cut(&integer.to_string())),
+        DeValue::Float(float) => format!("the number {}", cut(&float.to_string())),
         DeValue::Boolean(value) => format!("{value}"),
         DeValue::Datetime(date) => format!("the date {date}"),
         DeValue::Array(array) => format!("a list of {}", array.len()),

@@ -13,7 +13,7 @@ use super::tables;
 use crate::ground::error::Result;
 use crate::scene::animation::{Animation, Axis, Moving};
 use crate::scene::environment::{self, Environment};
-use crate::scene::model::{ANIMATION_PIXELS_MAX, check_turn};
+use crate::scene::model::{ANIMATION_PIXELS_MAX, check_row_samples, check_turn};
 
 /// Width and height of a picture.
 const SIZE_PX: [usize; 2] = [16, 8192];
@@ -123,7 +123,7 @@ fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Res
     let light_samples = whole("light_samples", [1, SAMPLES_MAX], samples)?;
     let pixel_samples = whole("pixel_samples", [1, SAMPLES_MAX], defaults::PIXEL_SAMPLES)?;
     let size_px = whole("size_px", SIZE_PX, defaults::SIZE_PX)?;
-    Ok(SceneSection {
+    let scene = SceneSection {
         name,
         lights: lights(section, kind, &shape)?,
         animation: section.get("animate").map(|item| animation(&item, &shape, size_px)).transpose()?,
@@ -135,6 +135,19 @@ fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Res
         light_samples,
         pixel_samples,
         specimen: section.get("specimen").map(|item| one_of(&item, specimens)).transpose()?,
+    };
+    check_row(section, &scene)?;
+    Ok(scene)
+}
+
+/// A row that is too long for the memory is pointed at where it may be shortened.
+fn check_row(section: &Section, scene: &SceneSection) -> Result<()> {
+    let lights = scene.lights.len() + usize::from(scene.environment.is_some());
+    let size_px = scene.animation.map_or(0, |animation| animation.size_px).max(scene.size_px);
+    check_row_samples(size_px, [scene.light_samples, scene.pixel_samples], lights).map_err(|why| {
+        let keys = ["light_samples", "pixel_samples", "size_px", "light", "environment"];
+        let key = keys.into_iter().find(|key| section.has(key)).unwrap_or("name");
+        section.error_at_key(key, format!("a row of the picture takes too many samples: {why}"))
     })
 }
 

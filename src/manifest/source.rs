@@ -32,7 +32,7 @@ impl Source<'_> {
             file: self.file.to_owned(),
             line,
             column: before.chars().count() + 1,
-            message: message.into(),
+            message: printable(&message.into()),
             excerpt: excerpt(line, before, inside, after.trim_end_matches('\r')),
         }
     }
@@ -74,9 +74,16 @@ fn first_characters(text: &str, count: usize) -> &str {
     &text[..at]
 }
 
-/// Control characters replaced, so that a message cannot steer the terminal.
+/// Control characters and those without width replaced, so that no text steers the terminal or moves a caret.
 fn printable(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() && c != '\t' { '\u{fffd}' } else { c }).collect()
+    let kept = |c: char| matches!(c, '\t' | '\n') || !(c.is_control() || is_format(c));
+    text.chars().map(|c| if kept(c) { c } else { '\u{fffd}' }).collect()
+}
+
+/// Joiners, marks of direction, separators of lines, tags: characters of format, which no key or path needs.
+fn is_format(c: char) -> bool {
+    matches!(u32::from(c), 0xad | 0x61c | 0x200b..=0x200f | 0x2028..=0x202e | 0x2060..=0x206f | 0xfeff | 0xfff9..=0xfffb
+        | 0xe0000..=0xe007f)
 }
 
 #[cfg(test)]
@@ -114,6 +121,16 @@ mod tests {
                 assert!(excerpt.contains('^') && !excerpt.contains('\u{1b}'));
             }
         }
+    }
+
+    #[test]
+    fn nothing_steers_the_terminal_or_moves_the_caret() {
+        let text = "a\u{202e}b\u{200b}\u{7}\u{9b}X = 1";
+        let at = text.find('X').unwrap();
+        let error = Source { text, file: "m.toml" }.error(at..at + 1, "found \"\u{1b}[2J\u{202e}\"");
+        let Error::Manifest { message, excerpt, .. } = error else { panic!("{error:?}") };
+        assert_eq!(message, "found \"\u{fffd}[2J\u{fffd}\"");
+        assert_eq!(excerpt, " 1 | a\u{fffd}b\u{fffd}\u{fffd}\u{fffd}X = 1\n   |       ^");
     }
 
     #[test]

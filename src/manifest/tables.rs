@@ -16,8 +16,8 @@ const SIZE: [usize; 2] = [3, 16_385];
 /// Largest number of tables; the published basis may need 80.
 const COUNT_MAX: usize = 256;
 
-/// Largest wavelength step in nm.
-const STEP_MAX_NM: f64 = 100.0;
+/// Wavelength steps in nm: the finest takes 40000 wavelengths over what the eye sees, far more than any structure needs.
+const STEP_NM: [f64; 2] = [0.01, 100.0];
 
 /// Working memory in MiB.
 const MEMORY_MIB: [usize; 2] = [64, 16 << 20];
@@ -39,7 +39,7 @@ pub fn read(item: &Item) -> Result<TablesConfig> {
         tables.count = Some(item.integer_within(1, COUNT_MAX, "")?);
     }
     if let Some(item) = section.get("wavelength_step_nm") {
-        tables.wavelength_step_nm = Some(item.number_above(0.0, STEP_MAX_NM, "nm")?);
+        tables.wavelength_step_nm = Some(item.number_within(STEP_NM[0], STEP_NM[1], "nm")?);
     }
     if let Some(item) = section.get("storage") {
         tables.storage =
@@ -65,6 +65,9 @@ pub fn read_serve(item: &Item, scenes: &[&str]) -> Result<Serve> {
     let Some(item) = section.get("serve") else {
         return Ok(Serve::All);
     };
+    if item.is_list() && scenes.is_empty() {
+        return Err(item.error("names scenes, but there is no [[scene]]"));
+    }
     let serve = if item.is_list() {
         let options: Vec<(&str, &str)> = scenes.iter().map(|name| (*name, *name)).collect();
         let named = item.list()?.iter().map(|item| item.choice(&options).map(str::to_owned)).collect::<Result<_>>()?;

@@ -212,7 +212,7 @@ fn half_layers(layers: &[Array3<f32>], what: &str, spare: usize) -> Result<HalfL
     if layers.is_empty() || layers.len() + spare > LAYERS_MAX {
         return Err(Error::limit(
             format!("{} {what} for a texture of 1 to {} layers", layers.len(), LAYERS_MAX - spare),
-            "Raise tables.tolerance, fix tables.count, or set gpu.check = \"off\".",
+            "Raise tables.tolerance or lower tables.count, and make the tables anew.",
         ));
     }
     let texels = Vec::with_capacity((layers.len() + spare) * rows * columns);
@@ -237,7 +237,7 @@ fn check_side(side: usize, what: &str) -> Result<()> {
     if side == 0 || side > SIDE_MAX {
         return Err(Error::limit(
             format!("{what} of {side} texels a side for textures of 1 to {SIDE_MAX}"),
-            "Lower tables.size, or set gpu.check = \"off\".",
+            "Lower tables.size, and make the tables anew.",
         ));
     }
     Ok(())

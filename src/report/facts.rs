@@ -84,10 +84,21 @@ pub fn of_scan(scan: &serde_json::Value) -> Vec<Fact> {
 
 /// Every warning about a specimen once: its own, those of its statistics, and those of its scans.
 pub fn warnings(specimen: &SpecimenResult) -> Vec<String> {
-    let of_statistics = specimen.statistics.iter().flat_map(|found| &found.warnings);
-    let of_scans = specimen.scans.iter().filter_map(|scan| scan.get("warnings")?.as_array()).flatten().map(value_text);
+    // Of several scans each is named; the statistics here are those of the first.
+    let several = specimen.scans.len() > 1;
+    let prefix = |scan: &serde_json::Value| {
+        let name = scan.get("file_name").and_then(|name| name.as_str()).filter(|_| several);
+        name.map_or(String::new(), |name| format!("{name}: "))
+    };
+    let first = specimen.scans.first().map_or(String::new(), prefix);
+    let of_statistics =
+        specimen.statistics.iter().flat_map(|found| &found.warnings).map(|text| format!("{first}{text}"));
+    let of_scans = specimen.scans.iter().flat_map(|scan| {
+        let texts = scan.get("warnings").and_then(|texts| texts.as_array()).into_iter().flatten();
+        texts.map(move |text| prefix(scan) + &value_text(text))
+    });
     let mut found: Vec<String> = Vec::new();
-    for warning in specimen.warnings.iter().chain(of_statistics).cloned().chain(of_scans) {
+    for warning in specimen.warnings.iter().cloned().chain(of_statistics).chain(of_scans) {
         if !found.contains(&warning) {
             found.push(warning);
         }

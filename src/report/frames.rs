@@ -216,7 +216,7 @@ fn colour_bar(area: &Area, id: &str, map: &ColourMap, range: [f64; 2], unit: &st
         at(TOP - 7.0),
     );
     let [low, high] = range;
-    for (value, text) in ticks(low, high, ((area.height / 40.0) as usize).max(2)) {
+    for (value, text) in colour_ticks(range, area) {
         let y = TOP + (1.0 - (value - low) / (high - low)) * area.height;
         body += &format!(
             r#"<path class="tick" d="M{} {}h4"/><text x="{}" y="{}">{text}</text>"#,
@@ -227,6 +227,13 @@ fn colour_bar(area: &Area, id: &str, map: &ColourMap, range: [f64; 2], unit: &st
         );
     }
     body
+}
+
+/// Round numbers beside a colour bar; its two ends where fewer than two are within, for one number alone is no scale.
+fn colour_ticks([low, high]: [f64; 2], area: &Area) -> Vec<(f64, String)> {
+    let round = ticks(low, high, ((area.height / 40.0) as usize).max(2));
+    let spans = high > low && (high - low).is_finite();
+    if round.len() < 2 && spans { [low, high].map(|end| (end, numbers::number(end, 2))).into() } else { round }
 }
 
 #[cfg(test)]
@@ -247,6 +254,22 @@ mod tests {
         let svg = spectrum_frame("x", "s", &spectrum(), &[period(500.0, 90.0)]);
         let expected = format!(r#"<circle class="mark" cx="{}" cy="{}""#, at(LEFT + SIDE / 2.0), at(TOP + SIDE / 4.0));
         assert!(svg.contains(&expected), "{svg}");
+    }
+
+    #[test]
+    fn a_colour_bar_has_at_least_two_labels() {
+        for height in [LEAST, 100.0, SIDE] {
+            let area = Area { width: SIDE, height };
+            for range in
+                [[-40.0, 45.0], [-0.3, 0.2], [-7.0, 140.0], [0.0, 1.0], [-60.0, 0.0], [51.0, 93.0], [99.0, 101.5]]
+            {
+                let found = colour_ticks(range, &area);
+                assert!(found.len() >= 2, "{range:?} over {height}: {found:?}");
+                let gap = (found[1].0 - found[0].0) / (range[1] - range[0]) * height;
+                assert!(gap > 12.0, "{found:?} overlap");
+            }
+        }
+        assert_eq!(colour_ticks([-40.0, 45.0], &Area { width: SIDE, height: LEAST })[0].1, "−40");
     }
 
     #[test]

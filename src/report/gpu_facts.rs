@@ -10,9 +10,9 @@ use crate::report::numbers;
 use crate::stages::gpu_check::ReferenceCheck;
 use crate::stages::gpu_results::{FrameComparison, GpuResult, GpuRow, MethodFrame};
 
-/// Everything the template needs.
-pub fn section(result: &GpuResult, album: &mut Album) -> Result<Value> {
-    let (tone, text) = headline(result);
+/// Everything the template needs; `has_scenes` says whether the run made pictures that could be compared.
+pub fn section(result: &GpuResult, has_scenes: bool, album: &mut Album) -> Result<Value> {
+    let (tone, text) = headline(result, has_scenes);
     let none: Vec<Value> = Vec::new();
     let GpuResult::Checked { gpu, rows, frames } = result else {
         let facts = none.clone();
@@ -39,7 +39,7 @@ pub fn section(result: &GpuResult, album: &mut Album) -> Result<Value> {
     Ok(context! { tone, text, facts => facts(gpu), limit, rows, pictures, frames })
 }
 
-fn headline(result: &GpuResult) -> (&'static str, String) {
+fn headline(result: &GpuResult, has_scenes: bool) -> (&'static str, String) {
     match result {
         GpuResult::Off => ("", "check switched off".into()),
         GpuResult::Skipped { why } => ("amber", format!("skipped: {why}")),
@@ -47,7 +47,9 @@ fn headline(result: &GpuResult) -> (&'static str, String) {
         GpuResult::Checked { gpu, rows, .. } => {
             let (all, beyond) = (rows.len(), rows.iter().filter(|row| !row.passed()).count());
             let scenes = format!("{} scene{}", numbers::count(all as u64), if all == 1 { "" } else { "s" });
-            if all == 0 {
+            if all == 0 && !has_scenes {
+                ("", "no scenes to compare".into())
+            } else if all == 0 {
                 ("amber", format!("nothing compared on {}", gpu.adapter))
             } else if beyond == 0 {
                 ("green", format!("{scenes} within limits on {}", gpu.adapter))
@@ -207,16 +209,17 @@ mod tests {
         let coarse = row(0.5, 0.005, false);
         assert_eq!(verdict(&coarse), "amber: within, tables coarse");
         assert!(coarse.passed() && coarse.complaint().is_none());
-        assert_eq!(headline(&checked(vec![good.clone(), coarse])).1, "2 scenes within limits on some card");
-        assert_eq!(headline(&checked(vec![good, wrong, inaccurate])).0, "red");
+        assert_eq!(headline(&checked(vec![good.clone(), coarse]), true).1, "2 scenes within limits on some card");
+        assert_eq!(headline(&checked(vec![good, wrong, inaccurate]), true).0, "red");
     }
 
     #[test]
     fn the_headline_says_what_was_not_done() {
         let skipped = GpuResult::Skipped { why: "no adapter (none)".into() };
-        assert_eq!(headline(&skipped), ("amber", "skipped: no adapter (none)".into()));
-        assert_eq!(headline(&GpuResult::Off).0, "");
-        assert_eq!(headline(&checked(vec![])), ("amber", "nothing compared on some card".into()));
-        assert_eq!(headline(&GpuResult::Unusable { why: "it hangs".into() }), ("red", "it hangs".into()));
+        assert_eq!(headline(&skipped, true), ("amber", "skipped: no adapter (none)".into()));
+        assert_eq!(headline(&GpuResult::Off, true).0, "");
+        assert_eq!(headline(&checked(vec![]), false), ("", "no scenes to compare".into()));
+        assert_eq!(headline(&checked(vec![]), true), ("amber", "nothing compared on some card".into()));
+        assert_eq!(headline(&GpuResult::Unusable { why: "it hangs".into() }, true), ("red", "it hangs".into()));
     }
 }

@@ -41,7 +41,8 @@ fn render_within(
         summary.push(summary_row(number, specimen, preview.as_ref(), &results.stages));
         specimens.push(specimen_section(number, specimen, preview.as_ref(), &results.stages, &mut album)?);
     }
-    let gpu = gpu_facts::section(&results.gpu, &mut album)?;
+    let has_scenes = results.specimens.iter().any(|specimen| !specimen.scenes.is_empty());
+    let gpu = gpu_facts::section(&results.gpu, has_scenes, &mut album)?;
     let shared =
         results.shared_scenes.iter().map(|scene| shared_view(scene, &mut album)).collect::<Result<Vec<_>>>()?;
     let all: Vec<&StageTime> = results.stages.iter().collect();
@@ -225,6 +226,10 @@ fn specimen_section(
         preview => preview.map(|still| still.show("still", &format!("Preview of {}", specimen.name))),
         facts => fact_values(&facts::of_specimen(specimen)),
         height_map => height_map,
+        first_of => match specimen.scans.len() {
+            0 | 1 => String::new(),
+            count => format!(" of the first of {count} scans"),
+        },
         spectrum => spectrum,
         marks => facts::period_marks(periods),
         scenes => scenes,

@@ -325,14 +325,24 @@ pub fn check_turn(shape: &Shape, kind: Moving, axis: Axis) -> Checked {
 }
 
 fn check_row(scene: &Scene) -> Checked {
-    let per_pixel = scene.light_samples.max(scene.pixel_samples);
     let lights = scene.lights.len() + usize::from(scene.environment.is_some());
-    let row = scene.size_px * per_pixel * lights.max(1);
+    let size_px = scene.animation.map_or(0, |animation| animation.size_px).max(scene.size_px);
+    check_row_samples(size_px, [scene.light_samples, scene.pixel_samples], lights)
+}
+
+/// Whether a row of a picture, which is rendered at a time, takes no more than [`ROW_SAMPLES_MAX`] samples, with
+/// `[light_samples, pixel_samples]`; an environment counts as a light.
+///
+/// # Errors
+/// How many it takes and what to lower, in words.
+pub fn check_row_samples(size_px: usize, samples: [usize; 2], lights: usize) -> Checked {
+    let [light_samples, pixel_samples] = samples;
+    let (per_pixel, lights) = (light_samples.max(pixel_samples), lights.max(1));
+    let row = size_px.saturating_mul(per_pixel).saturating_mul(lights);
     if row > ROW_SAMPLES_MAX {
         return Err(format!(
-            "size_px x samples x lights = {row} exceeds {ROW_SAMPLES_MAX}; \
-             lower light_samples = {} or pixel_samples = {}",
-            scene.light_samples, scene.pixel_samples
+            "size_px x samples x lights = {size_px} x {per_pixel} x {lights} = {row} exceeds {ROW_SAMPLES_MAX}; lower \
+             size_px, light_samples = {light_samples} or pixel_samples = {pixel_samples}, or leave lights out"
         ));
     }
     Ok(())

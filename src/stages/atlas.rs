@@ -169,33 +169,70 @@ pub fn version_numbers(root: &Path) -> Result<Vec<u64>> {
 
 /// The newest version whose index is sound and whose files are all there in their sizes; `None` for an empty atlas.
 pub fn newest_version(root: &Path) -> Result<Option<(String, AtlasIndex)>> {
+    search(root, &mut Vec::new())
+}
+
+/// The newest sound version; what is wrong with each newer one is added to `damage`.
+fn search(root: &Path, damage: &mut Vec<String>) -> Result<Option<(String, AtlasIndex)>> {
     for number in version_numbers(root)?.into_iter().rev() {
         let name = version_name(number);
-        let folder = root.join(&name);
-        if let Ok(index) = read_index(&folder)
-            && index.files.iter().all(|file| has_size(&folder.join(&file.path), file.bytes))
-        {
-            return Ok(Some((name, index)));
+        match sound_index(&root.join(&name)) {
+            Ok(index) => return Ok(Some((name, index))),
+            Err(what) => damage.push(what),
         }
     }
     Ok(None)
 }
 
-fn has_size(path: &Path, bytes: u64) -> bool {
-    path.symlink_metadata().is_ok_and(|data| data.is_file() && data.len() == bytes)
+/// The index of a version whose files are all there in their sizes, or what is wrong, in one line.
+fn sound_index(folder: &Path) -> std::result::Result<AtlasIndex, String> {
+    let index = read_index(folder).map_err(|error| error.to_string().lines().next().unwrap_or_default().to_owned())?;
+    for file in &index.files {
+        check_size(folder, file).map_err(|what| format!("{}: {what}", folder.join(&file.path).display()))?;
+    }
+    Ok(index)
 }
 
-/// The version's folder that a path means: itself where it holds an index, else the newest version in it.
-pub fn resolve(path: &Path) -> Result<PathBuf> {
+/// Whether a file of a version is there in its size, or what is wrong with it.
+pub fn check_size(version_folder: &Path, file: &FileRecord) -> std::result::Result<(), String> {
+    match version_folder.join(&file.path).symlink_metadata() {
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => Err("it is missing".to_owned()),
+        Err(e) => Err(format!("it cannot be read: {e}")),
+        Ok(data) if !data.is_file() => Err("it is no file".to_owned()),
+        Ok(data) if data.len() != file.bytes => {
+            Err(format!("it has {} bytes, published were {}", data.len(), file.bytes))
+        }
+        Ok(_) => Ok(()),
+    }
+}
+
+/// The version that a path means.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Resolved {
+    /// The version's folder.
+    pub folder: PathBuf,
+    /// What is wrong with newer versions, newest first, which were passed over.
+    pub passed_over: Vec<String>,
+}
+
+/// The version that a path means: itself where it holds an index, else the newest sound version in it.
+///
+/// # Errors
+/// A path that is no folder, or holds no sound version.
+pub fn resolve(path: &Path) -> Result<Resolved> {
     if path.join(INDEX_FILE).exists() {
-        return Ok(path.to_owned());
+        return Ok(Resolved { folder: path.to_owned(), passed_over: Vec::new() });
     }
     if !path.is_dir() {
         return Err(Error::Call(format!("{}: there is no such folder", path.display())));
     }
-    match newest_version(path)? {
-        Some((name, _)) => Ok(path.join(name)),
-        None => Err(Error::Call(format!("{}: this is no atlas, and holds no complete version of one", path.display()))),
+    let mut damage = Vec::new();
+    match search(path, &mut damage)? {
+        Some((name, _)) => Ok(Resolved { folder: path.join(name), passed_over: damage }),
+        None if damage.is_empty() => {
+            Err(Error::Call(format!("{}: this is no atlas, and holds no complete version of one", path.display())))
+        }
+        None => Err(Error::bad_file(path, format!("it holds no complete version: {}", damage.join("; ")), FIX)),
     }
 }
 

@@ -13,6 +13,9 @@ use super::specimen::{self, CheckValue, SpecimenFile};
 use crate::ground::direction::{Vec3, angles_deg, from_angles_deg};
 use crate::ground::error::Error;
 use crate::ground::sampling;
+use crate::height::HeightField;
+use crate::height::statistics::seam_warning;
+use crate::optics::config::{Edge, OpticsConfig, Windows};
 use crate::tables::build::BuildPlan;
 use crate::tables::evaluate::{Interpolation, brdf_xyz};
 use crate::tables::model::{Basis, BuildRecord, Rounding, Storage, TableSet, TablesConfig};
@@ -107,6 +110,55 @@ fn format_warning(storage: Storage, tables: &TablesConfig, rounding: Rounding) -
         }
         _ => None,
     }
+}
+
+/// Ratio of two scans' rms heights or pitches from which on they are doubted to show one surface.
+const UNLIKE: f64 = 2.0;
+
+/// What a user must know about the scans: of each but the first, whose statistics stand beside these warnings, by its
+/// file's name; whether they are alike enough to be averaged; whether each fits itself where it repeats.
+pub(super) fn scan_warnings(ingested: &Ingested, optics: &OpticsConfig) -> Vec<String> {
+    let name = |index: usize| ingested.provenance[index].file_name.as_str();
+    let several = ingested.fields.len() > 1;
+    let mut warnings = Vec::new();
+    for (index, statistics) in ingested.statistics.iter().enumerate().skip(1) {
+        warnings.extend(statistics.warnings.iter().map(|warning| format!("{}: {warning}", name(index))));
+    }
+    if optics.edge == Edge::Tile {
+        let seen = ingested.fields.iter().enumerate().filter(|(_, field)| seams_are_seen(field, optics));
+        for (index, field) in seen {
+            let prefix = if several { format!("{}: ", name(index)) } else { String::new() };
+            warnings.extend(seam_warning(field).map(|warning| format!("{prefix}{warning}")));
+        }
+    }
+    let rms: Vec<f64> = ingested.statistics.iter().map(|statistics| statistics.rms_height_nm).collect();
+    let pitch = |axis: usize| ingested.fields.iter().map(|field| field.pitch_nm[axis]).collect::<Vec<_>>();
+    for (what, values) in [("rms height", rms), ("pitch along x", pitch(0)), ("pitch along y", pitch(1))] {
+        warnings.extend(unlike(what, &values, &name));
+    }
+    warnings
+}
+
+/// Whether a coherence window lies on the edges: one in the middle of a scan 8 sigma wide, as `fade` asks for, does not.
+fn seams_are_seen(field: &HeightField, optics: &OpticsConfig) -> bool {
+    let inside = field.extent_nm().iter().all(|extent_nm| *extent_nm >= 8.0 * optics.sigma_nm);
+    !(inside && optics.windows == Windows::Centre)
+}
+
+/// Says which scans differ most, where that is by more than [`UNLIKE`].
+fn unlike<'a>(what: &str, values_nm: &[f64], name: &dyn Fn(usize) -> &'a str) -> Option<String> {
+    let by_value = |a: &usize, b: &usize| values_nm[*a].total_cmp(&values_nm[*b]);
+    let (low, high) = ((0..values_nm.len()).min_by(by_value)?, (0..values_nm.len()).max_by(by_value)?);
+    (values_nm[high] > UNLIKE * values_nm[low]).then(|| {
+        format!(
+            "The scans differ much in {what} ({}: {:.3} nm, {}: {:.3} nm), and are averaged into one surface all the same; \
+             specimens of their own keep them apart.",
+            name(low),
+            values_nm[low],
+            name(high),
+            values_nm[high]
+        )
+    })
 }
 
 pub(super) fn entry(specimen: &SpecimenConfig) -> SpecimenEntry {

@@ -111,7 +111,7 @@ impl DiffReport {
 
 /// Compares two versions; each path is a version's folder, or an atlas, of which the newest version is taken.
 pub fn diff(a: &Path, b: &Path) -> Result<DiffReport> {
-    let (a, b) = (atlas::resolve(a)?, atlas::resolve(b)?);
+    let (a, b) = (atlas::resolve(a)?.folder, atlas::resolve(b)?.folder);
     let (index_a, index_b) = (atlas::read_index(&a)?, atlas::read_index(&b)?);
     let names = |index: &AtlasIndex| index.specimens.iter().map(|entry| entry.name.clone()).collect::<Vec<_>>();
     let (names_a, names_b) = (names(&index_a), names(&index_b));

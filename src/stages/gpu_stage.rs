@@ -25,7 +25,7 @@ use crate::ground::error::{Error, Result};
 use crate::ground::exr_image::read_rgb;
 use crate::ground::png_image::write_png;
 use crate::render::gpu::{Gpu, GpuInfo};
-use crate::render::gpu_layout::table_image;
+use crate::render::gpu_layout::{LAYERS_MAX, SIDE_MAX, table_image};
 use crate::render::gpu_tables::{shade, upload};
 use crate::render::gpu_thread::OwningThread;
 use crate::scene::model::Scene;
@@ -97,7 +97,11 @@ fn skipped() -> GpuResult {
 }
 
 /// Checks a specimen whose folder in `version_folder` is complete, and adds the outcome to the results: the time, the
-/// comparisons, and as failures of the run whatever is wrong.
+/// comparisons, and as failures of the run whatever is wrong. Returns why there is nothing to compare, where no GPU has to
+/// take such tables and none is required.
+///
+/// # Errors
+/// `Error::Disk` in `version_folder`.
 pub fn check(
     stage: &GpuStage,
     config: &RunConfig,
@@ -105,8 +109,14 @@ pub fn check(
     version_folder: &Path,
     results: &mut RunResults,
     progress: &dyn Progress,
-) {
+) -> Result<Option<String>> {
     let name = &specimen.name;
+    if config.gpu == GpuCheck::Auto
+        && let Some(why) = beyond_limits(&version_folder.join(name))
+    {
+        progress.message(&format!("{name}: GPU check skipped: {why}"));
+        return Ok(Some(format!("not checked on the GPU: {why}")));
+    }
     progress.stage(&format!("{name}: {STAGE}"), 0);
     let stopwatch = Stopwatch::start();
     // Shares of a scene have no picture of their own.
@@ -121,6 +131,7 @@ pub fn check(
         results.failures.push(Failure { specimen: Some(name.clone()), stage: STAGE.into(), message });
     };
     match checked {
+        Err(error) if error.is_of_disk_below(version_folder) => return Err(error),
         Err(error) => fail(error.to_string()),
         Ok(rows) => {
             rows.iter().filter_map(GpuRow::complaint).for_each(&mut fail);
@@ -129,17 +140,33 @@ pub fn check(
             }
         }
     }
+    Ok(None)
+}
+
+/// Why the tables in a specimen's folder are more than every GPU takes, if they are.
+fn beyond_limits(folder: &Path) -> Option<String> {
+    let tables = specimen::read(folder).ok()?.tables;
+    let (layers, side) = (tables.tables.len(), tables.u.samples.max(tables.v.samples));
+    let layers_max = LAYERS_MAX - usize::from(tables.served.is_some());
+    if layers > layers_max {
+        return Some(format!("its {layers} tables are more than the {layers_max} layers that every GPU takes"));
+    }
+    (side > SIDE_MAX)
+        .then(|| format!("its tables are {side} texels wide, more than the {SIDE_MAX} that every GPU takes"))
 }
 
 /// Times frames of the first specimen that has tables in `version_folder`, where that is wanted, and adds the outcome to the
 /// results.
+///
+/// # Errors
+/// `Error::Disk` in `version_folder`.
 pub fn time_frames(
     stage: &GpuStage,
     config: &RunConfig,
     version_folder: &Path,
     results: &mut RunResults,
     progress: &dyn Progress,
-) {
+) -> Result<()> {
     let wanted = match config.frame_time {
         FrameTiming::On => true,
         FrameTiming::Auto => !stage.info.is_software(),
@@ -148,7 +175,10 @@ pub fn time_frames(
     // The published method is not compared with itself, and the frame shows more than tables for other scenes serve.
     let wanted = wanted && config.tables.basis == Basis::Chebyshev && config.serve == Serve::All;
     let done = |specimen: &&SpecimenConfig| version_folder.join(&specimen.name).join(specimen::FILE).is_file();
-    let Some(specimen) = config.specimens.iter().find(done).filter(|_| wanted) else { return };
+    let fits = |specimen: &&SpecimenConfig| {
+        config.frame_time == FrameTiming::On || beyond_limits(&version_folder.join(&specimen.name)).is_none()
+    };
+    let Some(specimen) = config.specimens.iter().find(done).filter(|_| wanted).filter(fits) else { return Ok(()) };
     progress.stage(&format!("{}: {}", specimen.name, frame_time::STAGE), 0);
     let stopwatch = Stopwatch::start();
     let compared = frame_time::compare(stage, config, specimen, &version_folder.join(&specimen.name));
@@ -156,6 +186,7 @@ pub fn time_frames(
     let name = Some(specimen.name.clone());
     results.stages.push(stopwatch.read(frame_time::STAGE, name.as_deref()));
     match compared {
+        Err(error) if error.is_of_disk_below(version_folder) => return Err(error),
         Err(error) => {
             let (stage, message) = (frame_time::STAGE.into(), error.to_string());
             results.failures.push(Failure { specimen: name, stage, message });
@@ -167,6 +198,7 @@ pub fn time_frames(
             }
         }
     }
+    Ok(())
 }
 
 /// Checks scenes from the files in a specimen's folder; where a comparison fails, a picture of the differences is written

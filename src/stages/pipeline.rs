@@ -9,7 +9,7 @@ use std::time::Instant;
 use super::atlas::{AtlasIndex, InputRecord};
 use super::cache::{Cache, CacheUse};
 use super::config::{RunConfig, Serve, SpecimenConfig};
-use super::describe::{describe, entry, failed_result, inputs, specimen_file};
+use super::describe::{describe, entry, failed_result, inputs, scan_warnings, specimen_file};
 use super::error_directions::{Candidates, DIRECTIONS, ErrorDirections};
 use super::format_md::format_md;
 use super::gpu_stage;
@@ -103,12 +103,14 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
         let label = format!("[{}/{}] {}", number + 1, asked_for.len(), specimen.name);
         let specimen_started = Instant::now();
         match run_specimen(config, specimen, &staging, helpers, &cache, &mut results.stages) {
-            Ok(done) => {
+            Ok(mut done) => {
                 if let Some(used) = &mut results.cache {
                     *used = used.with(&done.used, cache.traffic());
                 }
                 if let Some(gpu) = &gpu {
-                    gpu_stage::check(gpu, config, specimen, staging.path(), &mut results, helpers.progress);
+                    let unchecked =
+                        gpu_stage::check(gpu, config, specimen, staging.path(), &mut results, helpers.progress)?;
+                    done.result.warnings.extend(unchecked);
                 }
                 helpers.progress.message(&done_line(&label, &done, specimen_started.elapsed().as_secs_f64()));
                 record_unserved(&mut results, &done.result);
@@ -123,6 +125,8 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
                 example.get_or_insert(specimen.name.clone());
                 results.specimens.push(done.result);
             }
+            // A full disk is no specimen's fault, and would leave out the next ones too.
+            Err(failed) if failed.error.is_of_disk_below(staging.path()) => return Err(failed.error),
             Err(failed) => {
                 helpers.progress.message(&format!("{label}: failed to {}", failed.stage));
                 let _ = std::fs::remove_dir_all(staging.path().join(&specimen.name));
@@ -136,11 +140,11 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
         }
     }
     if let Some(gpu) = &gpu {
-        gpu_stage::time_frames(gpu, config, staging.path(), &mut results, helpers.progress);
+        gpu_stage::time_frames(gpu, config, staging.path(), &mut results, helpers.progress)?;
     }
     index.inputs.extend(scenes::inputs(config));
     index.inputs.extend(shared_scenes::inputs(&config.scenes, &config.base));
-    let (pictures, failures) = shared.finish(staging.path());
+    let (pictures, failures) = shared.finish(staging.path())?;
     results.shared_scenes = pictures;
     results.failures.extend(failures);
     results.total_wall_s = started.elapsed().as_secs_f64();
@@ -282,6 +286,7 @@ fn run_specimen(
             known.yardstick(&source, &plan, built.tables.len(), directions, pictures)
         })?),
     };
+    result.warnings.extend(scan_warnings(&ingested, optics));
     result.warnings.extend(scenes::warnings(&wanted, optics));
     clock.stage("measure errors", 0, || {
         if let Some(yardstick) = &yardstick {

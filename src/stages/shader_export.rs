@@ -54,6 +54,14 @@ impl ShaderLanguage {
         })
     }
 
+    /// Name of the file in an export. GLSL of either version has the same ending, so there the name tells which it is.
+    pub fn file_name(self) -> String {
+        match self {
+            Self::GlslEs300 | Self::Glsl450 => format!("tables.{}.{}", self.name(), self.extension()),
+            _ => format!("tables.{}", self.extension()),
+        }
+    }
+
     /// The usual ending of its files.
     pub fn extension(self) -> &'static str {
         match self {

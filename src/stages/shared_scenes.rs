@@ -106,7 +106,10 @@ impl SharedScenes {
     }
 
     /// Writes the pictures whose shares are all there into [`FOLDER`] of a version. What is missing is a failure.
-    pub fn finish(self, version_folder: &Path) -> (Vec<SharedSceneResult>, Vec<Failure>) {
+    ///
+    /// # Errors
+    /// The disk's.
+    pub fn finish(self, version_folder: &Path) -> Result<(Vec<SharedSceneResult>, Vec<Failure>)> {
         let (mut results, mut failures) = (Vec::new(), Vec::new());
         for Sum { scene, shares, total } in self.0 {
             let specimens = specimens_of(&scene).to_vec();
@@ -120,10 +123,11 @@ impl SharedScenes {
             };
             match write(&scene, total, version_folder) {
                 Ok(picture) => results.push(SharedSceneResult { specimens, picture }),
+                Err(error) if error.is_of_disk_below(version_folder) => return Err(error),
                 Err(error) => failures.push(failure(error.to_string())),
             }
         }
-        (results, failures)
+        Ok((results, failures))
     }
 }
 

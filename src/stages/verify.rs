@@ -62,13 +62,8 @@ fn failure(file: &str, what: impl Into<String>) -> Failure {
 fn check_file(version_folder: &Path, file: &FileRecord) -> std::result::Result<(), Failure> {
     let path = version_folder.join(&file.path);
     let failed = |what: String| Err(failure(&file.path, what));
-    match path.symlink_metadata() {
-        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return failed("it is missing".to_owned()),
-        Err(e) => return failed(format!("it cannot be read: {e}")),
-        Ok(data) if data.len() != file.bytes => {
-            return failed(format!("it has {} bytes, published were {}", data.len(), file.bytes));
-        }
-        Ok(_) => {}
+    if let Err(what) = atlas::check_size(version_folder, file) {
+        return failed(what);
     }
     match files::sha256_file(&path) {
         Err(e) => return failed(reason(&e)),

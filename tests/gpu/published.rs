@@ -232,3 +232,34 @@ fn a_machine_without_adapter_skips_or_fails_as_the_manifest_says() {
     assert!(!went_well && said.contains("no adapter") && said.contains("mesa-vulkan-drivers"), "{said}");
     assert!(!place.path().join("out/small/v0001").exists());
 }
+
+#[test]
+fn more_tables_than_a_texture_has_layers_are_skipped_unless_a_check_is_required() {
+    if gpu("more_tables_than_a_texture_has_layers").is_none() {
+        return;
+    }
+    let place = tempfile::tempdir().unwrap();
+    write_scan_tiff(&place.path().join("wave.tif"), &wave()).unwrap();
+    let run = |check: &str| {
+        // The range of what is served takes a layer of its own.
+        let tables = "size = 65\ncount = 256\nserve = [\"sphere\"]";
+        let text = MANIFEST.replace("size = 251", tables).replace("size_px = 150", "size_px = 16");
+        std::fs::write(place.path().join("small.toml"), text.replace("\"off\"", check)).unwrap();
+        Command::new(env!("CARGO_BIN_EXE_diffraction-atlas"))
+            .args(["--quiet", "run", "small.toml"])
+            .current_dir(place.path())
+            .output()
+            .unwrap()
+    };
+    let done = run("\"auto\"");
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let report = std::fs::read_to_string(place.path().join("out/small/v0001/report.json")).unwrap();
+    assert!(report.contains("not checked on the GPU: its 256 tables are more than the 255 layers"), "{report}");
+    let failed = run("\"required\"");
+    let stderr = String::from_utf8_lossy(&failed.stderr);
+    assert_eq!(failed.status.code(), Some(1), "{stderr}");
+    assert!(
+        stderr.contains("256 tables for a texture of 1 to 255 layers") && !stderr.contains("gpu.check"),
+        "{stderr}"
+    );
+}

@@ -102,3 +102,40 @@ fn a_damaged_version_is_replaced_by_the_next_run() {
     assert!(again.stdout.starts_with("published out/small/v0002"), "{}", again.stdout);
     place.call("verify out/small --manifest m.toml").ended(0);
 }
+
+#[test]
+fn an_older_version_that_answers_says_so() {
+    let place = Place::with_scans();
+    place.publish(&usual());
+    place.publish(&usual().replace("{ n = 1.5 }", "{ n = 1.6 }"));
+    place.write("d.csv", "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n10,0,20,170\n");
+    let table = place.path("out/small/v0002/wave/table.000.exr");
+    let bytes = fs::read(&table).unwrap();
+    fs::write(&table, &bytes[..bytes.len() - 1]).unwrap();
+    let eval = "eval --directions d.csv --specimen rough --atlas out/small";
+    let lines = [
+        eval,
+        "inspect out/small",
+        "export out/small --form float-tables --out floats",
+        "diff out/small out/small/v0001",
+    ];
+    for line in lines {
+        let called = place.call(line).ended(0);
+        for expected in ["warning: ", "out/small/v0001 is taken", "v0002/wave/table.000.exr: it has "] {
+            assert!(called.stderr.contains(expected), "{line}: {}", called.stderr);
+        }
+    }
+    assert_eq!(place.call(eval).stdout, place.call(&format!("{eval}/v0001")).stdout);
+    fs::write(&table, &bytes).unwrap();
+    assert_eq!(place.call(eval).ended(0).stderr, "");
+    // Where none is whole, what is wrong with each is the answer.
+    for version in ["v0001", "v0002"] {
+        fs::remove_file(place.path(&format!("out/small/{version}/atlas.json"))).unwrap();
+    }
+    let refused = place.call(eval).ended(1);
+    assert!(
+        refused.stderr.contains("v0002/atlas.json: ") && refused.stderr.contains("v0001/atlas.json: "),
+        "{}",
+        refused.stderr
+    );
+}

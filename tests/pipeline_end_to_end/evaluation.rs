@@ -102,15 +102,30 @@ fn tables_on_a_fine_grid_give_the_reference_within_their_tolerance() {
 }
 
 #[test]
-fn directions_below_the_surface_are_dark() {
+fn directions_below_the_surface_are_refused_by_their_line() {
     let place = Place::with_scans();
     place.publish(&[HEAD, LASERS, ROUGH].concat());
-    place.write("d.csv", &format!("{COLUMNS}\n30,0,120,0\n135,20,10,200\n100,0,100,180\n180,0,0,0\n10,0,12,170\n"));
     for line in ["--atlas out/small", "--method reference --manifest m.toml"] {
-        let called = place.call(&format!("eval --directions d.csv --specimen rough {line}")).ended(0);
-        let values = values(&called.stdout);
-        assert!(values[..4].iter().all(|row| row == &[0.0; 3]), "{line}: {}", called.stdout);
-        assert!(values[4].iter().all(|&x| x > 0.0), "{line}: {}", called.stdout);
+        let eval = |csv: &str| {
+            place.write("d.csv", csv);
+            place.call(&format!("eval --directions d.csv --specimen rough {line}"))
+        };
+        for (row, column) in [
+            ("30,0,90,0", "theta_r"),
+            ("90,20,10,200", "theta_i"),
+            ("10,0,-95,180", "theta_r"),
+            ("1e300,0,0,0", "theta_i"),
+        ] {
+            let called = eval(&format!("{COLUMNS}\n10,0,12,170\n{row}\n")).ended(1);
+            assert_eq!(called.stdout, "");
+            let expected = format!("line 3: `{column}_deg` must lie above the horizon, between -90 and 90");
+            assert!(called.stderr.contains(&expected), "{line}, {row}: {}", called.stderr);
+        }
+        let plain = eval(&format!("{COLUMNS}\n10,0,89.9,170\n")).ended(0).stdout;
+        assert!(values(&plain)[0].iter().all(|x| (0.0..1e3).contains(x)), "{line}: {plain}");
+        // As measured files may be written.
+        let header = COLUMNS.replace(',', ";");
+        assert_eq!(eval(&format!("# made by hand\n{header}\n10;0;89,9;170\n")).ended(0).stdout, plain);
     }
 }
 
@@ -146,7 +161,11 @@ fn what_is_wrong_with_a_call_is_said() {
     let tables = "--atlas out/small --specimen rough";
     for (line, status, fragment) in [
         (format!("--directions word.csv {tables}"), 1, "word.csv: line 3: `two` in `phi_i_deg`"),
-        (format!("--directions short.csv {tables}"), 1, "short.csv: line 4: `` in `phi_r_deg`"),
+        (
+            format!("--directions short.csv {tables}"),
+            1,
+            "short.csv: line 4: expected 4 cells as in the line of names, found 3",
+        ),
         (format!("--directions columns.csv {tables}"), 1, "`theta_r_deg` is missing"),
         (format!("--directions none.csv {tables}"), 1, "none.csv: cannot read"),
         ("--directions good.csv --atlas out/small --specimen ruff".into(), 2, "it holds rough, wave"),

@@ -1,6 +1,15 @@
 //! Specimens that fail among others that do not, and manifests that are wrong.
 
 use std::fs;
+use std::io::{Error as IoError, ErrorKind};
+use std::path::Path;
+
+use diffraction_atlas::ground::error::Error;
+use diffraction_atlas::height::HeightField;
+use diffraction_atlas::manifest::{self, convert::run_config};
+use diffraction_atlas::stages::pipeline::{self, Helpers};
+use diffraction_atlas::stages::progress::Silent;
+use diffraction_atlas::stages::results::{HeightMapFile, SpectrumFile, Statistics};
 
 use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, WAVE, contents, usual};
 
@@ -73,6 +82,38 @@ fn where_every_specimen_fails_nothing_is_published() {
     assert_eq!(run.stdout, "");
     assert_eq!(run.stderr.matches("failed: ").count(), 3, "{}", run.stderr);
     assert!(place.versions().is_empty(), "{:?}", place.versions());
+}
+
+/// Pictures of heights on a disk that is full when the second specimen's turn comes.
+fn illustrate_until_full(
+    _: &HeightField,
+    _: &Statistics,
+    folder: &Path,
+    _: &str,
+) -> diffraction_atlas::ground::error::Result<(HeightMapFile, SpectrumFile)> {
+    if folder.ends_with("wave") {
+        return Err(Error::disk(&folder.join("heights.png"), "write", IoError::from(ErrorKind::StorageFull)));
+    }
+    let png = String::new();
+    Ok((
+        HeightMapFile { png: png.clone(), scale_bar_um: 1.0, low_nm: 0.0, high_nm: 1.0 },
+        SpectrumFile { png, half_range_per_um: 1.0, low_db: -60.0 },
+    ))
+}
+
+#[test]
+fn a_full_disk_ends_the_run_and_publishes_nothing() {
+    let place = Place::with_scans();
+    place.publish(&usual());
+    place.write("m.toml", &usual().replace("{ n = 1.5 }", "{ n = 1.6 }"));
+    let (manifest, text) = manifest::load(&place.path("m.toml")).unwrap();
+    let write_report = |_: &_, _: &Path| Ok(());
+    let helpers =
+        Helpers { illustrate: &illustrate_until_full, write_report: &write_report, progress: &Silent, started: "" };
+    let error = pipeline::run(&run_config(&manifest, &text), &helpers).unwrap_err();
+    assert!(error.to_string().contains("wave/heights.png: cannot write"), "{error}");
+    assert_eq!(error.exit_status(), 1);
+    assert_eq!((place.versions(), place.latest()), (vec!["latest".into(), "v0001".into()], "v0001".into()));
 }
 
 /// Line and column of a text's first occurrence, from 1.

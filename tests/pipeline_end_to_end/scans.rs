@@ -1,10 +1,10 @@
 //! Scans from the command line: generated, looked at, and saved.
 
 use diffraction_atlas::height::read::{ReadConfig, read_scan};
-use diffraction_atlas::height::synthesize::synthesize;
+use diffraction_atlas::height::synthesize::{Structure, synthesize};
 use tiff::encoder::{TiffEncoder, colortype::Gray16};
 
-use crate::place::{Place, rough};
+use crate::place::{HEAD, LASERS, Place, rough};
 
 #[test]
 fn a_synthesized_scan_is_read_as_it_was_made() {
@@ -43,13 +43,15 @@ fn saved_heights_are_those_that_were_read() {
     encoder.write_image::<Gray16>(columns, rows, &counts).unwrap();
 
     let refused = place.call("inspect counts.tif").ended(1);
-    assert!(refused.stderr.contains("pitch_nm"), "{}", refused.stderr);
+    assert!(refused.stderr.contains("add `--pitch-nm N`"), "{}", refused.stderr);
     let refused = place.call("inspect counts.tif --pitch-nm 50 --save-heights h.tif").ended(1);
-    assert!(refused.stderr.contains("full_scale_nm"), "{}", refused.stderr);
+    assert!(refused.stderr.contains("add `--full-scale-nm N`"), "{}", refused.stderr);
     assert!(!place.path("h.tif").exists());
 
     let calibrated = "inspect counts.tif --pitch-nm 50,40 --full-scale-nm 375 --save-heights h.tif --json";
     let first = place.call(calibrated).ended(0).json();
+    assert_eq!(first["provenance"]["pitch_from"], "option: --pitch-nm");
+    assert_eq!(first["provenance"]["height_from"], "option: --full-scale-nm");
     let saved = read_scan(&place.path("h.tif"), &ReadConfig::default()).unwrap().field;
     assert_eq!(saved.size(), [24, 16]);
     for (height, &count) in saved.heights_nm.iter().zip(&counts) {
@@ -65,4 +67,47 @@ fn saved_heights_are_those_that_were_read() {
     }
     let read = |name: &str| std::fs::read(place.path(name)).unwrap();
     assert_eq!(read("h.tif"), read("h2.tif"));
+}
+
+#[test]
+fn every_scan_of_a_specimen_is_described() {
+    let place = Place::empty();
+    let rough = |rms_nm: f64| Structure::GaussianRough { rms_nm, correlation_length_nm: 400.0, seed: 3 };
+    place.scan("a.tif", rough(20.0), [80, 64], [80.0, 90.0]);
+    place.scan("b.tif", rough(300.0), [80, 64], [80.0, 90.0]);
+    // Two thirds of a period: what repeats has a step.
+    let wave = Structure::Sinusoid { period_nm: 9600.0, amplitude_nm: 120.0, direction_deg: 0.0 };
+    place.scan("c.tif", wave, [80, 64], [80.0, 90.0]);
+    let specimen = "[[specimen]]\nname = \"rough\"\nscans = [\"?.tif\"]\nlevel = \"none\"\n";
+    place.publish(&[HEAD, LASERS, specimen].concat());
+    let file = place.json("out/small/v0001/rough/specimen.json");
+    let warnings: Vec<&str> = file["warnings"].as_array().unwrap().iter().map(|text| text.as_str().unwrap()).collect();
+    let say = |name: &str, what: &str| warnings.iter().any(|text| text.starts_with(name) && text.contains(what));
+    // The second is steep, the third alone does not fit itself.
+    for (name, steep, seam) in [("a.tif: ", false, false), ("b.tif: ", true, false), ("c.tif: ", false, true)] {
+        assert_eq!((say(name, "steeper"), say(name, "edges do not fit")), (steep, seam), "{name}: {warnings:?}");
+    }
+    assert!(say("The scans differ much in rms height (a.tif: ", "b.tif: "), "{warnings:?}");
+    assert!(!say("The scans differ much in pitch", ""), "{warnings:?}");
+    // Alone, blended, or faded there is no seam, and one scan differs from no other.
+    let alone = specimen.replace("?.tif", "c.tif");
+    for (number, (manifest, seam)) in
+        [(alone.clone(), true), (alone + "blend_nm = 1000\n", false)].into_iter().enumerate()
+    {
+        place.publish(&[HEAD, LASERS, &manifest].concat());
+        let file = place.json(&format!("out/small/v000{}/rough/specimen.json", number + 2));
+        assert_eq!(file["warnings"].to_string().contains("do not fit"), seam, "{}", file["warnings"]);
+        assert!(!file["warnings"].to_string().contains("differ much"));
+    }
+    assert!(place.call("inspect c.tif").ended(0).stdout.contains("edges do not fit"));
+    assert!(!place.call("inspect a.tif").ended(0).stdout.contains("edges do not fit"));
+}
+
+#[test]
+fn what_has_no_correlation_length_says_none() {
+    let place = Place::empty();
+    place.scan("flat.tif", Structure::Flat, [16, 16], [80.0; 2]);
+    let shown = place.call("inspect flat.tif").ended(0).stdout;
+    assert!(shown.contains("correlation   none\n"), "{shown}");
+    assert!(!shown.contains("NaN"), "{shown}");
 }

@@ -25,7 +25,7 @@ pub struct DiffArgs {
 /// # Errors
 /// A folder that is no atlas.
 pub fn run(args: &DiffArgs, _global: &Global) -> Result<Outcome> {
-    let report = diff(&args.a, &args.b)?;
+    let report = diff(&output::version_folder(&args.a)?, &output::version_folder(&args.b)?)?;
     if args.json {
         output::print_json(&report)?;
     } else {

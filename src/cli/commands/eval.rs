@@ -24,8 +24,9 @@ use crate::tables::plan::usable_radius;
   diffraction-atlas eval --directions d.csv --method reference --manifest pipeline.toml --specimen elaphe_guttata
   diffraction-atlas eval --directions d.csv --method reference --specimen elaphe_guttata --wavelengths-nm 450,550,650
 
-The CSV has the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg; X, Y, Z in 1/sr are added to them, or one
-column for each of the wavelengths asked for.")]
+The CSV has the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, thetas below 90 either way, between commas,
+semicolons or tabs; lines that start with # are comments. X, Y, Z in 1/sr are added to them, or one column for each of
+the wavelengths asked for.")]
 pub struct EvalArgs {
     /// Directions to the light and to the viewer, in degrees
     #[arg(long, value_name = "CSV")]
@@ -138,7 +139,7 @@ fn xyz_table(values: impl IntoIterator<Item = Xyz>) -> Table {
 }
 
 fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<Table> {
-    let folder = atlas::resolve(atlas)?;
+    let folder = output::version_folder(atlas)?;
     let index = atlas::read_index(&folder)?;
     let (_, set) = specimen::load(&atlas::specimen_folder(&folder, &index, &args.specimen)?)?;
     warn_beyond(set.usable_radius, pairs);

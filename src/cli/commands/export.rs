@@ -43,7 +43,7 @@ pub enum Form {
 /// # Errors
 /// A folder that is no atlas, an unknown specimen, or files that are there already.
 pub fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
-    let folder = atlas::resolve(&args.atlas)?;
+    let folder = output::version_folder(&args.atlas)?;
     let index = atlas::read_index(&folder)?;
     let all: Vec<String> = index.specimens.iter().map(|entry| entry.name.clone()).collect();
     let names = if args.specimen.is_empty() { &all } else { &args.specimen };
@@ -75,8 +75,7 @@ fn fresh_folder(folder: &Path) -> Result<()> {
 fn export_shaders(out: &Path) -> Result<()> {
     fresh_folder(out)?;
     for language in ShaderLanguage::ALL {
-        let file = format!("tables.{}.{}", language.name(), language.extension());
-        files::replace(&out.join(file), &shader(language)?)?;
+        files::replace(&out.join(language.file_name()), &shader(language)?)?;
     }
     files::replace(&out.join("README.md"), README.as_bytes())
 }

@@ -9,10 +9,11 @@ use crate::cli::lengths::PitchNm;
 use crate::cli::output::{self, Outcome};
 use crate::ground::error::Result;
 use crate::height::prepare::{Level, PrepareConfig, prepare};
-use crate::height::read::{HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
-use crate::height::statistics::{Statistics, statistics};
+use crate::height::read::{CallerWords, HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
+use crate::height::statistics::{Statistics, seam_warning, statistics};
 use crate::height::write::write_scan_tiff;
 use crate::stages::{atlas, specimen};
+use crate::tables::model::{Basis, Storage};
 
 /// Arguments of `inspect`.
 #[derive(Debug, Clone, PartialEq, clap::Args)]
@@ -51,6 +52,18 @@ pub fn run(args: &InspectArgs, _global: &Global) -> Result<Outcome> {
     if args.file.is_dir() { inspect_atlas(args) } else { inspect_scan(args) }
 }
 
+/// What the scan's reader calls the options.
+const WORDS: CallerWords = CallerWords {
+    source: "option",
+    pitch: "--pitch-nm",
+    add_pitch: "add `--pitch-nm N` (or `--pitch-nm X,Y`, nm per sample)",
+    height: "--full-scale-nm",
+    add_integer_height: "add `--full-scale-nm N` (nm from the smallest to the largest value of the integer type), or \
+                         `--unit U` where the numbers are heights",
+    add_float_height: "add `--unit U`, U being pm, nm, um, mm, cm, m, angstrom or inch",
+    or_accept_missing: "",
+};
+
 /// A scan and what can be said of it.
 #[derive(Debug, Serialize)]
 struct ScanReport {
@@ -69,17 +82,20 @@ fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
         (None, Some(unit)) => LengthUnit::parse(unit).map(HeightScale::Unit),
         (None, None) => None,
     };
-    let config =
-        ReadConfig { page: args.page, pitch_nm: args.pitch_nm.map(|pitch| pitch.0), height, ..ReadConfig::default() };
+    let pitch_nm = args.pitch_nm.map(|pitch| pitch.0);
+    let words = CallerWords { height: if args.unit.is_some() { "--unit" } else { "--full-scale-nm" }, ..WORDS };
+    let config = ReadConfig { page: args.page, pitch_nm, height, words, ..ReadConfig::default() };
     let scan = read_scan(&args.file, &config)?;
     if let Some(path) = &args.save_heights {
         write_scan_tiff(path, &scan.field)?;
     }
     let plane = PrepareConfig { level: Level::Plane, despike: None, blend_nm: None };
     let (levelled, _) = prepare(&scan.field, &plane)?;
+    let mut found = statistics(&levelled, WAVELENGTH_MIN_NM);
+    found.warnings.extend(seam_warning(&levelled));
     let report = ScanReport {
         extent_um: scan.field.extent_nm().map(|nm| nm * 1e-3),
-        statistics: statistics(&levelled, WAVELENGTH_MIN_NM),
+        statistics: found,
         provenance: scan.provenance,
     };
     if args.json {
@@ -106,7 +122,10 @@ impl ScanReport {
                 "after a plane rms height {:.2} nm, rms slope {:.3}, peak to valley {:.1} nm",
                 s.rms_height_nm, s.rms_slope, s.peak_to_valley_nm
             ),
-            format!("correlation   {:.0} nm", s.autocorrelation_length_nm),
+            match s.autocorrelation_length_nm {
+                length_nm if length_nm.is_nan() => "correlation   none".into(),
+                length_nm => format!("correlation   {length_nm:.0} nm"),
+            },
             format!("good up to    |(u, v)| = {:.3} at {WAVELENGTH_MIN_NM} nm", s.usable_uv_radius),
             format!("too steep     {:.2} % of the surface", 100.0 * s.steep_share),
         ];
@@ -122,7 +141,7 @@ impl ScanReport {
 }
 
 fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
-    let folder = atlas::resolve(&args.file)?;
+    let folder = output::version_folder(&args.file)?;
     let index = atlas::read_index(&folder)?;
     let specimens =
         index.specimens.iter().map(|entry| specimen::read(&folder.join(&entry.name))).collect::<Result<Vec<_>>>()?;
@@ -141,13 +160,13 @@ fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
     );
     for file in &specimens {
         text += &format!(
-            "{}: {}, {} {:?} tables of {}², {:?} storage, {} wavelengths at the rim\n",
+            "{}: {}, {} {} tables of {}², stored as {}, {} wavelengths at the rim\n",
             file.name,
             if file.species.is_empty() { "no species named" } else { &file.species },
             file.tables.tables.len(),
-            file.tables.basis,
+            basis_in_words(file.tables.basis),
             file.tables.served.as_ref().map_or(file.tables.u.samples, |served| served.size),
-            file.tables.storage,
+            storage_in_words(file.tables.storage),
             file.build.wavelengths_max
         );
         if let Some(served) = &file.tables.served {
@@ -160,4 +179,18 @@ fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
     }
     output::print(&text)?;
     Ok(Outcome::Done)
+}
+
+fn basis_in_words(basis: Basis) -> &'static str {
+    match basis {
+        Basis::Chebyshev => "Chebyshev",
+        Basis::Taylor => "Taylor",
+    }
+}
+
+fn storage_in_words(storage: Storage) -> &'static str {
+    match storage {
+        Storage::Half => "16-bit floats",
+        Storage::Float => "32-bit floats",
+    }
 }

@@ -73,11 +73,12 @@ pub fn run(args: &VerifyArgs, _global: &Global) -> Result<Outcome> {
 fn target(path: &Path) -> Result<PathBuf> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     if !path.is_dir() || atlas::version_number(&name).is_some() {
-        return atlas::resolve(path).or_else(|error| if path.is_dir() { Ok(path.to_owned()) } else { Err(error) });
+        let found = atlas::resolve(path).map(|found| found.folder);
+        return found.or_else(|error| if path.is_dir() { Ok(path.to_owned()) } else { Err(error) });
     }
     match atlas::version_numbers(path)?.last() {
         Some(&newest) => Ok(path.join(atlas::version_name(newest))),
-        None => atlas::resolve(path),
+        None => Ok(atlas::resolve(path)?.folder),
     }
 }
 

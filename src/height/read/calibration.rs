@@ -20,7 +20,7 @@ pub(super) fn calibrate(mut raw: RawScan, config: &ReadConfig) -> Parsed<Scan> {
     for height in &mut heights {
         *height = line.value.scale * *height + line.value.offset;
     }
-    check_range(&heights, &line.from)?;
+    check_range(&heights, &line.from, config)?;
     check_missing(missing_samples, heights.len(), config)?;
     if missing_samples > 0 {
         let converged = missing::fill(&mut heights, [nx, ny], pitch.value);
@@ -65,6 +65,7 @@ fn both(raw: &mut RawScan, config: &ReadConfig) -> Parsed<(Sourced<[f64; 2]>, So
 }
 
 fn pitch(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<[f64; 2]>> {
+    let words = &config.words;
     let by_file = std::mem::replace(&mut raw.pitch_nm, Err(String::new()));
     let pitch = match (config.pitch_nm, by_file) {
         (Some(pitch), by_file) => {
@@ -72,19 +73,16 @@ fn pitch(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<[f64; 2]>> {
                 let differs = |axis: usize| (stated.value[axis] / pitch[axis] - 1.0).abs() > 1e-3;
                 if differs(0) || differs(1) {
                     raw.warnings.push(format!(
-                        "pitch_nm = {pitch:?} overrules the file's {:?} ({})",
-                        stated.value, stated.from
+                        "{} = {pitch:?} overrules the file's {:?} ({})",
+                        words.pitch, stated.value, stated.from
                     ));
                 }
             }
-            Sourced::new(pitch, "manifest: pitch_nm")
+            Sourced::new(pitch, format!("{}: {}", words.source, words.pitch))
         }
         (None, Ok(stated)) => Sourced::new(stated.value, format!("file: {}", stated.from)),
         (None, Err(reason)) => {
-            return Err(Refusal::new(
-                format!("the distance between samples is not known: {reason}"),
-                "add `pitch_nm = 48.8` (or `pitch_nm = [x, y]`, nm per sample) to the specimen",
-            ));
+            return Err(Refusal::new(format!("the distance between samples is not known: {reason}"), words.add_pitch));
         }
     };
     if pitch.value.iter().all(|side| *side > 0.0 && *side <= PITCH_MAX_NM) {
@@ -92,29 +90,21 @@ fn pitch(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<[f64; 2]>> {
     } else {
         Err(Refusal::new(
             format!("a pitch of {:?} nm ({}) is not above 0 and at most 1 mm", pitch.value, pitch.from),
-            "set `pitch_nm` to the distance between neighbouring samples in nm",
+            format!("set `{}` to the distance between neighbouring samples in nm", words.pitch),
         ))
     }
 }
 
 /// The straight line from stored samples to nm.
 fn line(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<Line>> {
-    let kind = raw.stored.kind;
+    let (kind, words) = (raw.stored.kind, &config.words);
     let in_unit = |nm: f64| Line { scale: raw.numbers.scale * nm, offset: raw.numbers.offset * nm };
     let Some(scale) = config.height else {
         return match &raw.unit_nm {
             Ok(unit) => Ok(Sourced::new(in_unit(unit.value), format!("file: {}", unit.from))),
             Err(reason) => {
-                let example = if kind.range().is_some() {
-                    "`height = { full_scale_nm = 375 }` (nm from the smallest to the largest value \
-                     of the integer type) or `height = { nm_per_count = 0.01, offset_nm = 0 }`"
-                } else {
-                    "`height = { unit = \"nm\" }`"
-                };
-                Err(Refusal::new(
-                    format!("what its {} samples mean in nm is not known: {reason}", kind.name()),
-                    format!("add {example} to the specimen"),
-                ))
+                let fix = if kind.range().is_some() { words.add_integer_height } else { words.add_float_height };
+                Err(Refusal::new(format!("what its {} samples mean in nm is not known: {reason}", kind.name()), fix))
             }
         };
     };
@@ -124,8 +114,8 @@ fn line(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<Line>> {
         HeightScale::FullScaleNm(full_scale) => {
             let Some([low, high]) = kind.range() else {
                 return Err(Refusal::new(
-                    format!("full_scale_nm is for integer samples; these are {}", kind.name()),
-                    "use `height = { unit = \"nm\" }` or `height = { nm_per_count, offset_nm }`",
+                    format!("a full scale is for integer samples; these are {}", kind.name()),
+                    words.add_float_height,
                 ));
             };
             let scale = full_scale / (high - low);
@@ -134,20 +124,20 @@ fn line(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<Line>> {
     };
     if !(line.scale.is_finite() && line.scale != 0.0 && line.offset.is_finite()) {
         return Err(Refusal::new(
-            "the `height` given is not a finite scale other than 0",
-            "correct `height` in the specimen",
+            format!("the `{}` given is not a finite scale other than 0", words.height),
+            format!("correct `{}`", words.height),
         ));
     }
     if let Ok(unit) = &raw.unit_nm {
         let by_file = in_unit(unit.value);
         if (by_file.scale / line.scale - 1.0).abs() > 1e-3 {
             raw.warnings.push(format!(
-                "`height` ({} nm per count) overrules the file's scale ({} nm per count, {})",
-                line.scale, by_file.scale, unit.from
+                "`{}` ({} nm per count) overrules the file's scale ({} nm per count, {})",
+                words.height, line.scale, by_file.scale, unit.from
             ));
         }
     }
-    Ok(Sourced::new(line, "manifest: height"))
+    Ok(Sourced::new(line, format!("{}: {}", words.source, words.height)))
 }
 
 /// Turns everything that means "no data" into NaN and counts it.
@@ -179,11 +169,11 @@ fn check_missing(missing: usize, samples: usize, config: &ReadConfig) -> Parsed<
             100.0 * share,
             100.0 * config.max_missing_share
         ),
-        "crop the scan to its measured part, or raise the accepted share (max_missing_share)",
+        format!("crop the scan to its measured part{}", config.words.or_accept_missing),
     ))
 }
 
-fn check_range(heights: &[f64], from: &str) -> Parsed<()> {
+fn check_range(heights: &[f64], from: &str, config: &ReadConfig) -> Parsed<()> {
     let largest = heights.iter().fold(0.0, |largest: f64, height| {
         // `max` ignores NaN, the mark of missing samples.
         largest.max(height.abs())
@@ -193,7 +183,6 @@ fn check_range(heights: &[f64], from: &str) -> Parsed<()> {
     }
     Err(Refusal::new(
         format!("its heights reach {largest:.3e} nm, more than a metre ({from})"),
-        "the unit is probably wrong: set `height` in the specimen, for instance \
-         `height = { unit = \"nm\" }`",
+        format!("the unit is probably wrong: correct it, or {}", config.words.add_float_height),
     ))
 }

@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::MeasuredConfig;
+use crate::ground::csv::{self, Cell};
 use crate::ground::error::{Error, Result};
 use crate::ground::files;
 
@@ -106,11 +107,11 @@ pub struct Measurement {
 /// [`Error::BadFile`] with line and column for whatever cannot be taken as it is; [`Error::Disk`].
 pub fn read(config: &MeasuredConfig) -> Result<Measurement> {
     let (text, sha256) = text(&config.file)?;
-    let mut lines = lines(&text);
+    let mut lines = csv::lines(&text);
     let Some((number, header)) = lines.next() else {
         return Err(Table { path: &config.file, separator: ',' }.error(1, 1, "the file holds no line of column names"));
     };
-    let table = Table { path: &config.file, separator: separator(header) };
+    let table = Table { path: &config.file, separator: csv::separator(header) };
     let layout = table.layout(number, header, config)?;
     let mut measurement = Measurement {
         config: config.clone(),
@@ -154,18 +155,6 @@ fn text(path: &Path) -> Result<(String, String)> {
 const FIX: &str = "The first line names the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, wavelength_nm and one or \
                    more kinds of value (docs/manifest.md, `measured`); each other line holds a number for each.";
 
-/// Lines that say something, numbered from 1.
-fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let text = text.trim_start_matches('\u{feff}');
-    let said = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
-    text.lines().enumerate().map(|(index, line)| (index + 1, line)).filter(move |(_, line)| said(line))
-}
-
-/// What separates the cells: a tab or semicolon where the line of names has one.
-fn separator(header: &str) -> char {
-    ['\t', ';'].into_iter().find(|&mark| header.contains(mark)).unwrap_or(',')
-}
-
 /// A file being read.
 struct Table<'a> {
     path: &'a Path,
@@ -187,9 +176,6 @@ struct Layout {
     notes: Vec<String>,
 }
 
-/// A cell's text without blanks and quotes, and the column its first character stands in, from 1.
-type Cell<'a> = (usize, &'a str);
-
 impl Table<'_> {
     /// An error at a place that editors can jump to.
     fn error(&self, line: usize, column: usize, what: &str) -> Error {
@@ -197,20 +183,8 @@ impl Table<'_> {
         Error::bad_file(&PathBuf::from(place), what, FIX)
     }
 
-    fn cells<'l>(&self, line: &'l str) -> Vec<Cell<'l>> {
-        let mut column = 1;
-        line.split(self.separator)
-            .map(|cell| {
-                let blank = cell.chars().count() - cell.trim_start().chars().count();
-                let start = column + blank;
-                column += cell.chars().count() + 1;
-                (start, cell.trim().trim_matches('"').trim())
-            })
-            .collect()
-    }
-
     fn layout(&self, number: usize, header: &str, config: &MeasuredConfig) -> Result<Layout> {
-        let cells = self.cells(header);
+        let cells = csv::cells(header, self.separator);
         let names: Vec<String> = cells.iter().map(|(_, name)| name.to_lowercase()).collect();
         if let Some(index) = (1..names.len()).find(|&i| !names[i].is_empty() && names[..i].contains(&names[i])) {
             return Err(self.error(number, cells[index].0, &format!("the column `{}` stands twice", names[index])));
@@ -250,16 +224,7 @@ impl Table<'_> {
     }
 
     fn row(&self, number: usize, line: &str, layout: &Layout, out: &mut Measurement) -> Result<()> {
-        let cells = self.cells(line);
-        if cells.len() != layout.cells {
-            let hint = if self.separator == ',' && cells.len() > layout.cells {
-                "; where commas are decimal marks, separate cells by semicolons"
-            } else {
-                ""
-            };
-            let what = format!("expected {} cells as in the line of names, found {}{hint}", layout.cells, cells.len());
-            return Err(self.error(number, 1, &what));
-        }
+        let cells = csv::row_cells(line, self.separator, layout.cells).map_err(|what| self.error(number, 1, &what))?;
         let mut place = [0.0; 5];
         for (index, &cell) in layout.place.iter().enumerate() {
             place[index] = self.place(number, cells[cell], index)?;
@@ -292,9 +257,7 @@ impl Table<'_> {
     }
 
     fn number(&self, number: usize, (at, text): Cell, name: &str) -> Result<f64> {
-        let decimal_point = if self.separator == ',' { text.to_owned() } else { text.replacen(',', ".", 1) };
-        let value: Option<f64> = decimal_point.parse().ok().filter(|value: &f64| value.is_finite());
-        value.ok_or_else(|| {
+        csv::number(text, self.separator).ok_or_else(|| {
             let shown: String = text.chars().take(40).collect();
             self.error(number, at, &format!("`{shown}` in the column `{name}` is not a finite number"))
         })
