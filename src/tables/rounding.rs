@@ -26,9 +26,9 @@ pub const ROUNDED_SHARE: f64 = 0.25;
 /// half each, leave of it where independent errors add as squares, `sqrt(1 - 2/4)`.
 pub const STORED_SHARE: f64 = 0.7;
 
-/// What halves do to one number in twenty, and to values about as much or more: rounded to nearest, `e = 2^-11 U / m` with `U` even over [0, 1] and
-/// the significand `m` over [1, 2) with the density `1 / (m ln 2)`, hence `P(e > 2^-11 y) = (y - 1 - ln y) / ln 2` for
-/// `y > 1/2`, which is 0.05 at y = 0.757.
+/// Least that halves change one number in twenty by, relatively, and values about as much. Rounded to nearest,
+/// `e = 2^-11 U / m` with `U` even over [0, 1] and the significand `m` over [1, 2) with the density `1 / (m ln 2)`; hence
+/// `P(e > 2^-11 y) = (y - 1 - ln y) / ln 2` for `y > 1/2`, which is 0.05 at y = 0.757.
 pub const HALF_P95: f64 = 0.757 / 2048.0;
 
 /// Places at which a texel's least value is looked for: two for each polynomial, and no more than these.
