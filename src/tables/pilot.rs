@@ -25,8 +25,12 @@ const BASIS_SHARE: f64 = 0.5;
 const SERVED_BASIS_SHARE: f64 = 0.125;
 pub(super) const RING_SHARE: f64 = 0.1;
 
-/// A thousandth of a white matt surface. What is darker between the orders of a grating has no relative error worth a table.
-const DARK_PER_SR: f64 = 1e-3 * std::f64::consts::FRAC_1_PI;
+/// Share of what bright places show up to which a place is dark: between isolated orders, where their kernels are cut, no
+/// relative error is worth a table. Far below what errors are measured down to: dim places keep the tolerance, too.
+const DARK_SHARE: f64 = 1e-7;
+
+/// Bright is what one place in fifty exceeds.
+const BRIGHT: f64 = 0.98;
 
 /// Share of directions whose luminance must keep its share of the tolerance.
 const QUANTILE: f64 = 0.95;
@@ -37,13 +41,12 @@ pub struct Pilot {
     /// and those around the mirror direction, where pictures are brightest.
     groups: [Vec<Polynomial>; 3],
     tolerance: f64,
-    /// Luminance in 1/sr for unit reflectance up to which a direction counts as dark.
+    /// Luminance in 1/sr, reflectance and geometry left out, up to which a place counts as dark.
     dark_per_sr: f64,
 }
 
 /// Luminance of a texel at fine nodes over the `|w|` of its ring, and the range it is itself asked for.
 struct Polynomial {
-    rho: f64,
     values: Vec<f64>,
     ring: [f64; 2],
     own: [f64; 2],
@@ -73,9 +76,10 @@ impl Pilot {
                 [(0..texels.min(served.len())).map(drawn).collect(), lit.collect(), middle.collect()]
             }
         };
+        let groups = groups.map(|texels: Vec<_>| polynomials(spectra, plan, &texels));
         // A picture of dark directions alone is exposed for them.
-        let dark_per_sr = if plan.domain.is_some() { 0.0 } else { DARK_PER_SR };
-        Self { groups: groups.map(|texels: Vec<_>| polynomials(spectra, plan, &texels)), tolerance, dark_per_sr }
+        let dark_per_sr = if plan.domain.is_some() { 0.0 } else { DARK_SHARE * bright_per_sr(&groups) };
+        Self { groups, tolerance, dark_per_sr }
     }
 
     /// The smallest number of tables that errs by at most its share of the tolerance of Y in 95 % of the tested directions.
@@ -136,7 +140,7 @@ impl Pilot {
 
 impl Polynomial {
     /// Relative errors over the texel's own range of interpolation from `count` nodes over a range.
-    /// Places that no pair of directions shows brighter than `dark_per_sr` are left out.
+    /// Places darker than `dark_per_sr` are left out.
     fn errors(&self, count: usize, over: [f64; 2], dark_per_sr: f64) -> Vec<f64> {
         let fine = Interpolant::new(self.values.len(), self.ring[0], self.ring[1]);
         let at = |w: f64| dot(&fine.weights(w), &self.values);
@@ -148,10 +152,8 @@ impl Polynomial {
         let error = |place: f64| {
             let w = self.own[0] + place * (self.own[1] - self.own[0]);
             let exact = at(w);
-            // The least geometry factor is that of two directions equally steep.
-            let seen_per_sr = exact * ((self.rho * self.rho + w * w) / w).powi(2);
             let error = (dot(&coarse.weights(w), &nodes) - exact).abs() / exact.abs().max(1e-9 * largest);
-            (seen_per_sr >= dark_per_sr).then_some(error)
+            (exact >= dark_per_sr).then_some(error)
         };
         places.filter_map(error).collect()
     }
@@ -161,10 +163,20 @@ fn dot(weights: &[f64], values: &[f64]) -> f64 {
     weights.iter().zip(values).map(|(w, v)| w * v).sum()
 }
 
-pub(super) fn quantile(mut errors: Vec<f64>) -> f64 {
-    errors.sort_by(f64::total_cmp);
-    let last = errors.len().saturating_sub(1);
-    errors.get((last as f64 * QUANTILE).ceil() as usize).copied().unwrap_or(0.0)
+pub(super) fn quantile(errors: Vec<f64>) -> f64 {
+    quantile_at(errors, QUANTILE)
+}
+
+/// The value below which a share of them lies; 0 for none.
+fn quantile_at(mut values: Vec<f64>, share: f64) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let last = values.len().saturating_sub(1);
+    values.get((last as f64 * share).ceil() as usize).copied().unwrap_or(0.0)
+}
+
+/// What bright places of the tried texels show.
+fn bright_per_sr(groups: &[Vec<Polynomial>]) -> f64 {
+    quantile_at(groups.iter().flatten().flat_map(|texel| texel.values.iter().copied()).collect(), BRIGHT)
 }
 
 /// Texels `(u, v)`: half of them even over the disc, half towards its centre, where directions crowd near
@@ -242,7 +254,7 @@ fn polynomial(
         let scale = weight[1] * (k / nm).powi(2);
         values.iter_mut().zip(power).for_each(|(sum, p)| *sum += scale * p);
     }
-    Polynomial { rho: u.hypot(v), values, ring, own: [own[0].max(ring[0]), own[1].min(ring[1])] }
+    Polynomial { values, ring, own: [own[0].max(ring[0]), own[1].min(ring[1])] }
 }
 
 /// Nodes over a range of `w` that leave nothing to be seen between them.
