@@ -2,15 +2,14 @@
 
 use std::process::ExitCode;
 
-use diffraction_atlas::stages::usage::{HeapCounter, lend_heap_counter};
-use peak_alloc::PeakAlloc;
-
-/// The system's allocator, which counts.
+/// The system's allocator, which counts: each allocation of every thread waits for one counter, so only on request.
+#[cfg(feature = "count-memory")]
 #[global_allocator]
-static HEAP: PeakAlloc = PeakAlloc;
+static HEAP: peak_alloc::PeakAlloc = peak_alloc::PeakAlloc;
 
 fn main() -> ExitCode {
-    lend_heap_counter(HeapCounter {
+    #[cfg(feature = "count-memory")]
+    diffraction_atlas::stages::usage::lend_heap_counter(diffraction_atlas::stages::usage::HeapCounter {
         live_bytes: || HEAP.current_usage(),
         peak_bytes: || HEAP.peak_usage(),
         restart: || HEAP.reset_peak_usage(),

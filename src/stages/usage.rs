@@ -9,7 +9,8 @@ use super::results::StageTime;
 /// The largest peak that [`restart`] has made the system forget, in bytes.
 static FORGOTTEN_BYTES: AtomicU64 = AtomicU64::new(0);
 
-/// An allocator that counts what lives on the heap. Installing one takes a program; a library is lent it.
+/// An allocator that counts what lives on the heap. Installing one takes a program; a library is lent it. The program
+/// does so with the feature `count-memory`, the tests of forecasts always.
 #[derive(Debug, Clone, Copy)]
 pub struct HeapCounter {
     /// Bytes that live now.
