@@ -161,7 +161,7 @@ pub fn sample(table: ArrayView3<f32>, interpolation: Interpolation, at: [f64; 2]
 }
 
 /// First texel and weights along one axis.
-fn stencil(interpolation: Interpolation, at: f64, count: usize) -> (usize, [f64; 4]) {
+pub(super) fn stencil(interpolation: Interpolation, at: f64, count: usize) -> (usize, [f64; 4]) {
     let at = at.clamp(0.0, (count - 1) as f64);
     if interpolation == Interpolation::Bilinear || count < 4 {
         let first = (at as usize).min(count.saturating_sub(2));

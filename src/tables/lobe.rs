@@ -6,6 +6,7 @@ use std::ops::Range;
 use ndarray::{Array3, Axis};
 use rayon::prelude::*;
 
+use super::evaluate::{Interpolation, stencil};
 use super::plan::{Grid, lobe_width, w_reach};
 use crate::ground::error::Result;
 use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
@@ -62,10 +63,7 @@ impl PhasorPower {
             return self.values[0];
         }
         let at = ((s - self.s_min) / self.step).clamp(0.0, (self.values.len() - 1) as f64);
-        let first = (at as usize).saturating_sub(1).min(self.values.len() - 4);
-        let x = at - first as f64;
-        let (a, b, c, d) = (x, x - 1.0, x - 2.0, x - 3.0);
-        let weights = [-b * c * d / 6.0, a * c * d / 2.0, -a * b * d / 2.0, a * b * c / 6.0];
+        let (first, weights) = stencil(Interpolation::Cubic, at, self.values.len());
         self.values[first..first + 4].iter().zip(weights).map(|(value, weight)| weight * value).sum()
     }
 }

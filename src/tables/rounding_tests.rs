@@ -1,3 +1,5 @@
+//! What rounding may change, and which number format follows from it.
+
 use super::*;
 use crate::ground::spectrum::Illuminant;
 use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
