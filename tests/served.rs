@@ -57,7 +57,7 @@ fn pair_at([u, v]: [f64; 2], w: f64) -> ([f64; 3], [f64; 3]) {
 fn served(source: &Source, scene: &Scene) -> (TableSet, Domain) {
     let domain = domain_of(source, &[scene]).unwrap();
     let plan = plan_without(None, source, &domain).unwrap();
-    (build_planned(source.fields, source.optics, source.tables, &plan, &|_| ()).unwrap().0, domain)
+    (build_planned(source.fields, source.optics, source.tables, &plan, None, &|_| ()).unwrap().0, domain)
 }
 
 /// Largest difference of a pixel in units of the display's white, or of the pixel itself where it is brighter: a
@@ -182,7 +182,7 @@ fn what_is_not_served_has_no_answer() {
 #[test]
 fn every_step_taken_back_costs_what_the_plan_says() {
     // A window wide enough for the wavelengths to depend on the radius.
-    let optics = OpticsConfig { sigma_nm: 6_000.0, ..daylight(Windows::Grid) };
+    let optics = OpticsConfig { sigma_nm: 9_000.0, ..daylight(Windows::Grid) };
     let (fields, tables) = ([surface()], config(301));
     let source = Source { fields: &fields, optics: &optics, tables: &tables };
     let patch = Shape::Patch { width_mm: 20.0, distance_mm: 60.0, tilt_deg: 30.0, turn_deg: 0.0 };

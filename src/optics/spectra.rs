@@ -18,6 +18,7 @@ use super::config::OpticsConfig;
 use super::kernel::{Kernel, OVERSAMPLING, semicircle_transform};
 use super::window::{Placement, WindowAxis, window_axis};
 use crate::ground::chebyshev::{self, Interpolant};
+use crate::ground::direction::Vec3;
 use crate::ground::error::{Error, Result};
 use crate::height::HeightField;
 
@@ -32,6 +33,14 @@ pub struct SpectraConfig {
     pub tolerance: f64,
     /// Bytes that the transforms may take.
     pub memory_bytes: u64,
+}
+
+impl SpectraConfig {
+    /// Whether transforms hold every frequency that a light asks for at `q`.
+    pub fn holds(&self, optics: &OpticsConfig, q: Vec3) -> bool {
+        let asked = |axis: usize| optics.illuminant.reach_nm(optics.wavelength_nm).map(|nm| q[axis] / nm);
+        (0..2).all(|axis| asked(axis).iter().all(|f| (self.frequency[axis][0]..=self.frequency[axis][1]).contains(f)))
+    }
 }
 
 /// The transforms of one window on one scan.
@@ -109,7 +118,8 @@ fn axis_plan(
     // Lines past the sampling's own limit would be aliases: the surface has no information there.
     let limit = (padded as i32 - 1) / 2;
     let first = ((low / step).floor() as i32).clamp(-limit, limit);
-    let last = ((high / step).ceil() as i32).clamp(first, limit);
+    // Taps are as many everywhere, so the last may lie a line beyond the kernel's reach: it is there whatever else is wanted.
+    let last = ((high / step).ceil() as i32 + 1).clamp(first, limit);
     AxisPlan { window, factor, padded, step, first, lines: (last - first) as usize + 1 }
 }
 
@@ -150,6 +160,11 @@ pub fn smooth_size(size: usize) -> usize {
         .unwrap_or(size)
 }
 
+/// Number of nodes in `s` that a field takes.
+pub fn nodes_for(field: &HeightField, config: &SpectraConfig) -> usize {
+    chebyshev::nodes_for_exponential(bandwidth_nm(field), config.s[1] - config.s[0], config.tolerance)
+}
+
 /// Transforms one window of a prepared height field.
 ///
 /// # Errors
@@ -162,7 +177,7 @@ pub fn transform(
 ) -> Result<Spectra> {
     let (kernel, plans) = window_plan(field, placement, optics.sigma_nm, config.frequency);
     let [s_min, s_max] = config.s;
-    let nodes = chebyshev::nodes_for_exponential(bandwidth_nm(field), s_max - s_min, config.tolerance);
+    let nodes = nodes_for(field, config);
     let values = plans[0].lines as u64 * plans[1].lines as u64 * nodes as u64;
     let bytes = values * size_of::<Complex<f32>>() as u64;
     if bytes > config.memory_bytes {

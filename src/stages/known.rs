@@ -13,17 +13,19 @@ use sha2::{Digest, Sha256};
 
 use super::cache::{Cache, CacheUse};
 use super::error_directions::ErrorDirections;
+use super::known_sums::KnownSums;
 use super::measure::{self, Yardstick};
 use super::results::ErrorRow;
 use super::serve::Source;
 use super::usage::{self, Stopwatch};
-use crate::ground::direction::{Vec3, Xyz};
+use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
 use crate::ground::error::Result;
 use crate::ground::files;
 use crate::height::HeightField;
 use crate::optics::reference;
 use crate::tables::build::{self, Advance, BuildPlan};
 use crate::tables::domain::Domain;
+use crate::tables::kept::Keeper;
 use crate::tables::model::{Basis, BuildRecord, Lobe, TableSet, TablesConfig};
 
 type Pair = (Vec3, Vec3);
@@ -47,20 +49,29 @@ pub struct Built {
     pub processor_s: Option<f64>,
     /// Most bytes on the heap beyond those before; `None` where nobody counts them.
     pub memory_bytes: Option<u64>,
+    /// Texels whose sums were known from earlier builds, and those summed, where tables serve scenes.
+    pub summed: [u64; 2],
 }
 
 impl Built {
-    /// Builds and measures.
+    /// Builds from nothing and measures.
     ///
     /// # Errors
     /// Those of building.
     pub fn measured(source: &Source, plan: &BuildPlan, advance: Advance) -> Result<Self> {
+        Self::measured_with(None, source, plan, advance)
+    }
+
+    /// Builds with the sums that are known from earlier builds, and measures.
+    fn measured_with(known: Option<&KnownSums>, source: &Source, plan: &BuildPlan, advance: Advance) -> Result<Self> {
         let stopwatch = Stopwatch::start();
-        let build = || build::build_planned(source.fields, source.optics, source.tables, plan, advance);
+        let keeper = known.map(|sums| sums as &dyn Keeper);
+        let build = || build::build_planned(source.fields, source.optics, source.tables, plan, keeper, advance);
         let (built, memory_bytes) = usage::with_heap_bytes(build);
         let (set, record) = built?;
         let time = stopwatch.read("build tables", None);
-        Ok(Self { set, record, seconds: time.wall_s, processor_s: time.cpu_s, memory_bytes })
+        let summed = known.map_or([0, 0], KnownSums::texels);
+        Ok(Self { set, record, seconds: time.wall_s, processor_s: time.cpu_s, memory_bytes, summed })
     }
 }
 
@@ -95,27 +106,32 @@ impl<'a> Known<'a> {
         self.cache.key(kind, &json!({ "heights": self.heights, "parts": parts }))
     }
 
-    /// The tables of a plan, and what building them took.
+    /// The tables of a plan, and what building them took; `anew` does without sums of earlier builds, for the time that
+    /// all of it takes.
     ///
     /// # Errors
     /// Those of building.
-    pub fn tables(&self, source: &Source, plan: &BuildPlan, advance: Advance) -> Result<Built> {
-        let build = || Built::measured(source, plan, advance);
+    pub fn tables(&self, source: &Source, plan: &BuildPlan, anew: bool, advance: Advance) -> Result<Built> {
         if !self.cache.is_on() {
-            return build();
+            return Built::measured(source, plan, advance);
         }
         // How tables are stored changes nothing before it, but that the series is refused where its format is too coarse.
         let storage = source.tables.storage.filter(|_| source.tables.basis == Basis::Taylor);
         let settings = TablesConfig { storage, ..source.tables.clone() };
-        let parts = json!({ "optics": source.optics, "settings": settings, "plan": plan_parts(plan) });
+        let parts = json!({ "optics": source.optics, "settings": settings, "plan": plan_parts(plan), "anew": anew });
         let key = self.key("tables", &parts);
         if let Some(found) = self.cache.load(&key).and_then(|bytes| decode_tables(&bytes, source, plan)) {
             self.count(|used| used.tables_found += 1);
             return Ok(found);
         }
-        let built = build()?;
+        let sums = KnownSums::new(self.cache, &self.heights, source, plan);
+        let built = Built::measured_with((!anew).then_some(&sums), source, plan, advance)?;
         self.cache.store(&key, &encode_tables(&built));
-        self.count(|used| used.tables_built += 1);
+        self.count(|used| {
+            used.tables_built += 1;
+            used.texels_found += built.summed[0];
+            used.texels_summed += built.summed[1];
+        });
         Ok(built)
     }
 
@@ -137,7 +153,7 @@ impl<'a> Known<'a> {
             return evaluate(errors, pictures.into_iter().collect::<Vec<_>>());
         }
         let pictures: Vec<Pair> = pictures.into_iter().collect();
-        let transforms = json!({ "optics": source.optics, "spectra": spectra_parts(plan) });
+        let transforms = json!({ "optics": source.optics, "spectra": transforms_parts(plan) });
         let pairs_key = self.key("pictures", &transforms);
         let parts = json!({
             "transforms": transforms, "plan": plan_parts(plan), "nodes": nodes,
@@ -164,7 +180,8 @@ impl<'a> Known<'a> {
             false => evaluate(wanted, missing.clone())?,
         };
         let first = fresh.pairs.len() - missing.len();
-        known.extend(missing.iter().map(bits).zip(fresh.xyz[first..].iter().copied()));
+        let found = missing.iter().zip(fresh.xyz[first..].iter().copied());
+        known.extend(found.map(|(pair, xyz)| (bits(pair), xyz)));
         let mut yardstick = counted.unwrap_or_else(|| fresh.counted(fixed));
         if !is_counted {
             self.cache.store(&errors_key, &encode_counted(&yardstick));
@@ -175,6 +192,11 @@ impl<'a> Known<'a> {
             if (known.len() * PAIR_BYTES) as u64 > self.cache.limit_bytes() / PAIRS_SHARE {
                 let asked: HashSet<[u64; 6]> = pictures.iter().map(bits).collect();
                 known.retain(|pair, _| asked.contains(pair));
+            }
+            // Other plans hold other frequencies: what asks for more than this one has is nothing for them.
+            let held = |pair: &Pair| plan.spectra.holds(source.optics, wave_vector_change(pair.0, pair.1));
+            for pair in missing.iter().filter(|pair| !held(pair)) {
+                known.remove(&bits(pair));
             }
             self.cache.store(&pairs_key, &encode_pairs(&known));
         }
@@ -215,15 +237,12 @@ fn digest_of(fields: &[HeightField]) -> String {
     files::sha256_hex(&bytes)
 }
 
-fn spectra_parts(plan: &BuildPlan) -> Value {
+/// Everything that a value of the transforms depends on. Frequencies are not among it: which of them a plan holds changes
+/// none.
+pub(super) fn transforms_parts(plan: &BuildPlan) -> Value {
     let spectra = &plan.spectra;
     // What does not fit into the memory is refused, known or not.
-    json!({
-        "s": spectra.s,
-        "frequency": spectra.frequency,
-        "tolerance": spectra.tolerance,
-        "memory_bytes": spectra.memory_bytes,
-    })
+    json!({ "s": spectra.s, "tolerance": spectra.tolerance, "memory_bytes": spectra.memory_bytes })
 }
 
 /// Everything that a plan settles beyond what follows from heights and optics.
@@ -238,7 +257,8 @@ fn plan_parts(plan: &BuildPlan) -> Value {
         "domain": plan.domain.as_ref().map(domain_digest),
         "filter": [plan.filter.width, plan.filter.samples as f64],
         "rings": rings,
-        "spectra": spectra_parts(plan),
+        "spectra": [transforms_parts(plan), json!(plan.spectra.frequency)],
+        "depths": plan.depths,
         "nodes_bound": plan.nodes_bound,
         "fine_tolerance": plan.fine_tolerance,
         "lobe": [json!(plan.lobe_radius), json!(plan.lobe_seen), json!(plan.crosses)],
@@ -311,6 +331,7 @@ struct Header {
     build_s: f64,
     processor_s: Option<f64>,
     memory_bytes: Option<u64>,
+    summed: [u64; 2],
     tables: Vec<[usize; 3]>,
     coherent: Option<[usize; 3]>,
     cross: Vec<[usize; 3]>,
@@ -325,7 +346,7 @@ fn shape(table: &Array3<f32>) -> [usize; 3] {
 
 /// A line of JSON, then the numbers of all arrays in order.
 fn encode_tables(built: &Built) -> Vec<u8> {
-    let Built { set, record, seconds, processor_s, memory_bytes } = built;
+    let Built { set, record, seconds, processor_s, memory_bytes, summed } = built;
     let lobe = set.lobe.as_ref();
     let cross = lobe.map_or(&[][..], |lobe| &lobe.cross);
     let header = json!({
@@ -333,6 +354,7 @@ fn encode_tables(built: &Built) -> Vec<u8> {
         "build_s": seconds,
         "processor_s": processor_s,
         "memory_bytes": memory_bytes,
+        "summed": summed,
         "tables": set.tables.iter().map(shape).collect::<Vec<_>>(),
         "coherent": lobe.map(|lobe| shape(&lobe.coherent)),
         "cross": cross.iter().map(shape).collect::<Vec<_>>(),
@@ -377,6 +399,6 @@ fn decode_tables(bytes: &[u8], source: &Source, plan: &BuildPlan) -> Option<Buil
         pigment: None,
         usable_radius: header.usable_radius,
     };
-    let Header { record, build_s: seconds, processor_s, memory_bytes, .. } = header;
-    rest.is_empty().then_some(Built { set, record, seconds, processor_s, memory_bytes })
+    let Header { record, build_s: seconds, processor_s, memory_bytes, summed, .. } = header;
+    rest.is_empty().then_some(Built { set, record, seconds, processor_s, memory_bytes, summed })
 }

@@ -257,8 +257,9 @@ fn run_specimen(
     };
     let plan = clock.stage("plan", 0, || build::plan_for(&ingested.fields, optics, &tables, domain.clone()))?;
     let steps = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum::<usize>() * plan.windows.len();
-    let done =
-        clock.stage("build tables", steps as u64, || known.tables(&source, &plan, &|n| helpers.progress.advance(n)))?;
+    let done = clock.stage("build tables", steps as u64, || {
+        known.tables(&source, &plan, config.report.savings, &|n| helpers.progress.advance(n))
+    })?;
     let built = &done.set;
     let chosen =
         clock.stage("round to the tolerance", 0, || Ok(rounding::choose(built, tables.storage, tables.tolerance)))?;

@@ -3,13 +3,14 @@
 use ndarray::Array3;
 use rayon::prelude::*;
 
-use super::accumulate::{BoxFilter, PowerSums, Quantity, RingSum, add_ring};
+use super::accumulate::{BoxFilter, PowerSums};
 use super::domain::{Domain, Hull, Texels};
 use super::forecast;
-use super::lobe::{PhasorPower, coherent, patch_grid};
+use super::kept::{Keeper, Piece};
+use super::lobe::{PhasorPower, coherent};
 use super::model::{Basis, BuildRecord, Lobe, Prefilter, TableSet, TablesConfig};
-use super::pilot::Pilot;
 use super::plan::{self, Grid, Ring, lobe_radius, lobe_width, nodes_bound_over, w_reach};
+use super::sums::{GROUP, Nodes, Sums};
 use crate::ground::chebyshev::{self, Interpolant};
 use crate::ground::error::{Error, Result};
 use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
@@ -35,6 +36,9 @@ pub const RANGE_SHARE: f64 = RANGE_SHARES[0] + RANGE_SHARES[1];
 /// What ranges of `t` are widened by at both ends: a look-up never lies at an end, nor is a range a point.
 const RANGE_PAD: f64 = 2e-3;
 
+/// Share of the tolerance that is left to nodes by which others are judged.
+const FINE_SHARE: f64 = 0.1;
+
 /// Receives progress: wavelengths times windows done.
 pub type Advance<'a> = &'a (dyn Fn(u64) + Sync);
 
@@ -57,6 +61,8 @@ pub struct BuildPlan {
     pub spectra: SpectraConfig,
     /// Upper bound of the numbers of nodes in `w`.
     pub nodes_bound: usize,
+    /// The `|w|` that transforms hold: those of the domain, widened to even numbers.
+    pub depths: [f64; 2],
     /// Largest half range of the heights in nm.
     pub bandwidth_nm: f64,
     /// Shortest wavelength in nm.
@@ -72,6 +78,11 @@ pub struct BuildPlan {
 }
 
 impl BuildPlan {
+    /// The `|w|` that transforms hold and directions in a ring can have.
+    pub(super) fn depths_within(&self, ring: &Ring) -> [f64; 2] {
+        [self.depths[0], self.depths[1].min(w_reach(ring.rho[0]))]
+    }
+
     /// Gives every ring the wavelengths of the rim: what they would be if no radius needed fewer.
     pub fn use_rim_wavelengths(&mut self) {
         self.rings.iter_mut().for_each(|ring| ring.quadrature = self.rim.clone());
@@ -133,57 +144,67 @@ pub fn plan_for(
     };
     let bandwidth = fields.iter().map(bandwidth_nm).fold(0.0, f64::max);
     let rho_max = 2.0 + plan::RIM_TEXELS * grid.texel();
-    let (texels, rings, hull) = match &domain {
-        None => {
-            let rings = plan::rings(optics, bandwidth, rho_max, config.tolerance, config.wavelength_step_nm)?;
-            (Texels::whole(grid), rings, Hull::whole(rho_max))
-        }
-        Some(domain) => {
-            let hull = domain.hull().ok_or_else(|| {
-                Error::limit(
-                    "no scene sees and lights any of this surface",
-                    "change the scene, or set tables.serve = \"all\"",
-                )
-            })?;
-            let step = config.wavelength_step_nm;
-            let rings = plan::rings_of(domain, optics, bandwidth, rho_max, config.tolerance, step)?;
-            (Texels::reached(domain), rings, hull)
-        }
-    };
+    let (tolerance, step_nm) = (config.tolerance, config.wavelength_step_nm);
+    let make_rings = if domain.is_some() { plan::fine_rings } else { plan::rings };
     let mut windows = Vec::new();
     for (scan, field) in fields.iter().enumerate() {
         windows.extend(placements(field, optics)?.into_iter().map(|placement| (scan, placement)));
     }
     roughest_first(&mut windows, fields, optics.sigma_nm);
-    let lobe_seen = hull.rho[0] < lobe_radius(optics);
-    let crosses = lobe_seen && windows.iter().any(|(_, placement)| *placement != Placement::TileMean);
-    // The cross term keeps its whole reach in depth.
-    let depths = if crosses { [0.0, w_reach(0.0)] } else { hull.w };
-    let memory_bytes = (config.memory_mib as u64) << 20;
-    let fine_tolerance = 0.1 * config.tolerance;
-    // As few as there can be; how many it will be is known later.
-    check_memory(&texels, config.count.unwrap_or(4), 0, memory_bytes)?;
-    let at_rim = plan::wavelengths_of(optics, bandwidth, [rho_max; 2], config.tolerance, config.wavelength_step_nm);
+    let whole = Hull::whole(rho_max);
+    let at_rim = plan::wavelengths_of(optics, bandwidth, [rho_max; 2], tolerance, step_nm);
     let mut plan = BuildPlan {
         rim: uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, at_rim)?,
         filter: BoxFilter { width, samples: plan::box_samples(optics, width) },
-        rings,
-        windows,
-        spectra: spectra_config(&Hull { w: depths, ..hull }, optics, width, config),
-        nodes_bound: nodes_bound_over(bandwidth, low_nm, fine_tolerance, hull.w[1] - hull.w[0]),
+        rings: make_rings(optics, bandwidth, rho_max, tolerance, step_nm)?,
+        spectra: spectra_config(&whole, optics, width, config),
+        depths: whole.w,
+        nodes_bound: nodes_bound_over(bandwidth, low_nm, FINE_SHARE * tolerance, w_reach(0.0)),
         bandwidth_nm: bandwidth,
         wavelength_min_nm: low_nm,
-        fine_tolerance,
+        fine_tolerance: FINE_SHARE * tolerance,
         lobe_radius: lobe_radius(optics),
-        lobe_seen,
-        crosses,
-        texels,
-        domain,
+        lobe_seen: true,
+        crosses: windows.iter().any(|(_, placement)| *placement != Placement::TileMean),
+        windows,
+        texels: Texels::whole(grid),
+        domain: None,
     };
-    if plan.domain.is_some() {
+    if let Some(domain) = domain {
         forecast::join_rings(&mut plan, fields, optics, config);
+        narrow(&mut plan, domain, optics, config)?;
     }
+    // As few nodes as there can be; how many it will be is known later.
+    check_memory(&plan.texels, config.count.unwrap_or(4), 0, plan.spectra.memory_bytes)?;
     Ok(plan)
+}
+
+/// Leaves out of a plan for every direction what a domain does not ask for.
+///
+/// What remains of the rings, of depths and of the transforms' nodes is cut at places that do not move with every texel of
+/// the domain: sums then are what they were for a domain that differs little, bit for bit.
+fn narrow(plan: &mut BuildPlan, domain: Domain, optics: &OpticsConfig, config: &TablesConfig) -> Result<()> {
+    let hull = domain.hull().ok_or_else(|| {
+        Error::limit("no scene sees and lights any of this surface", "change the scene, or set tables.serve = \"all\"")
+    })?;
+    plan.lobe_seen = hull.rho[0] < plan.lobe_radius;
+    plan.crosses &= plan.lobe_seen;
+    let [mut u, mut v] = [hull.u, hull.v];
+    if plan.crosses {
+        // The cross term keeps its whole patch and reach in depth.
+        let patch = plan.lobe_radius;
+        [u, v] = [u, v].map(|[low, high]| [low.min(-patch), high.max(patch)]);
+    } else {
+        let step = w_reach(0.0) * (0.25 * (hull.w[1] - hull.w[0]) / w_reach(0.0)).max(1e-6).log2().floor().exp2();
+        plan.depths = plan::widened(hull.w, step, plan.depths);
+    }
+    plan.spectra = spectra_config(&Hull { w: plan.depths, u, v, ..hull }, optics, plan.filter.width, config);
+    plan.nodes_bound =
+        nodes_bound_over(plan.bandwidth_nm, plan.wavelength_min_nm, plan.fine_tolerance, hull.w[1] - hull.w[0]);
+    plan.rings = plan::reached_rings(std::mem::take(&mut plan.rings), &domain);
+    plan.texels = Texels::reached(&domain);
+    plan.domain = Some(domain);
+    Ok(())
 }
 
 /// Refuses sums over so many nodes, and tables beside them, that exceed the memory allowed.
@@ -275,10 +296,11 @@ pub fn build(
     config: &TablesConfig,
     advance: Advance,
 ) -> Result<(TableSet, BuildRecord)> {
-    build_planned(fields, optics, config, &plan(fields, optics, config)?, advance)
+    build_planned(fields, optics, config, &plan(fields, optics, config)?, None, advance)
 }
 
-/// Builds what [`plan_for`] planned for the same scans and settings.
+/// Builds what [`plan_for`] planned for the same scans and settings. Where tables serve scenes, sums that a keeper has from
+/// earlier builds are not computed again; the tables are the same with and without.
 ///
 /// # Errors
 /// As [`build`].
@@ -287,10 +309,11 @@ pub fn build_planned(
     optics: &OpticsConfig,
     config: &TablesConfig,
     plan: &BuildPlan,
+    keeper: Option<&dyn Keeper>,
     advance: Advance,
 ) -> Result<(TableSet, BuildRecord)> {
     match config.basis {
-        Basis::Chebyshev => build_chebyshev(fields, optics, config, plan, advance),
+        Basis::Chebyshev => build_chebyshev(fields, optics, config, plan, keeper, advance),
         Basis::Taylor => super::taylor::build_taylor(fields, optics, config, advance),
     }
 }
@@ -300,48 +323,48 @@ fn build_chebyshev(
     optics: &OpticsConfig,
     config: &TablesConfig,
     plan: &BuildPlan,
+    keeper: Option<&dyn Keeper>,
     advance: Advance,
 ) -> Result<(TableSet, BuildRecord)> {
     let mut state: Option<Sums> = None;
-    let mut phasors = PhasorPower::new(plan.spectra.s, plan.bandwidth_nm);
-    let mut transforms = 0;
-    let radius_max = plan.lobe_radius;
+    let mut phasors = KnownPhasors::new(plan, keeper);
     let share = 1.0 / plan.windows.len() as f64;
     for &(scan, placement) in &plan.windows {
         let spectra = spectra::transform(&fields[scan], placement, optics, &plan.spectra)?;
-        transforms = transforms.max(spectra.nodes);
-        if state.is_none() {
-            let nodes = choose_nodes(&spectra, plan, config);
-            let most = nodes.rings.iter().copied().max().unwrap_or(1);
-            check_memory(&plan.texels, most, nodes.tables, plan.spectra.memory_bytes)?;
-            state = Some(Sums::new(plan, optics, nodes)?);
+        let sums = match &mut state {
+            Some(sums) => sums,
+            None => {
+                let nodes = Nodes::choose(&spectra, plan, config);
+                check_memory(&plan.texels, nodes.most(), nodes.tables, plan.spectra.memory_bytes)?;
+                state.insert(Sums::new(plan, optics, nodes, keeper)?)
+            }
+        };
+        if !sums.lack_something() && !phasors.lack_something() {
+            break;
         }
-        if let Some(sums) = &mut state {
-            sums.add(&spectra, plan, share, advance);
-        }
-        if plan.lobe_seen {
-            phasors.add(&spectra, share);
-        }
+        sums.add(&spectra, plan, share, advance);
+        phasors.add(&spectra, share);
     }
     let Some(sums) = state else {
         return Err(Error::Call("a specimen needs at least one scan".into()));
     };
-    let rms_nm = fields.iter().map(rms_nm).fold(0.0, f64::max);
-    let record = BuildRecord {
-        transforms,
-        windows: plan.windows.len(),
-        node_samples: node_samples(plan, &sums.nodes.rings),
-        ..record(plan)
-    };
+    sums.keep(plan);
+    phasors.keep();
     let lobe = match plan.lobe_seen {
         false => None,
         true => Some(Lobe {
-            coherent: coherent(&phasors, optics, radius_max, lobe_depths(plan), rms_nm, config.tolerance)?,
-            radius_max,
+            coherent: coherent(
+                &phasors.power,
+                optics,
+                plan.lobe_radius,
+                lobe_depths(plan),
+                fields.iter().map(rms_nm).fold(0.0, f64::max),
+                config.tolerance,
+            )?,
+            radius_max: plan.lobe_radius,
             cross: sums.cross_tables(),
         }),
     };
-    let usable = fields.iter().map(|f| plan::usable_radius(optics, f.pitch_nm)).fold(2.0, f64::min);
     let set = TableSet {
         basis: Basis::Chebyshev,
         tables: to_tables(&sums.main, &plan.texels, plan.domain.as_ref(), &plan.rings, &sums.nodes),
@@ -350,9 +373,49 @@ fn build_chebyshev(
         optics: optics.clone(),
         served: plan.domain.as_ref().and_then(Domain::served),
         pigment: None,
-        usable_radius: usable,
+        usable_radius: fields.iter().map(|f| plan::usable_radius(optics, f.pitch_nm)).fold(2.0, f64::min),
+    };
+    let record = BuildRecord {
+        transforms: fields.iter().map(|field| spectra::nodes_for(field, &plan.spectra)).max().unwrap_or(0),
+        windows: plan.windows.len(),
+        node_samples: node_samples(plan, &sums.nodes),
+        ..record(plan)
     };
     Ok((set, record))
+}
+
+/// The mean phasor's power, from before or under way.
+struct KnownPhasors<'a> {
+    power: PhasorPower,
+    /// `None` where it is not needed.
+    lacking: bool,
+    keeper: Option<&'a dyn Keeper>,
+}
+
+impl<'a> KnownPhasors<'a> {
+    fn new(plan: &BuildPlan, keeper: Option<&'a dyn Keeper>) -> Self {
+        let keeper = keeper.filter(|_| plan.domain.is_some());
+        let mut power = PhasorPower::new(plan.spectra.s, plan.bandwidth_nm);
+        let kept = keeper.filter(|_| plan.lobe_seen).and_then(|keeper| keeper.load(Piece::Phasors));
+        let known = kept.is_some_and(|bytes| power.set(&bytes));
+        Self { power, lacking: plan.lobe_seen && !known, keeper }
+    }
+
+    fn lack_something(&self) -> bool {
+        self.lacking
+    }
+
+    fn add(&mut self, spectra: &Spectra, share: f64) {
+        if self.lacking {
+            self.power.add(spectra, share);
+        }
+    }
+
+    fn keep(&self) {
+        if let (Some(keeper), true) = (self.keeper, self.lacking) {
+            keeper.store(Piece::Phasors, &self.power.bytes());
+        }
+    }
 }
 
 /// The `t` that directions within the lobe have.
@@ -360,105 +423,8 @@ pub(super) fn lobe_depths(plan: &BuildPlan) -> [f64; 2] {
     plan.domain.as_ref().and_then(|domain| domain.t_inside(plan.lobe_radius)).unwrap_or([0.0, 1.0])
 }
 
-/// How finely `w` is resolved.
-#[derive(Debug, Clone, PartialEq)]
-struct Nodes {
-    /// Number of tables.
-    tables: usize,
-    /// Number of patches of the cross term, where there is one.
-    cross: usize,
-    /// Nodes of each ring.
-    rings: Vec<usize>,
-}
-
-fn choose_nodes(spectra: &Spectra, plan: &BuildPlan, config: &TablesConfig) -> Nodes {
-    let own_ranges = plan.domain.is_some();
-    if let (Some(tables), false) = (config.count, own_ranges) {
-        return Nodes { tables, cross: tables, rings: vec![tables; plan.rings.len()] };
-    }
-    let pilot = Pilot::new(spectra, plan, config.tolerance);
-    let tables = config.count.unwrap_or_else(|| pilot.tables(plan.nodes_bound, own_ranges));
-    let of_ring = |ring: &Ring| {
-        let length = ring.w[1] - ring.w[0];
-        let most = nodes_bound_over(plan.bandwidth_nm, plan.wavelength_min_nm, plan.fine_tolerance, length);
-        // Fewer would leave the tables' highest polynomials without information.
-        pilot.ring_nodes(ring.w, most).max(tables)
-    };
-    let rings = if own_ranges { plan.rings.iter().map(of_ring).collect() } else { vec![tables; plan.rings.len()] };
-    let cross = match plan.crosses && own_ranges {
-        true => {
-            let most = nodes_bound_over(plan.bandwidth_nm, plan.wavelength_min_nm, plan.fine_tolerance, w_reach(0.0));
-            Pilot::cross_patches(spectra, plan, config.tolerance, most)
-        }
-        false => tables,
-    };
-    Nodes { tables, cross, rings }
-}
-
-/// The sums under way: the tables and, where windows are not averaged away, the cross term.
-struct Sums {
-    nodes: Nodes,
-    main: PowerSums,
-    cross: Option<Cross>,
-}
-
-/// The cross term's sums: a square patch, and the ring without a hole that reaches past its corners.
-struct Cross {
-    sums: PowerSums,
-    texels: Texels,
-    ring: [Ring; 1],
-}
-
-impl Sums {
-    fn new(plan: &BuildPlan, optics: &OpticsConfig, nodes: Nodes) -> Result<Self> {
-        let radius_max = plan.lobe_radius;
-        let cross = if !plan.crosses {
-            None
-        } else {
-            let texels = Texels::whole(patch_grid(optics, radius_max));
-            let corner = radius_max * std::f64::consts::SQRT_2;
-            let count = plan::wavelengths_needed(optics, plan.bandwidth_nm, corner, w_reach(0.0), 1e-6);
-            let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
-            let ring = [Ring { rho: [0.0, corner * 1.01], w: [0.0, w_reach(0.0)], quadrature }];
-            Some(Cross { sums: PowerSums::new(&texels, nodes.cross), texels, ring })
-        };
-        let most = nodes.rings.iter().copied().max().unwrap_or(1);
-        Ok(Self { main: PowerSums::new(&plan.texels, most), nodes, cross })
-    }
-
-    fn add(&mut self, spectra: &Spectra, plan: &BuildPlan, share: f64, advance: Advance) {
-        for (ring, &count) in plan.rings.iter().zip(&self.nodes.rings) {
-            let nodes = chebyshev::gauss_nodes(count, ring.w[0], ring.w[1]);
-            let (texels, filter) = (&plan.texels, plan.filter);
-            add_ring(
-                spectra,
-                RingSum { texels, ring, filter, quantity: Quantity::Power, share },
-                &nodes,
-                &mut self.main,
-            );
-            advance(ring.quadrature.wavelengths_nm.len() as u64);
-        }
-        if let Some(Cross { sums, texels, ring: [ring] }) = &mut self.cross {
-            let nodes = chebyshev::gauss_nodes(self.nodes.cross, ring.w[0], ring.w[1]);
-            let filter = BoxFilter { width: 0.0, samples: 1 };
-            add_ring(spectra, RingSum { texels, ring, filter, quantity: Quantity::Cross, share }, &nodes, sums);
-        }
-    }
-
-    fn cross_tables(&self) -> Vec<Array3<f32>> {
-        match &self.cross {
-            Some(Cross { sums, texels, ring }) => {
-                let cross = self.nodes.cross;
-                let nodes = Nodes { tables: cross, cross, rings: vec![cross] };
-                to_tables(sums, texels, None, ring, &nodes)
-            }
-            None => Vec::new(),
-        }
-    }
-}
-
 /// Values at a ring's nodes of `w` to coefficients of `T_n(2t - 1)` over each texel's range.
-fn to_tables(
+pub(super) fn to_tables(
     sums: &PowerSums,
     texels: &Texels,
     domain: Option<&Domain>,
@@ -469,7 +435,7 @@ fn to_tables(
     let t_nodes = chebyshev::gauss_nodes(count, 0.0, 1.0);
     let matrix = chebyshev::coefficient_matrix(count).concat();
     let interpolants: Vec<Interpolant> =
-        rings.iter().zip(&nodes.rings).map(|(ring, &n)| Interpolant::new(n, ring.w[0], ring.w[1])).collect();
+        nodes.rings.iter().map(|nodes| Interpolant::new(nodes.count, nodes.w[0], nodes.w[1])).collect();
     let row_length = width * 3;
     let mut tables: Vec<Vec<f32>> = (0..count).map(|_| vec![0.0; texels.rows.len() * row_length]).collect();
     // Each row of all tables together, so that rows are written side by side and no copy is held.
@@ -481,8 +447,8 @@ fn to_tables(
         let row = texels.rows.start + line;
         let mut at_t = vec![0.0; 3 * count];
         let mut coefficients = vec![0.0; 3 * count];
-        for ((ring, interpolant), &n) in rings.iter().zip(&interpolants).zip(&nodes.rings) {
-            let mut weights = vec![0.0; n];
+        for (ring, interpolant) in rings.iter().zip(&interpolants) {
+            let mut weights = vec![0.0; interpolant.nodes().len()];
             for column in texels.runs_in(row, ring.rho).into_iter().flatten() {
                 let index = column - texels.columns.start;
                 let [low, high] = match domain {
@@ -536,9 +502,10 @@ pub fn ring_samples(plan: &BuildPlan) -> Vec<f64> {
     rings.map(|ring| texels(ring) as f64 * ring.quadrature.wavelengths_nm.len() as f64).collect()
 }
 
-/// Texels times wavelengths times nodes: what was summed.
-fn node_samples(plan: &BuildPlan, nodes: &[usize]) -> u64 {
-    ring_samples(plan).iter().zip(nodes).map(|(samples, &nodes)| samples * nodes as f64).sum::<f64>() as u64
+/// Texels times wavelengths times nodes: what tables are summed of, in the groups that are summed together.
+fn node_samples(plan: &BuildPlan, nodes: &Nodes) -> u64 {
+    let groups = nodes.rings.iter().map(|nodes| nodes.count.next_multiple_of(GROUP) as f64);
+    ring_samples(plan).iter().zip(groups).map(|(samples, nodes)| samples * nodes).sum::<f64>() as u64
 }
 
 /// Counts of a plan for reports.

@@ -9,6 +9,7 @@ use super::model::{Storage, TablesConfig};
 use super::pilot::{self, RING_SHARE};
 use super::plan::{Ring, w_reach};
 use super::rounding;
+use super::sums::GROUP;
 use crate::ground::chebyshev;
 use crate::ground::error::Result;
 use crate::height::HeightField;
@@ -134,7 +135,11 @@ pub fn forecast_of(
         texels: counted as u64,
         step_min_nm: steps.reduce(f64::min),
         samples: samples.iter().sum(),
-        node_samples: samples.iter().zip(&nodes).map(|(samples, &nodes)| samples * nodes as f64).sum(),
+        node_samples: samples
+            .iter()
+            .zip(&nodes)
+            .map(|(samples, nodes)| samples * nodes.next_multiple_of(GROUP) as f64)
+            .sum(),
         seconds: 1e-9 * (FIXED_NS + work_ns / threads as f64),
         memory_bytes: memory_bytes(plan, &windows, &nodes, tables) as u64,
         stored_bytes: (counted * 3.0 * value_bytes * tables as f64 + range_bytes) as u64,
@@ -187,14 +192,13 @@ fn ring_nodes(fields: &[HeightField], plan: &BuildPlan, config: &TablesConfig) -
     plan.rings.iter().map(of_ring).collect()
 }
 
-/// Joins rings of a served domain with their neighbours wherever the sums then take less: narrow rings have few depths,
-/// but every one interpolates all lines whose blur reaches into it.
+/// Joins the rings of a plan for every direction with their neighbours wherever the sums then take less: narrow rings have
+/// few depths, but every one interpolates all lines whose blur reaches into it.
 pub fn join_rings(plan: &mut BuildPlan, fields: &[HeightField], optics: &OpticsConfig, config: &TablesConfig) {
     let rms = fields.iter().map(super::build::rms_nm).fold(0.0, f64::max);
-    let tables = config.count.unwrap_or_else(|| expected_tables(rms, plan, config.tolerance));
     let windows = window_work(fields, optics, plan);
     let cost = |(ring, texels): &(Ring, f64)| -> f64 {
-        let nodes = expected_nodes(rms, plan, ring.w, RING_SHARE * config.tolerance).max(tables);
+        let nodes = expected_nodes(rms, plan, ring.w, RING_SHARE * config.tolerance).max(config.count.unwrap_or(1));
         windows.iter().map(|window| ring_ns(plan, window, ring, *texels, nodes)).sum()
     };
     let mut kept: Vec<(Ring, f64)> = Vec::new();

@@ -1,14 +1,15 @@
 //! A pilot: how many nodes in `w` a surface needs, found on a few texels before all are computed.
 
 use std::f64::consts::TAU;
+use std::iter::StepBy;
+use std::ops::RangeInclusive;
 
 use rayon::prelude::*;
 
 use super::build::BuildPlan;
-use super::plan::{nodes_bound_over, w_reach};
+use super::plan::{Ring, nodes_bound_over, w_reach};
 use crate::ground::chebyshev::{self, Interpolant};
 use crate::ground::sampling;
-use crate::ground::spectrum::SpectralQuadrature;
 use crate::optics::spectra::Spectra;
 
 /// Texels spread over the disc, half as many where there is light, and a quarter as many around the mirror direction;
@@ -35,6 +36,9 @@ const BRIGHT: f64 = 0.98;
 /// Share of directions whose luminance must keep its share of the tolerance.
 const QUANTILE: f64 = 0.95;
 
+/// Numbers of nodes to try, one after the other.
+pub type Counts = StepBy<RangeInclusive<usize>>;
+
 /// The luminance of the tried texels as functions of `w`.
 pub struct Pilot {
     /// Texels spread evenly; those that get light, since a grating sends its light along one line, which the former miss;
@@ -45,11 +49,13 @@ pub struct Pilot {
     dark_per_sr: f64,
 }
 
-/// Luminance of a texel at fine nodes over the `|w|` of its ring, and the range it is itself asked for.
+/// Luminance of a texel at fine nodes over a range of `|w|`, and the part of that which it is itself asked for.
 struct Polynomial {
     values: Vec<f64>,
-    ring: [f64; 2],
+    whole: [f64; 2],
     own: [f64; 2],
+    /// Its ring, by the radii.
+    rho: [f64; 2],
 }
 
 impl Pilot {
@@ -87,9 +93,9 @@ impl Pilot {
     /// Where every direction is served, tables come from as many nodes over the ring's whole reach; else each texel's
     /// own range counts.
     pub fn tables(&self, most: usize, own_ranges: bool) -> usize {
-        let over = |p: &Polynomial| if own_ranges { p.own } else { p.ring };
+        let over = |p: &Polynomial| if own_ranges { p.own } else { p.whole };
         let (first, share) = if own_ranges { (1, SERVED_BASIS_SHARE) } else { (2, BASIS_SHARE) };
-        self.fewest(first, most, share, &over, &|_| true)
+        self.first_within((first..=most).step_by(1), share, &over, &|_| true)
     }
 
     /// The smallest number of patches of the cross term, which keep the whole reach whatever is served: as many as tables
@@ -100,41 +106,49 @@ impl Pilot {
         let of_texel = |&uv: &[f64; 2]| {
             let ring = plan.rings.iter().min_by(|a, b| a.rho[0].total_cmp(&b.rho[0]))?;
             let own = [0.0, w_reach(uv[0].hypot(uv[1]))];
-            Some(polynomial(spectra, &ring.quadrature, uv, nodes_over(plan, whole), whole, own))
+            Some(polynomial(spectra, ring, uv, nodes_over(plan, whole), whole, own))
         };
         let groups = [texels.iter().filter_map(of_texel).collect(), Vec::new(), Vec::new()];
-        Self { groups, tolerance, dark_per_sr: 0.0 }.fewest(2, most, BASIS_SHARE, &|p| p.ring, &|_| true)
+        Self { groups, tolerance, dark_per_sr: 0.0 }.first_within(
+            (2..=most).step_by(1),
+            BASIS_SHARE,
+            &|p| p.whole,
+            &|_| true,
+        )
     }
 
-    /// The smallest number of nodes over a ring's `|w|` that leaves the texels' own ranges accurate.
-    pub fn ring_nodes(&self, ring: [f64; 2], most: usize) -> usize {
-        let inside = |p: &Polynomial| p.ring == ring;
-        // A ring without a tried texel is as its neighbours are.
+    /// The first of these numbers of nodes over an interval of `|w|` with which the ranges that texels of a ring have in it
+    /// err by no more than a share of the tolerance; the last where none does.
+    pub fn ring_nodes(&self, rho: [f64; 2], interval: [f64; 2], share: f64, counts: Counts) -> usize {
+        let inside = |p: &Polynomial| p.rho == rho;
+        // A ring without a tried texel is as the others are, each around its own depths.
         let any = self.groups.iter().flatten().any(inside);
-        let length = ring[1] - ring[0];
-        let over = |p: &Polynomial| {
-            let start = (p.ring[1] - length).max(p.ring[0]);
-            if any { ring } else { [start, p.ring[1]] }
+        let around_own = |p: &Polynomial| {
+            let length = interval[1] - interval[0];
+            let start = (0.5 * (p.own[0] + p.own[1] - length)).min(p.whole[1] - length).max(p.whole[0]);
+            [start.min(p.own[0]), (start + length).min(p.whole[1]).max(p.own[1])]
         };
-        self.fewest(1, most, RING_SHARE, &over, &|p| !any || inside(p))
+        let over = |p: &Polynomial| if any { interval } else { around_own(p) };
+        self.first_within(counts, share, &over, &|p| !any || inside(p))
     }
 
-    fn fewest(
+    fn first_within(
         &self,
-        first: usize,
-        most: usize,
+        counts: Counts,
         share: f64,
         over: &dyn Fn(&Polynomial) -> [f64; 2],
-        counts: &dyn Fn(&Polynomial) -> bool,
+        counted: &dyn Fn(&Polynomial) -> bool,
     ) -> usize {
         let error = |nodes: usize| {
             let errors = self.groups.iter().map(|group| {
-                let counted = group.iter().filter(|p| counts(p));
-                quantile(counted.flat_map(|p| p.errors(nodes, over(p), self.dark_per_sr)).collect())
+                let tried = group.iter().filter(|p| counted(p));
+                quantile(tried.flat_map(|p| p.errors(nodes, over(p), self.dark_per_sr)).collect())
             });
             errors.fold(0.0, f64::max)
         };
-        (first..most).find(|&nodes| error(nodes) <= share * self.tolerance).unwrap_or(most)
+        let last = counts.clone().last().unwrap_or(1);
+        let mut counts = counts.filter(|&nodes| nodes != last);
+        counts.find(|&nodes| error(nodes) <= share * self.tolerance).unwrap_or(last)
     }
 }
 
@@ -142,7 +156,7 @@ impl Polynomial {
     /// Relative errors over the texel's own range of interpolation from `count` nodes over a range.
     /// Places darker than `dark_per_sr` are left out.
     fn errors(&self, count: usize, over: [f64; 2], dark_per_sr: f64) -> Vec<f64> {
-        let fine = Interpolant::new(self.values.len(), self.ring[0], self.ring[1]);
+        let fine = Interpolant::new(self.values.len(), self.whole[0], self.whole[1]);
         let at = |w: f64| dot(&fine.weights(w), &self.values);
         let coarse = Interpolant::new(count, over[0], over[1]);
         let nodes: Vec<f64> = coarse.nodes().iter().map(|&w| at(w)).collect();
@@ -220,18 +234,20 @@ fn lit_texels(spectra: &Spectra, plan: &BuildPlan, count: usize) -> Vec<[f64; 2]
         .collect()
 }
 
-/// Sums the luminance of texels, each given with its own range of `|w|`, at fine nodes over their rings'.
+/// Sums the luminance of texels, each given with its own range of `|w|`, at fine nodes over all that nodes of their rings
+/// may span.
 fn polynomials(spectra: &Spectra, plan: &BuildPlan, texels: &[([f64; 2], [f64; 2])]) -> Vec<Polynomial> {
     texels
         .par_iter()
         .filter_map(|&([u, v], own)| {
             let rho = u.hypot(v);
             let ring = plan.rings.iter().find(|r| rho >= r.rho[0] && rho < r.rho[1])?;
+            let whole = plan.depths_within(ring);
             let fine = match plan.domain {
                 None => plan.nodes_bound.max(4),
-                Some(_) => nodes_over(plan, ring.w),
+                Some(_) => nodes_over(plan, whole),
             };
-            Some(polynomial(spectra, &ring.quadrature, [u, v], fine, ring.w, own))
+            Some(polynomial(spectra, ring, [u, v], fine, whole, own))
         })
         .collect()
 }
@@ -239,13 +255,14 @@ fn polynomials(spectra: &Spectra, plan: &BuildPlan, texels: &[([f64; 2], [f64; 2
 /// Sums the luminance of a texel at fine nodes over a range of `|w|` that holds its own.
 fn polynomial(
     spectra: &Spectra,
-    quadrature: &SpectralQuadrature,
+    ring: &Ring,
     [u, v]: [f64; 2],
     fine: usize,
-    ring: [f64; 2],
+    whole: [f64; 2],
     own: [f64; 2],
 ) -> Polynomial {
-    let nodes = chebyshev::gauss_nodes(fine, ring[0], ring[1]);
+    let quadrature = &ring.quadrature;
+    let nodes = chebyshev::gauss_nodes(fine, whole[0], whole[1]);
     let mut values = vec![0.0; nodes.len()];
     for (&nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
         let k = TAU / nm;
@@ -254,7 +271,7 @@ fn polynomial(
         let scale = weight[1] * (k / nm).powi(2);
         values.iter_mut().zip(power).for_each(|(sum, p)| *sum += scale * p);
     }
-    Polynomial { values, ring, own: [own[0].max(ring[0]), own[1].min(ring[1])] }
+    Polynomial { values, whole, own: [own[0].max(whole[0]), own[1].min(whole[1])], rho: ring.rho }
 }
 
 /// Nodes over a range of `w` that leave nothing to be seen between them.

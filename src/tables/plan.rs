@@ -132,13 +132,12 @@ const FINE_RATIO: f64 = 1.19;
 /// reaches into it.
 const FINE_LOBES: f64 = 20.0;
 
-/// Rings for the texels of a domain: finer than [`rings`], and always at the same radii, so that what a texel holds
-/// does not depend on which others are asked for. Rings without a texel are left out.
+/// Rings for tables that serve scenes: finer than [`rings`], each with the `|w|` that one light and one camera can have in
+/// it. They know nothing of the scenes, so that what a texel holds does not depend on which others are asked for.
 ///
 /// # Errors
 /// `Error::Call` for an invisible light.
-pub fn rings_of(
-    domain: &Domain,
+pub fn fine_rings(
     optics: &OpticsConfig,
     bandwidth_nm: f64,
     rho_max: f64,
@@ -146,23 +145,31 @@ pub fn rings_of(
     step_nm: Option<f64>,
 ) -> Result<Vec<Ring>> {
     let narrowest = FINE_LOBES * lobe_width(optics.sigma_nm, optics.illuminant.reach_nm(optics.wavelength_nm)[0]);
-    let mut radii = vec![rho_max];
+    let mut rings = Vec::new();
     let mut outer = rho_max;
     while outer > 0.0 {
         let by_reach = (4.0 - (w_reach(outer) + FINE_STEP).powi(2)).max(0.0).sqrt();
         let inner = by_reach.max(outer / FINE_RATIO).min(outer - narrowest).max(0.0);
-        outer = if inner < narrowest { 0.0 } else { inner };
-        radii.push(outer);
-    }
-    let mut rings = Vec::new();
-    for (rho, w) in radii.windows(2).zip(domain.w_of_rings(&radii)) {
-        if let Some(w) = w {
-            let count = wavelengths_of(optics, bandwidth_nm, [rho[1], rho[0]], tolerance, step_nm);
-            let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
-            rings.push(Ring { rho: [rho[1], rho[0]], w, quadrature });
-        }
+        let inner = if inner < narrowest { 0.0 } else { inner };
+        let count = wavelengths_of(optics, bandwidth_nm, [inner, outer], tolerance, step_nm);
+        let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
+        rings.push(Ring { rho: [inner, outer], w: [w_reach(outer), w_reach(inner)], quadrature });
+        outer = inner;
     }
     Ok(rings)
+}
+
+/// The rings in which a domain has texels, with the `|w|` that these are asked for.
+pub(super) fn reached_rings(rings: Vec<Ring>, domain: &Domain) -> Vec<Ring> {
+    let outermost = rings.first().map(|ring| ring.rho[1]);
+    let radii: Vec<f64> = outermost.into_iter().chain(rings.iter().map(|ring| ring.rho[0])).collect();
+    let reached = rings.into_iter().zip(domain.w_of_rings(&radii));
+    reached.filter_map(|(ring, w)| Some(Ring { w: w?, ..ring })).collect()
+}
+
+/// An interval widened to whole multiples of a step, within limits that hold it.
+pub(super) fn widened([low, high]: [f64; 2], step: f64, limits: [f64; 2]) -> [f64; 2] {
+    [((low / step).floor() * step).max(limits[0]), ((high / step).ceil() * step).min(limits[1])]
 }
 
 /// Wavelengths for a ring of these radii: as many as the tolerance asks for, or those of a given step.
