@@ -62,6 +62,12 @@ impl Built {
         Self::measured_with(None, source, plan, advance)
     }
 
+    /// Share of the texels whose sums were known from earlier builds.
+    pub fn known_share(&self) -> f64 {
+        let [known, summed] = self.summed;
+        known as f64 / (known + summed).max(1) as f64
+    }
+
     /// Builds with the sums that are known from earlier builds, and measures.
     fn measured_with(known: Option<&KnownSums>, source: &Source, plan: &BuildPlan, advance: Advance) -> Result<Self> {
         let stopwatch = Stopwatch::start();

@@ -180,13 +180,18 @@ fn record_unserved(results: &mut RunResults, specimen: &SpecimenResult) {
 /// The line that a finished specimen leaves on the screen.
 fn done_line(label: &str, done: &Done, seconds: f64) -> String {
     let (tables, size) = done.result.build.as_ref().map_or((0, 0), |build| (build.tables, build.size));
-    let found = match done.used {
-        CacheUse { tables_found: 0, pairs_found: 0, .. } => String::new(),
-        CacheUse { tables_found: 0, pairs_found, .. } => format!(", {pairs_found} reference values were known"),
-        CacheUse { pairs_found: 0, .. } => ", the tables were known".into(),
-        CacheUse { pairs_found, .. } => format!(", the tables and {pairs_found} reference values were known"),
-    };
-    format!("{label}: {tables} tables of {size}², {seconds:.1} s{found}")
+    let CacheUse { tables_found, texels_found, texels_summed, pairs_found, .. } = done.used;
+    let percent = 100.0 * texels_found as f64 / (texels_found + texels_summed).max(1) as f64;
+    let known: Vec<String> = [
+        (tables_found > 0).then(|| "the tables".into()),
+        (texels_found > 0).then(|| format!("{percent:.0} % of the tables' sums")),
+        (pairs_found > 0).then(|| format!("{pairs_found} reference values")),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    let known = if known.is_empty() { known.join("") } else { format!(", known: {}", known.join(", ")) };
+    format!("{label}: {tables} tables of {size}², {seconds:.1} s{known}")
 }
 
 /// What a finished specimen leaves besides its files.
@@ -340,6 +345,7 @@ fn run_specimen(
     if let Some(build) = &mut result.build {
         (build.build_s, build.stored_bytes) = (done.seconds, stored_bytes);
         build.build_cpu_s = done.processor_s;
+        build.known_share = done.known_share();
         build.memory_bytes = done.memory_bytes;
         // The published series is built another way, which no forecast knows.
         if tables.basis == Basis::Chebyshev {
