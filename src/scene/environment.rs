@@ -46,6 +46,13 @@ pub struct Sky {
     columns: Array2<f32>,
 }
 
+impl Sky {
+    /// Turn about the vertical, from +z towards +x, that it was read with.
+    pub fn rotate_deg(&self) -> f64 {
+        self.rotate_deg
+    }
+}
+
 /// Without the texels: scenes are shown in messages.
 impl fmt::Debug for Sky {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {

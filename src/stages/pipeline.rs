@@ -15,6 +15,7 @@ use super::format_md::format_md;
 use super::gpu_stage;
 use super::ingest::ingest;
 use super::known::Known;
+use super::known_reach::known_reach;
 use super::measure;
 use super::measured;
 use super::progress::Progress;
@@ -258,7 +259,10 @@ fn run_specimen(
     let serving = config.serve != Serve::All;
     let domain = match serving {
         false => None,
-        true => Some(clock.stage("find what the scenes reach", 0, || serve::domain_of(&source, &wanted))?),
+        true => Some(clock.stage("find what the scenes reach", 0, || {
+            let reach = |scene: &Scene, grid, parts| known_reach(cache, scene, grid, parts);
+            serve::domain_by(&reach, &source, &wanted)
+        })?),
     };
     let plan = clock.stage("plan", 0, || build::plan_for(&ingested.fields, optics, &tables, domain.clone()))?;
     let steps = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum::<usize>() * plan.windows.len();

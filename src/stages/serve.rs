@@ -90,6 +90,17 @@ pub struct Source<'a> {
 /// # Errors
 /// A scene that cannot be rendered.
 pub fn domain_of(source: &Source, scenes: &[&Scene]) -> Result<Domain> {
+    domain_by(&reach, source, scenes)
+}
+
+/// Finds what one scene reaches of a grid, as [`reach`] does.
+pub type Reach<'a> = &'a dyn Fn(&Scene, Grid, usize) -> Result<Domain>;
+
+/// [`domain_of`] with what each scene reaches found in another way.
+///
+/// # Errors
+/// A scene that cannot be rendered.
+pub fn domain_by(reach: Reach, source: &Source, scenes: &[&Scene]) -> Result<Domain> {
     let grid = build::grid(source.optics, source.tables);
     let parts = parts_of(grid, source.tables.memory_mib)?;
     let mut domain = Domain::new(grid);
