@@ -283,8 +283,8 @@ fn expected_tables(rms_nm: f64, plan: &BuildPlan, tolerance: f64) -> usize {
     // As many as the widest ranges but one in twenty need.
     let mut lengths: Vec<f64> =
         domain.iter().map(|(row, column, t)| domain.w_at(row, column, t)).map(|[low, high]| high - low).collect();
-    lengths.sort_by(f64::total_cmp);
-    let length = lengths.get(lengths.len() * 19 / 20).copied().unwrap_or(0.0);
+    let at = lengths.len() * 19 / 20;
+    let length = if lengths.is_empty() { 0.0 } else { *lengths.select_nth_unstable_by(at, f64::total_cmp).1 };
     expected_nodes(rms_nm, plan, [0.0, length], tolerance)
 }
 
