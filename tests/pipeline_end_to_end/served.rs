@@ -134,7 +134,7 @@ fn a_scene_pays_for_its_own_tolerance() {
         let rough = &report["specimens"][0];
         assert_eq!(rough["build"]["tolerance"], tolerance, "the strictest of what is served");
         let image = read_rgb(&place.path(&format!("{folder}/rough/scenes/ball.exr"))).unwrap().0;
-        pictures.push((rough["build"]["record"]["node_samples"].as_u64().unwrap(), image));
+        pictures.push((rough["build"]["tables"].as_u64().unwrap(), image));
     }
     let [(few, rough), (many, fine), (between, _)] = &pictures[..] else { panic!("three versions") };
     assert!(few < many && few < between, "{few} {between} {many}");
