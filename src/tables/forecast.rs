@@ -181,13 +181,16 @@ fn scratch_bytes(plan: &BuildPlan, window: &WindowWork, ring: &Ring, nodes: usiz
     17.0 / 16.0 * WAVES as f64 * lines * columns * lanes * 16.0
 }
 
+/// Rms heights of a ring's texels, of that of all: few of them lie where the relief is deepest.
+const RING_ROUGHNESS: f64 = 0.77;
+
 /// Nodes that each ring will likely have.
 fn ring_nodes(fields: &[HeightField], plan: &BuildPlan, config: &TablesConfig) -> Vec<usize> {
     let rms = fields.iter().map(super::build::rms_nm).fold(0.0, f64::max);
     let tables = config.count.unwrap_or_else(|| expected_tables(rms, plan, config.tolerance));
     let of_ring = |ring: &Ring| match &plan.domain {
         None => tables,
-        Some(_) => expected_nodes(rms, plan, ring.w, RING_SHARE * config.tolerance).max(tables),
+        Some(_) => expected_nodes(RING_ROUGHNESS * rms, plan, ring.w, RING_SHARE * config.tolerance).max(tables),
     };
     plan.rings.iter().map(of_ring).collect()
 }
