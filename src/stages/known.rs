@@ -274,6 +274,10 @@ fn plan_parts(plan: &BuildPlan) -> Value {
 fn domain_digest(domain: &Domain) -> String {
     let mut hasher = Sha256::new();
     domain.low.iter().chain(&domain.high).for_each(|end| hasher.update(end.to_le_bytes()));
+    for texels in &domain.scenes {
+        hasher.update((texels.0.len() as u64).to_le_bytes());
+        texels.0.iter().for_each(|bits| hasher.update(bits.to_le_bytes()));
+    }
     hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

@@ -16,10 +16,10 @@ use crate::ground::files;
 use crate::ground::spectrum::Illuminant;
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
-use crate::scene::model::Scene;
+use crate::scene::model::{Exposure, Scene};
 use crate::scene::reach::reach;
 use crate::tables::build::{self, BuildPlan, plan, plan_for, smooth};
-use crate::tables::domain::Domain;
+use crate::tables::domain::{Domain, TexelSet};
 use crate::tables::forecast::{Forecast, forecast_of};
 use crate::tables::model::TablesConfig;
 use crate::tables::plan::Grid;
@@ -105,7 +105,12 @@ pub fn domain_by(reach: Reach, source: &Source, scenes: &[&Scene]) -> Result<Dom
     let parts = parts_of(grid, source.tables.memory_mib)?;
     let mut domain = Domain::new(grid);
     for scene in scenes {
-        domain = domain.merge(&reach(scene, grid, parts)?);
+        let reached = reach(scene, grid, parts)?;
+        domain = domain.merge(&reached);
+        domain.scenes.push(match scene.exposure {
+            Exposure::Auto => TexelSet::reached(&reached),
+            Exposure::Ev(_) => TexelSet(Vec::new()),
+        });
     }
     Ok(smooth(domain, source.fields, source.optics, source.tables.tolerance))
 }

@@ -68,13 +68,35 @@ pub struct Domain {
     pub low: Vec<f32>,
     /// Highest `t`; negative where nothing is reached.
     pub high: Vec<f32>,
+    /// What each scene reaches that is exposed by what it shows; empty where one is not, or no scene is known.
+    pub scenes: Vec<TexelSet>,
+}
+
+/// Some texels of a grid, a bit for each.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TexelSet(pub Vec<u64>);
+
+impl TexelSet {
+    /// Those that a domain reaches.
+    pub fn reached(domain: &Domain) -> Self {
+        let mut bits = vec![0; domain.low.len().div_ceil(64)];
+        for (index, (low, high)) in domain.low.iter().zip(&domain.high).enumerate() {
+            bits[index / 64] |= u64::from(low <= high) << (index % 64);
+        }
+        Self(bits)
+    }
+
+    /// Whether a texel, given by its index row by row, is one of them.
+    pub fn holds(&self, index: usize) -> bool {
+        self.0.get(index / 64).is_some_and(|bits| bits >> (index % 64) & 1 == 1)
+    }
 }
 
 impl Domain {
     /// Nothing reached yet.
     pub fn new(grid: Grid) -> Self {
         let texels = grid.size * grid.size;
-        Self { grid, low: vec![f32::INFINITY; texels], high: vec![-1.0; texels] }
+        Self { grid, low: vec![f32::INFINITY; texels], high: vec![-1.0; texels], scenes: Vec::new() }
     }
 
     /// Memory that one takes.
@@ -224,12 +246,10 @@ impl Domain {
     }
 
     /// Range of `|w|` at the texel nearest to `(u, v)`; `None` where it is not reached.
-    pub fn w_near(&self, [u, v]: [f64; 2]) -> Option<[f64; 2]> {
-        let index = |x: f64| ((x + self.grid.half_width) / self.grid.texel()).round();
-        let inside = |at: f64| at >= 0.0 && at < self.grid.size as f64;
-        let (row, column) = (index(-v), index(u));
-        let there = inside(row) && inside(column) && self.reaches(row as usize, column as usize);
-        there.then(|| self.w_at(row as usize, column as usize, self.range(row as usize, column as usize)))
+    pub fn w_near(&self, uv: [f64; 2]) -> Option<[f64; 2]> {
+        let index = self.grid.nearest(uv)?;
+        let [row, column] = [index / self.grid.size, index % self.grid.size];
+        self.reaches(row, column).then(|| self.w_at(row, column, self.range(row, column)))
     }
 
     /// Number of texels reached.

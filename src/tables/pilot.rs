@@ -7,6 +7,7 @@ use std::ops::RangeInclusive;
 use rayon::prelude::*;
 
 use super::build::BuildPlan;
+use super::domain::TexelSet;
 use super::plan::{Ring, nodes_bound_over, w_reach};
 use crate::ground::chebyshev::{self, Interpolant};
 use crate::ground::sampling;
@@ -27,7 +28,8 @@ const SERVED_BASIS_SHARE: f64 = 0.125;
 pub(super) const RING_SHARE: f64 = 0.1;
 
 /// Share of what bright places show up to which a place is dark: between isolated orders, where their kernels are cut, no
-/// relative error is worth a table. Far below what errors are measured down to: dim places keep the tolerance, too.
+/// relative error is worth a table. Far below what errors are measured down to: dim places keep the tolerance, too. Where
+/// tables serve scenes, bright is what the darkest of them shows: a picture of dark directions alone is exposed for them.
 const DARK_SHARE: f64 = 1e-7;
 
 /// Bright is what one place in fifty exceeds.
@@ -51,6 +53,7 @@ pub struct Pilot {
 
 /// Luminance of a texel at fine nodes over a range of `|w|`, and the part of that which it is itself asked for.
 struct Polynomial {
+    uv: [f64; 2],
     values: Vec<f64>,
     whole: [f64; 2],
     own: [f64; 2],
@@ -83,8 +86,16 @@ impl Pilot {
             }
         };
         let groups = groups.map(|texels: Vec<_>| polynomials(spectra, plan, &texels));
-        // A picture of dark directions alone is exposed for them.
-        let dark_per_sr = if plan.domain.is_some() { 0.0 } else { DARK_SHARE * bright_per_sr(&groups) };
+        let bright_per_sr = match &plan.domain {
+            None => bright_per_sr(&groups, |_| true),
+            Some(domain) => {
+                let shown = |scene: &TexelSet| {
+                    bright_per_sr(&groups, |p| domain.grid.nearest(p.uv).is_some_and(|index| scene.holds(index)))
+                };
+                domain.scenes.iter().map(shown).reduce(f64::min).unwrap_or(0.0)
+            }
+        };
+        let dark_per_sr = DARK_SHARE * bright_per_sr;
         Self { groups, tolerance, dark_per_sr }
     }
 
@@ -188,9 +199,10 @@ fn quantile_at(mut values: Vec<f64>, share: f64) -> f64 {
     values.get((last as f64 * share).ceil() as usize).copied().unwrap_or(0.0)
 }
 
-/// What bright places of the tried texels show.
-fn bright_per_sr(groups: &[Vec<Polynomial>]) -> f64 {
-    quantile_at(groups.iter().flatten().flat_map(|texel| texel.values.iter().copied()).collect(), BRIGHT)
+/// What bright places show of those tried texels that count; 0 for none.
+fn bright_per_sr(groups: &[Vec<Polynomial>], counts: impl Fn(&Polynomial) -> bool) -> f64 {
+    let counted = groups.iter().flatten().filter(|texel| counts(texel));
+    quantile_at(counted.flat_map(|texel| texel.values.iter().copied()).collect(), BRIGHT)
 }
 
 /// Texels `(u, v)`: half of them even over the disc, half towards its centre, where directions crowd near
@@ -253,15 +265,8 @@ fn polynomials(spectra: &Spectra, plan: &BuildPlan, texels: &[([f64; 2], [f64; 2
 }
 
 /// Sums the luminance of a texel at fine nodes over a range of `|w|` that holds its own.
-fn polynomial(
-    spectra: &Spectra,
-    ring: &Ring,
-    [u, v]: [f64; 2],
-    fine: usize,
-    whole: [f64; 2],
-    own: [f64; 2],
-) -> Polynomial {
-    let quadrature = &ring.quadrature;
+fn polynomial(spectra: &Spectra, ring: &Ring, uv: [f64; 2], fine: usize, whole: [f64; 2], own: [f64; 2]) -> Polynomial {
+    let (quadrature, [u, v]) = (&ring.quadrature, uv);
     let nodes = chebyshev::gauss_nodes(fine, whole[0], whole[1]);
     let mut values = vec![0.0; nodes.len()];
     for (&nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
@@ -271,7 +276,7 @@ fn polynomial(
         let scale = weight[1] * (k / nm).powi(2);
         values.iter_mut().zip(power).for_each(|(sum, p)| *sum += scale * p);
     }
-    Polynomial { values, whole, own: [own[0].max(whole[0]), own[1].min(whole[1])], rho: ring.rho }
+    Polynomial { uv, values, whole, own: [own[0].max(whole[0]), own[1].min(whole[1])], rho: ring.rho }
 }
 
 /// Nodes over a range of `w` that leave nothing to be seen between them.

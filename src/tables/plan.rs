@@ -36,6 +36,14 @@ impl Grid {
         -self.u(row)
     }
 
+    /// Index, row by row, of the texel nearest to `(u, v)`; `None` outside of the grid.
+    pub fn nearest(&self, [u, v]: [f64; 2]) -> Option<usize> {
+        let at = |x: f64| ((x + self.half_width) / self.texel()).round();
+        let inside = |at: f64| at >= 0.0 && at < self.size as f64;
+        let (row, column) = (at(-v), at(u));
+        (inside(row) && inside(column)).then(|| row as usize * self.size + column as usize)
+    }
+
     /// Columns with `|u| <= reach`, as a half-open range.
     pub fn columns_within(&self, reach: f64) -> std::ops::Range<usize> {
         let middle = (self.size - 1) / 2;
