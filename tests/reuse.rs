@@ -134,13 +134,13 @@ fn what_is_no_sums_is_summed_again() {
     let case = Case::new(1_500.0, Edge::Tile, Windows::Centre, 101);
     let (source, scene) = (case.source(), ball([0.3, 0.2, 1.0]));
     let expected = bits(&built(&source, &scene, None));
-    let damages: [&dyn Fn(&mut Vec<u8>); 5] = [
-        &|bytes| bytes.truncate(bytes.len() - 4),
-        &|bytes| bytes.extend([0; 4]),
-        &|bytes| bytes.truncate(3),
-        &|bytes| bytes.clear(),
+    let damages: [fn(&mut Vec<u8>); 5] = [
+        |bytes| bytes.truncate(bytes.len() - 4),
+        |bytes| bytes.extend([0; 4]),
+        |bytes| bytes.truncate(3),
+        |bytes| bytes.clear(),
         // More texels than there are numbers.
-        &|bytes| bytes.iter_mut().take(8).for_each(|byte| *byte = 0xff),
+        |bytes| bytes.iter_mut().take(8).for_each(|byte| *byte = 0xff),
     ];
     for (number, damage) in damages.iter().enumerate() {
         let shelf = Shelf::default();
