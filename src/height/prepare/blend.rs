@@ -32,8 +32,11 @@ pub fn check(field: &HeightField, blend_nm: f64) -> Result<()> {
         // Negated, so that NaN is refused too.
         if !(blend_nm >= least && blend_nm <= most) {
             let what = format!(
-                "blend_nm is {blend_nm}; along {name} this scan of {count} samples every {pitch} nm allows \
-                 {least} (four samples) to {most} (half of the scan)"
+                "blend_nm is {blend_nm}; along {name} this scan of {count} samples every {pitch:.2} nm allows \
+                 {:.1} (four samples) to {:.1} (half of the scan)",
+                // Rounded so that either is allowed itself.
+                (10.0 * least).ceil() / 10.0,
+                (10.0 * most).floor() / 10.0
             );
             let fix = if least <= most { "set `blend_nm` within this range" } else { "leave `blend_nm` out" };
             return Err(Error::limit(
