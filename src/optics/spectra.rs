@@ -95,14 +95,16 @@ pub(super) struct AxisPlan {
     pub(super) lines: usize,
 }
 
+/// The lines that the kernel reads for frequencies from `low` to `high`, and how they come about.
 fn axis_plan(
     placement: Placement,
+    kernel: Kernel,
     axis: usize,
-    count: usize,
-    pitch_nm: f64,
+    field: &HeightField,
     sigma_nm: f64,
     [low, high]: [f64; 2],
 ) -> AxisPlan {
+    let (count, pitch_nm) = (field.size()[axis], field.pitch_nm[axis]);
     let window = window_axis(placement, axis, count, pitch_nm, sigma_nm);
     let samples = window.position_nm.len();
     let inside = matches!(placement, Placement::Inside { .. });
@@ -117,9 +119,11 @@ fn axis_plan(
     };
     // Lines past the sampling's own limit would be aliases: the surface has no information there.
     let limit = (padded as i32 - 1) / 2;
-    let first = ((low / step).floor() as i32).clamp(-limit, limit);
+    // The reach is counted in lines, which lie closer the farther a window is padded.
+    let reach = kernel.half_width(step, 0.0);
+    let first = (((low - reach) / step).floor() as i32).clamp(-limit, limit);
     // Taps are as many everywhere, so the last may lie a line beyond the kernel's reach: it is there whatever else is wanted.
-    let last = ((high / step).ceil() as i32 + 1).clamp(first, limit);
+    let last = (((high + reach) / step).ceil() as i32 + 1).clamp(first, limit);
     AxisPlan { window, factor, padded, step, first, lines: (last - first) as usize + 1 }
 }
 
@@ -130,19 +134,12 @@ pub(super) fn window_plan(
     sigma_nm: f64,
     frequency: [[f64; 2]; 2],
 ) -> (Kernel, [AxisPlan; 2]) {
-    let size = field.size();
     let kernel = match placement {
         Placement::Inside { .. } => Kernel::Semicircle,
         Placement::TileCentre => Kernel::GaussianAmplitude { sigma_nm },
         Placement::TileMean => Kernel::GaussianPower { sigma_nm },
     };
-    let plans = std::array::from_fn(|axis| {
-        let step = 1.0 / (size[axis] as f64 * field.pitch_nm[axis]);
-        let reach = kernel.half_width(step, 0.0);
-        let wanted = [frequency[axis][0] - reach, frequency[axis][1] + reach];
-        axis_plan(placement, axis, size[axis], field.pitch_nm[axis], sigma_nm, wanted)
-    });
-    (kernel, plans)
+    (kernel, std::array::from_fn(|axis| axis_plan(placement, kernel, axis, field, sigma_nm, frequency[axis])))
 }
 
 /// Smallest number of at least `size` with prime factors 2, 3 and 5 only: fast for the FFT.
@@ -165,6 +162,39 @@ pub fn nodes_for(field: &HeightField, config: &SpectraConfig) -> usize {
     chebyshev::nodes_for_exponential(bandwidth_nm(field), config.s[1] - config.s[0], config.tolerance)
 }
 
+/// Refuses what [`transform`] would refuse.
+///
+/// # Errors
+/// `Error::Limit` if the transforms would need more memory than allowed.
+pub fn check_memory(
+    field: &HeightField,
+    placement: Placement,
+    optics: &OpticsConfig,
+    config: &SpectraConfig,
+) -> Result<()> {
+    let (_, plans) = window_plan(field, placement, optics.sigma_nm, config.frequency);
+    checked_values(&plans, nodes_for(field, config), config.memory_bytes).map(drop)
+}
+
+/// Number of values of one window's transforms, if the memory allows for them.
+fn checked_values(plans: &[AxisPlan; 2], nodes: usize, memory_bytes: u64) -> Result<usize> {
+    let values = plans[0].lines as u64 * plans[1].lines as u64 * nodes as u64;
+    let bytes = values * size_of::<Complex<f32>>() as u64;
+    if bytes <= memory_bytes {
+        return Ok(values as usize);
+    }
+    Err(Error::limit(
+        format!(
+            "the transforms need {} MiB ({nodes} depth nodes on {} x {} frequencies) and {} MiB are allowed",
+            bytes >> 20,
+            plans[0].lines,
+            plans[1].lines,
+            memory_bytes >> 20
+        ),
+        "raise tables.memory_mib, clip outliers with despike (depth sets the nodes), or lower tables.tolerance's demand",
+    ))
+}
+
 /// Transforms one window of a prepared height field.
 ///
 /// # Errors
@@ -178,25 +208,12 @@ pub fn transform(
     let (kernel, plans) = window_plan(field, placement, optics.sigma_nm, config.frequency);
     let [s_min, s_max] = config.s;
     let nodes = nodes_for(field, config);
-    let values = plans[0].lines as u64 * plans[1].lines as u64 * nodes as u64;
-    let bytes = values * size_of::<Complex<f32>>() as u64;
-    if bytes > config.memory_bytes {
-        return Err(Error::limit(
-            format!(
-                "the transforms need {} MiB ({nodes} depth nodes on {} x {} frequencies) and {} MiB are allowed",
-                bytes >> 20,
-                plans[0].lines,
-                plans[1].lines,
-                config.memory_bytes >> 20
-            ),
-            "raise tables.memory_mib, clip outliers with despike (depth sets the nodes), or lower tables.tolerance's demand",
-        ));
-    }
+    let values = checked_values(&plans, nodes, config.memory_bytes)?;
     let mut spectra = Spectra {
         nodes,
         s: config.s,
         depth: Interpolant::new(nodes, s_min, s_max),
-        data: vec![Complex::default(); values as usize],
+        data: vec![Complex::default(); values],
         first: [plans[0].first, plans[1].first],
         lines: [plans[0].lines, plans[1].lines],
         step: [plans[0].step, plans[1].step],

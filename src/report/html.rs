@@ -352,7 +352,7 @@ fn cache_line(used: &CacheUse) -> String {
     let sums = match used.texels_found {
         0 => String::new(),
         known => format!(
-            "sums of {} of {} texels of others, ",
+            "sums at {} of {} texels of tables that were built, ",
             numbers::count(known),
             numbers::count(known + used.texels_summed)
         ),

@@ -148,15 +148,16 @@ impl Cache {
     /// Keeps bytes under a key, and drops what was used longest ago where the limit is passed.
     pub fn store(&self, key: &str, value: &[u8]) {
         let Some(path) = self.path(key) else { return };
-        let mut bytes = Vec::with_capacity(MAGIC.len() + key.len() + value.len() + DIGEST);
+        let length = MAGIC.len() + key.len() + value.len() + DIGEST;
+        if length as u64 > self.limit_bytes {
+            return;
+        }
+        let mut bytes = Vec::with_capacity(length);
         bytes.extend_from_slice(MAGIC);
         bytes.extend_from_slice(key.as_bytes());
         bytes.extend_from_slice(value);
         let digest = Sha256::digest(&bytes);
         bytes.extend_from_slice(&digest);
-        if bytes.len() as u64 > self.limit_bytes {
-            return;
-        }
         let folder = path.parent().unwrap_or(Path::new("."));
         // A full disk or a folder that may not be written to: the result is computed again next time.
         if files::create_folder(folder).and_then(|()| files::replace(&path, &bytes)).is_ok() {

@@ -243,12 +243,10 @@ fn digest_of(fields: &[HeightField]) -> String {
     files::sha256_hex(&bytes)
 }
 
-/// Everything that a value of the transforms depends on. Frequencies are not among it: which of them a plan holds changes
-/// none.
+/// Everything that a value of the transforms depends on besides heights and optics. Frequencies are not among it: which of
+/// them a plan holds changes none. Nor is the memory: a plan that does not fit it is none.
 pub(super) fn transforms_parts(plan: &BuildPlan) -> Value {
-    let spectra = &plan.spectra;
-    // What does not fit into the memory is refused, known or not.
-    json!({ "s": spectra.s, "tolerance": spectra.tolerance, "memory_bytes": spectra.memory_bytes })
+    json!({ "s": plan.spectra.s, "tolerance": plan.spectra.tolerance })
 }
 
 /// Everything that a plan settles beyond what follows from heights and optics.
@@ -263,7 +261,7 @@ fn plan_parts(plan: &BuildPlan) -> Value {
         "domain": plan.domain.as_ref().map(domain_digest),
         "filter": [plan.filter.width, plan.filter.samples as f64],
         "rings": rings,
-        "spectra": [transforms_parts(plan), json!(plan.spectra.frequency)],
+        "spectra": [transforms_parts(plan), json!(plan.spectra.frequency), json!(plan.spectra.memory_bytes)],
         "depths": plan.depths,
         "nodes_bound": plan.nodes_bound,
         "fine_tolerance": plan.fine_tolerance,

@@ -341,7 +341,7 @@ pub fn budget(source: &Source, scenes: &[&Scene], domain: &Domain, whole: &Table
     })
 }
 
-/// The budget of tables that have been built, with what they took. `savings` builds everything that was left out as
+/// The budget of tables that have been built, with what they took where it is known. `savings` builds everything that was left out as
 /// well, step by step, and measures it.
 ///
 /// # Errors
@@ -351,11 +351,11 @@ pub fn account(
     scenes: &[&Scene],
     domain: &Domain,
     whole: &TablesConfig,
-    measured: Cost,
+    measured: Option<Cost>,
     savings: bool,
 ) -> Result<Budget> {
     let mut budget = budget(source, scenes, domain, whole)?;
-    budget.measured = Some(measured);
+    budget.measured = measured;
     if savings {
         for row in &mut budget.rows {
             let (optics, tables, plan) = compared(row.step, source, scenes, domain, whole)?;

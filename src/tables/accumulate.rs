@@ -20,6 +20,9 @@ use crate::optics::spectra::Spectra;
 /// Four values of `w`, which a processor handles as one.
 type Lane = Vec4;
 
+/// Sums are kept in groups of so many nodes: more cost nothing before the next group.
+pub(super) const GROUP: usize = 4;
+
 /// Most lanes handled in one sweep; more nodes take further sweeps.
 pub(super) const LANES_MAX: usize = 4;
 
@@ -41,7 +44,7 @@ pub struct PowerSums {
 impl PowerSums {
     /// Zero everywhere.
     pub fn new(texels: &Texels, nodes: usize) -> Self {
-        let nodes = nodes.next_multiple_of(4);
+        let nodes = nodes.next_multiple_of(GROUP);
         Self { nodes, data: vec![0.0; texels.window_texels() * 3 * nodes] }
     }
 }

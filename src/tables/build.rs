@@ -3,14 +3,14 @@
 use ndarray::Array3;
 use rayon::prelude::*;
 
-use super::accumulate::{BoxFilter, PowerSums};
+use super::accumulate::{BoxFilter, GROUP, PowerSums};
 use super::domain::{Domain, Hull, Texels};
 use super::forecast;
 use super::kept::{Keeper, Piece};
 use super::lobe::{PhasorPower, coherent};
 use super::model::{Basis, BuildRecord, Lobe, Prefilter, TableSet, TablesConfig};
 use super::plan::{self, Grid, Ring, lobe_radius, lobe_width, nodes_bound_over, w_reach};
-use super::sums::{GROUP, Nodes, Sums};
+use super::sums::{Nodes, RingNodes, Sums};
 use crate::ground::chebyshev::{self, Interpolant};
 use crate::ground::error::{Error, Result};
 use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
@@ -61,7 +61,7 @@ pub struct BuildPlan {
     pub spectra: SpectraConfig,
     /// Upper bound of the numbers of nodes in `w`.
     pub nodes_bound: usize,
-    /// The `|w|` that transforms hold: those of the domain, widened to even numbers.
+    /// The `|w|` that transforms hold: those of the domain, widened to multiples of a power of two.
     pub depths: [f64; 2],
     /// Largest half range of the heights in nm.
     pub bandwidth_nm: f64,
@@ -175,7 +175,15 @@ pub fn plan_for(
         narrow(&mut plan, domain, optics, config)?;
     }
     // As few nodes as there can be; how many it will be is known later.
-    check_memory(&plan.texels, config.count.unwrap_or(4), 0, plan.spectra.memory_bytes)?;
+    check_memory(&plan.texels, config.count.unwrap_or(GROUP), 0, plan.spectra.memory_bytes)?;
+    if config.basis == Basis::Chebyshev {
+        // Windows of one scan are alike.
+        for (scan, field) in fields.iter().enumerate() {
+            if let Some((_, placement)) = plan.windows.iter().find(|window| window.0 == scan) {
+                spectra::check_memory(field, *placement, optics, &plan.spectra)?;
+            }
+        }
+    }
     Ok(plan)
 }
 
@@ -209,7 +217,7 @@ fn narrow(plan: &mut BuildPlan, domain: Domain, optics: &OpticsConfig, config: &
 
 /// Refuses sums over so many nodes, and tables beside them, that exceed the memory allowed.
 fn check_memory(texels: &Texels, nodes: usize, tables: usize, memory_bytes: u64) -> Result<()> {
-    let numbers = 3 * (nodes.next_multiple_of(4) + tables) as u64;
+    let numbers = 3 * (nodes.next_multiple_of(GROUP) + tables) as u64;
     let bytes = texels.window_texels() as u64 * size_of::<f32>() as u64 * numbers;
     if bytes <= memory_bytes {
         return Ok(());
@@ -330,6 +338,10 @@ fn build_chebyshev(
     let mut phasors = KnownPhasors::new(plan, keeper);
     let share = 1.0 / plan.windows.len() as f64;
     for &(scan, placement) in &plan.windows {
+        if state.as_ref().is_some_and(|sums| !sums.lack_something()) && !phasors.lacking {
+            advance(plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len() as u64).sum());
+            continue;
+        }
         let spectra = spectra::transform(&fields[scan], placement, optics, &plan.spectra)?;
         let sums = match &mut state {
             Some(sums) => sums,
@@ -339,9 +351,6 @@ fn build_chebyshev(
                 state.insert(Sums::new(plan, optics, nodes, keeper)?)
             }
         };
-        if !sums.lack_something() && !phasors.lack_something() {
-            break;
-        }
         sums.add(&spectra, plan, share, advance);
         phasors.add(&spectra, share);
     }
@@ -367,7 +376,14 @@ fn build_chebyshev(
     };
     let set = TableSet {
         basis: Basis::Chebyshev,
-        tables: to_tables(&sums.main, &plan.texels, plan.domain.as_ref(), &plan.rings, &sums.nodes),
+        tables: to_tables(
+            &sums.main,
+            &plan.texels,
+            plan.domain.as_ref(),
+            &plan.rings,
+            &sums.nodes.rings,
+            sums.nodes.tables,
+        ),
         lobe,
         prefilter_width: plan.filter.width,
         optics: optics.clone(),
@@ -387,7 +403,7 @@ fn build_chebyshev(
 /// The mean phasor's power, from before or under way.
 struct KnownPhasors<'a> {
     power: PhasorPower,
-    /// `None` where it is not needed.
+    /// Whether it is needed and has to be summed.
     lacking: bool,
     keeper: Option<&'a dyn Keeper>,
 }
@@ -399,10 +415,6 @@ impl<'a> KnownPhasors<'a> {
         let kept = keeper.filter(|_| plan.lobe_seen).and_then(|keeper| keeper.load(Piece::Phasors));
         let known = kept.is_some_and(|bytes| power.set(&bytes));
         Self { power, lacking: plan.lobe_seen && !known, keeper }
-    }
-
-    fn lack_something(&self) -> bool {
-        self.lacking
     }
 
     fn add(&mut self, spectra: &Spectra, share: f64) {
@@ -429,13 +441,14 @@ pub(super) fn to_tables(
     texels: &Texels,
     domain: Option<&Domain>,
     rings: &[Ring],
-    nodes: &Nodes,
+    nodes: &[RingNodes],
+    count: usize,
 ) -> Vec<Array3<f32>> {
-    let (count, width) = (nodes.tables, texels.columns.len());
+    let width = texels.columns.len();
     let t_nodes = chebyshev::gauss_nodes(count, 0.0, 1.0);
     let matrix = chebyshev::coefficient_matrix(count).concat();
     let interpolants: Vec<Interpolant> =
-        nodes.rings.iter().map(|nodes| Interpolant::new(nodes.count, nodes.w[0], nodes.w[1])).collect();
+        nodes.iter().map(|nodes| Interpolant::new(nodes.count, nodes.w[0], nodes.w[1])).collect();
     let row_length = width * 3;
     let mut tables: Vec<Vec<f32>> = (0..count).map(|_| vec![0.0; texels.rows.len() * row_length]).collect();
     // Each row of all tables together, so that rows are written side by side and no copy is held.

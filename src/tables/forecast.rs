@@ -2,14 +2,13 @@
 
 use serde::Serialize;
 
-use super::accumulate::{LANES_MAX, WAVES};
+use super::accumulate::{GROUP, LANES_MAX, WAVES};
 use super::build::{BuildPlan, lobe_depths, plan, ring_samples};
 use super::lobe;
 use super::model::{Storage, TablesConfig};
 use super::pilot::{self, RING_SHARE};
 use super::plan::{Ring, w_reach};
 use super::rounding;
-use super::sums::GROUP;
 use crate::ground::chebyshev;
 use crate::ground::error::Result;
 use crate::height::HeightField;
@@ -151,7 +150,7 @@ pub fn forecast_of(
 /// Most bytes on the heap at once: while a window is transformed, while it is summed, or while the sums become tables.
 fn memory_bytes(plan: &BuildPlan, windows: &[WindowWork], nodes: &[usize], tables: usize) -> f64 {
     let numbers = plan.texels.window_texels() as f64 * 3.0 * 4.0;
-    let sums = numbers * nodes.iter().copied().max().unwrap_or(tables).next_multiple_of(4) as f64;
+    let sums = numbers * nodes.iter().copied().max().unwrap_or(tables).next_multiple_of(GROUP) as f64;
     // Sums and tables stand side by side, the transforms are gone.
     let mut most = sums + numbers * tables as f64;
     for (index, window) in windows.iter().enumerate() {
@@ -176,7 +175,7 @@ fn scratch_bytes(plan: &BuildPlan, window: &WindowWork, ring: &Ring, nodes: usiz
     let extent = |texels: usize| (2.0 * ring.rho[1]).min(texels as f64 * texel);
     let lines = extent(plan.texels.rows.len()) / (plan.wavelength_min_nm * step[1]) + taps;
     let columns = extent(plan.texels.columns.len()) / texel * box_samples;
-    let lanes = (nodes.div_ceil(4) as f64).min(LANES_MAX as f64) * parts;
+    let lanes = (nodes.div_ceil(GROUP) as f64).min(LANES_MAX as f64) * parts;
     // It is allocated with up to an eighth to spare.
     17.0 / 16.0 * WAVES as f64 * lines * columns * lanes * 16.0
 }
@@ -247,7 +246,7 @@ fn window_work(fields: &[HeightField], optics: &OpticsConfig, plan: &BuildPlan) 
 /// One window's sums over a ring with so many texels and nodes, on one thread.
 fn ring_ns(plan: &BuildPlan, window: &WindowWork, ring: &Ring, texels: f64, nodes: usize) -> f64 {
     let WindowWork { lines: Lines { step, taps, .. }, transforms, parts, box_samples } = window;
-    let lanes = nodes.next_multiple_of(4) as f64 / 4.0;
+    let lanes = nodes.div_ceil(GROUP) as f64;
     let texel = plan.texels.grid.texel();
     let area = texels * texel.powi(2);
     let annulus = |[inner, outer]: [f64; 2]| std::f64::consts::PI * (outer * outer - inner.max(0.0).powi(2));

@@ -1,13 +1,14 @@
 //! The sums of a build: how finely each ring resolves depth, which of its texels are known from before, and the rest.
 
 use std::f64::consts::SQRT_2;
+use std::ops::Range;
 
 use ndarray::Array3;
 
-use super::accumulate::{BoxFilter, PowerSums, Quantity, RingSum, add_ring};
+use super::accumulate::{BoxFilter, GROUP, PowerSums, Quantity, RingSum, add_ring};
 use super::build::{Advance, BuildPlan, to_tables};
 use super::domain::Texels;
-use super::kept::{Cut, Keeper, KeptRing, Piece, numbers};
+use super::kept::{Cut, Keeper, KeptSums, Part, Piece, blocks, is_worth_keeping, numbers};
 use super::lobe::patch_grid;
 use super::model::TablesConfig;
 use super::pilot::{Pilot, RING_SHARE};
@@ -20,9 +21,6 @@ use crate::optics::spectra::Spectra;
 
 /// Steps, coarse to fine, of the numbers at which the nodes of a ring may begin and end in `|w|`.
 const STEPS: [f64; 6] = [2.0, 1.0, 0.5, 0.25, 0.125, 0.0625];
-
-/// Sums are kept in groups of so many nodes: more cost nothing before the next group.
-pub(super) const GROUP: usize = 4;
 
 /// The nodes of a ring in depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,7 +70,8 @@ impl Nodes {
 }
 
 /// Share of the tolerance for nodes over an interval wider than need be: twice that of the ring's own range, so that where
-/// the latter suffice, it seldom hangs on the texels tried.
+/// as many suffice for that, it seldom hangs on the texels tried. Beside what steps in wavelength and texels' ranges are
+/// given, half the tolerance each, it adds a fiftieth where errors add as squares.
 const WIDE_SHARE: f64 = 2.0 * RING_SHARE;
 
 /// Nodes over the coarsest interval of depths that takes no more groups of them than the ring's own range does: the
@@ -99,10 +98,18 @@ fn most_over(plan: &BuildPlan, w: [f64; 2]) -> usize {
 pub(super) struct Sums<'a> {
     pub nodes: Nodes,
     pub main: PowerSums,
-    /// Of each ring the texels that are not known; `None` where all are.
-    missing: Vec<Option<Texels>>,
+    /// What is not known of each ring; `None` where all is.
+    missing: Vec<Option<Missing>>,
     cross: Option<Cross>,
     keeper: Option<&'a dyn Keeper>,
+}
+
+/// What is not known of a ring.
+struct Missing {
+    /// The texels.
+    texels: Texels,
+    /// The blocks of rows that these lie in, where they are to be kept.
+    blocks: Vec<(usize, Range<usize>)>,
 }
 
 /// The cross term's sums: a square patch, and the ring without a hole that reaches past its corners.
@@ -133,7 +140,7 @@ impl<'a> Sums<'a> {
     /// Adds one of the windows.
     pub fn add(&mut self, spectra: &Spectra, plan: &BuildPlan, share: f64, advance: Advance) {
         for ((ring, nodes), missing) in plan.rings.iter().zip(&self.nodes.rings).zip(&self.missing) {
-            if let Some(texels) = missing {
+            if let Some(Missing { texels, .. }) = missing {
                 let what = RingSum { texels, ring, filter: plan.filter, quantity: Quantity::Power, share };
                 add_ring(spectra, what, &nodes.positions(), &mut self.main);
             }
@@ -150,11 +157,11 @@ impl<'a> Sums<'a> {
     pub fn keep(&self, plan: &BuildPlan) {
         let Some(keeper) = self.keeper else { return };
         for ((ring, &nodes), missing) in plan.rings.iter().zip(&self.nodes.rings).zip(&self.missing) {
-            if missing.is_some() {
-                let piece = Piece::Ring(Cut::new(ring, nodes));
-                let before = keeper.load(piece).and_then(|bytes| KeptRing::read(bytes, nodes.count));
-                let all = KeptRing::merged(before.as_ref(), &self.main, &plan.texels, ring.rho, nodes.count);
-                keeper.store(piece, all.bytes());
+            for (block, rows) in missing.iter().flat_map(|missing| &missing.blocks) {
+                let piece = Piece::Ring(Cut::new(ring, nodes), *block);
+                let before = keeper.load(piece).and_then(|bytes| KeptSums::read(bytes, nodes.count));
+                let part = Part { texels: &plan.texels, rho: ring.rho, rows: rows.clone() };
+                keeper.store(piece, KeptSums::merged(before.as_ref(), &self.main, &part, nodes.count).bytes());
             }
         }
         if let Some(Cross { sums, ring: [ring], nodes, known: false, .. }) = &self.cross {
@@ -166,8 +173,7 @@ impl<'a> Sums<'a> {
     pub fn cross_tables(&self) -> Vec<Array3<f32>> {
         match &self.cross {
             Some(Cross { sums, texels, ring, nodes, .. }) => {
-                let nodes = Nodes { tables: nodes.count, cross: nodes.count, rings: vec![*nodes] };
-                to_tables(sums, texels, None, ring, &nodes)
+                to_tables(sums, texels, None, ring, &[*nodes], nodes.count)
             }
             None => Vec::new(),
         }
@@ -181,28 +187,36 @@ impl RingNodes {
     }
 }
 
-/// Copies what is known of a ring's sums, and gives the texels of which nothing is; `None` where there are none.
+/// Copies what is known of a ring's sums, and gives what is not; `None` where all is known.
 fn recall(
     keeper: Option<&dyn Keeper>,
     plan: &BuildPlan,
     ring: &Ring,
     nodes: RingNodes,
     sums: &mut PowerSums,
-) -> Option<Texels> {
-    let Some(keeper) = keeper else { return Some(plan.texels.clone()) };
-    let kept = keeper.load(Piece::Ring(Cut::new(ring, nodes))).and_then(|bytes| KeptRing::read(bytes, nodes.count));
-    let wanted = plan.texels.count_within(ring.rho);
-    let (missing, lacking) = match kept {
-        None => (plan.texels.clone(), wanted),
-        Some(kept) => {
-            let known = kept.copy_to(sums, &plan.texels, ring.rho);
-            let missing = plan.texels.without(&known);
-            let lacking = missing.count_within(ring.rho);
-            (missing, lacking)
-        }
+) -> Option<Missing> {
+    let texels = &plan.texels;
+    let Some(keeper) = keeper.filter(|_| is_worth_keeping(ring, plan.windows.len())) else {
+        return Some(Missing { texels: texels.clone(), blocks: Vec::new() });
     };
-    keeper.count([wanted - lacking, lacking].map(|texels| texels as u64));
-    (lacking > 0).then_some(missing)
+    let (mut known, mut lacking) = (Vec::new(), 0);
+    let mut open = Vec::new();
+    for (block, rows) in blocks(texels) {
+        let part = Part { texels, rho: ring.rho, rows };
+        let wanted = part.indices().count();
+        if wanted > 0 {
+            let bytes = keeper.load(Piece::Ring(Cut::new(ring, nodes), block));
+            let kept = bytes.and_then(|bytes| KeptSums::read(bytes, nodes.count));
+            let copied = kept.map_or(Vec::new(), |kept| kept.copy_to(sums, &part));
+            if copied.len() < wanted {
+                lacking += wanted - copied.len();
+                open.push((block, part.rows));
+            }
+            known.extend(copied);
+        }
+    }
+    keeper.count([known.len(), lacking].map(|texels| texels as u64));
+    (lacking > 0).then(|| Missing { texels: texels.without(&known), blocks: open })
 }
 
 impl Cross {
