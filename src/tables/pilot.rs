@@ -10,6 +10,7 @@ use crate::ground::chebyshev::{self, Interpolant};
 use crate::ground::sampling;
 use crate::ground::spectrum::SpectralQuadrature;
 use crate::optics::spectra::Spectra;
+use crate::optics::spectral::diffuse_power;
 
 /// Texels spread over the disc, half as many where there is light, and a quarter as many around the mirror direction;
 /// the 95th percentiles then rest on the forty, twenty and ten largest errors.
@@ -240,20 +241,14 @@ fn polynomials(spectra: &Spectra, plan: &BuildPlan, texels: &[([f64; 2], [f64; 2
 fn polynomial(
     spectra: &Spectra,
     quadrature: &SpectralQuadrature,
-    [u, v]: [f64; 2],
+    uv: [f64; 2],
     fine: usize,
     ring: [f64; 2],
     own: [f64; 2],
 ) -> Polynomial {
     let nodes = chebyshev::gauss_nodes(fine, ring[0], ring[1]);
-    let mut values = vec![0.0; nodes.len()];
-    for (&nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
-        let k = TAU / nm;
-        let node_weights: Vec<_> = nodes.iter().map(|w| spectra.node_weights(k * w)).collect();
-        let power = spectra.power_at([u / nm, v / nm], &node_weights);
-        let scale = weight[1] * (k / nm).powi(2);
-        values.iter_mut().zip(power).for_each(|(sum, p)| *sum += scale * p);
-    }
+    let xyz = diffuse_power(spectra, quadrature, uv, &nodes);
+    let values = xyz.into_iter().map(|xyz| xyz[1]).collect();
     Polynomial { values, ring, own: [own[0].max(ring[0]), own[1].min(ring[1])] }
 }
 
