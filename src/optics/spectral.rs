@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use super::config::OpticsConfig;
 use super::lines::{Buffers, Part, Point};
-use super::reference::{FULL_STEP, prefactor, resolving_count};
+use super::reference::{FULL_STEP, WavenumberStep, prefactor, resolving_count};
 use super::spectra::{self, Spectra, SpectraConfig};
 use super::window::placements;
 use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
@@ -50,7 +50,7 @@ pub fn add_window(
     spectra: &Spectra,
     optics: &OpticsConfig,
     pairs: &[(Vec3, Vec3)],
-    step: f64,
+    step: WavenumberStep,
     sums: &mut [Xyz],
 ) -> Result<()> {
     // Directions with equally many wavelengths share them; one set is held at a time.
