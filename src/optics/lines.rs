@@ -7,7 +7,7 @@
 
 use rustfft::num_complex::Complex;
 
-use super::spectra::Spectra;
+use super::spectra::{LineCounts, Spectra};
 
 /// Points at a time.
 const FOUR: usize = 4;
@@ -47,6 +47,23 @@ struct Weights<const L: usize> {
     lines: [Vec<[f64; L]>; 2],
 }
 
+/// Whether four points are better off together that read so many times the lines that one reads along x and y.
+fn are_shared(grown: [f64; 2]) -> bool {
+    grown[0] * grown[1] <= SHARED_MOST
+}
+
+/// Lines that points fetch which are a distance (1/nm) along x and y from each other: per point, and how many sums each
+/// of them enters at a time.
+pub fn lines_fetched(counts: &LineCounts, distance: [f64; 2]) -> (f64, usize) {
+    let lines = |axis: usize, more: f64| (counts.read[axis] as f64 + more).min(counts.stored[axis] as f64);
+    let more = [0, 1].map(|axis| (FOUR - 1) as f64 * distance[axis].abs() / counts.step[axis]);
+    if are_shared([0, 1].map(|axis| 1.0 + more[axis] / counts.read[axis] as f64)) {
+        (lines(0, more[0]) * lines(1, more[1]) / FOUR as f64, FOUR)
+    } else {
+        (lines(0, 0.0) * lines(1, 0.0), 1)
+    }
+}
+
 impl Spectra {
     /// Calls `found` with the index and the power of each of `count` points, in order: straight from the transforms, the
     /// slow path against which grid and basis are measured. Fast where points that follow each other lie close.
@@ -81,7 +98,7 @@ impl Spectra {
             let width = 2.0 * self.kernel.half_width(self.step[axis], 0.0);
             1.0 + (high - low) / width.max(self.step[axis])
         });
-        grown[0] * grown[1] <= SHARED_MOST
+        are_shared(grown)
     }
 
     #[inline(always)]
@@ -299,6 +316,41 @@ mod tests {
             let [a, b] = [9e-4, 9.001e-4].map(|at| Point { frequency: [at, -0.6 * at], s: 9.0 * at });
             let [a, b] = [a, b].map(|point| plain(&spectra, Part::Total, point));
             assert!((a - b).abs() > 1e-7 * a, "a ten-thousandth of a wavelength shows");
+        }
+    }
+
+    #[test]
+    fn lines_fetched_are_counted_without_fetching() {
+        let placement = Placement::TileMean;
+        let spectra = spectra(placement);
+        let counts = LineCounts {
+            step: spectra.step,
+            stored: spectra.lines,
+            read: [0, 1].map(|axis| {
+                let mut weights = Vec::new();
+                spectra.kernel.line_weights([0.0], spectra.step[axis], &mut weights);
+                weights.len()
+            }),
+            samples: [24, 20],
+            padded: [24, 20],
+        };
+        for (step, most) in [(1e-6, 1), (1.5e-4, 1), (3e-3, 0)] {
+            let points = ray(FOUR, step, [0.3, -0.2]);
+            let points: [Point; FOUR] = points.try_into().unwrap();
+            let fetched: [usize; 2] = [0, 1].map(|axis| {
+                let mut weights = Vec::new();
+                spectra.stored_lines(axis, points.map(|point| point.frequency[axis]), &mut weights);
+                weights.len()
+            });
+            let (lines, sums) = lines_fetched(&counts, [0.3 * step, 0.2 * step]);
+            assert_eq!(sums == FOUR, spectra.share_lines(&points), "{step}");
+            assert_eq!(sums == FOUR, most == 1, "{step}");
+            if sums == FOUR {
+                // Where the first line lies between the points is not known: one line more or less along each axis.
+                let found = lines * FOUR as f64;
+                let [low, high] = [-1.0, 1.0].map(|more| (fetched[0] as f64 + more) * (fetched[1] as f64 + more));
+                assert!((low..=high).contains(&found), "{step}: {found} of {fetched:?}");
+            }
         }
     }
 }

@@ -134,6 +134,35 @@ pub(super) fn window_plan(
     (kernel, plans)
 }
 
+/// How many lines one window's transforms have and an evaluation reads, along x and y.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LineCounts {
+    /// Distance of the lines in 1/nm.
+    pub step: [f64; 2],
+    /// Lines stored.
+    pub stored: [usize; 2],
+    /// Lines that one point reads, where all of them are stored.
+    pub read: [usize; 2],
+    /// Samples under the window.
+    pub samples: [usize; 2],
+    /// Samples that are transformed.
+    pub padded: [usize; 2],
+}
+
+/// Counts the lines of one window, for frequencies (1/nm) along x and y.
+pub fn line_counts(field: &HeightField, placement: Placement, sigma_nm: f64, frequency: [[f64; 2]; 2]) -> LineCounts {
+    let (kernel, plans) = window_plan(field, placement, sigma_nm, frequency);
+    let read = |plan: &AxisPlan| (2.0 * kernel.half_width(plan.step, 0.0) / plan.step).ceil().max(1.0) as usize;
+    let [x, y] = &plans;
+    LineCounts {
+        step: [x.step, y.step],
+        stored: [x.lines, y.lines],
+        read: [read(x), read(y)],
+        samples: [x.window.position_nm.len(), y.window.position_nm.len()],
+        padded: [x.padded, y.padded],
+    }
+}
+
 /// Smallest number of at least `size` with prime factors 2, 3 and 5 only: fast for the FFT.
 pub fn smooth_size(size: usize) -> usize {
     (size..)
