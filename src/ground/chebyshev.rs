@@ -57,6 +57,27 @@ impl Interpolant {
         }
         weights.iter_mut().for_each(|w| *w /= sum);
     }
+
+    /// [`Self::weights`] for several points: node by node, those of all points side by side.
+    pub fn weights_of<const L: usize>(&self, x: [f64; L], weights: &mut Vec<[f64; L]>) {
+        let mut sums = [0.0; L];
+        weights.clear();
+        weights.extend(self.nodes.iter().zip(&self.barycentric).map(|(node, b)| {
+            let here = x.map(|x| b / (x - node));
+            sums.iter_mut().zip(here).for_each(|(sum, weight)| *sum += weight);
+            here
+        }));
+        let scales = sums.map(|sum| 1.0 / sum);
+        for weights in weights.iter_mut() {
+            weights.iter_mut().zip(scales).for_each(|(weight, scale)| *weight *= scale);
+        }
+        // At a node itself its weight is infinite, and so is the sum.
+        for i in (0..L).filter(|&i| !sums[i].is_finite()) {
+            if let Some(hit) = self.nodes.iter().position(|&node| node == x[i]) {
+                weights.iter_mut().enumerate().for_each(|(k, weights)| weights[i] = if k == hit { 1.0 } else { 0.0 });
+            }
+        }
+    }
 }
 
 /// [`Interpolant::weights`] for a single point.
@@ -157,6 +178,23 @@ mod tests {
                 let error = ((re - (s * bandwidth).cos()).powi(2) + (im - (s * bandwidth).sin()).powi(2)).sqrt();
                 prop_assert!(error <= tolerance + 1e-13, "{count} nodes, error {error:e}");
             }
+        }
+    }
+
+    #[test]
+    fn weights_of_several_points_are_those_of_each() {
+        for count in [2, 7, 24] {
+            let interpolant = Interpolant::new(count, -0.3, 2.0);
+            let x = [-0.3, 1.234, interpolant.nodes()[1], 1.9];
+            let mut found = Vec::new();
+            interpolant.weights_of(x, &mut found);
+            assert_eq!(found.len(), count);
+            for (i, x) in x.into_iter().enumerate() {
+                let expected = interpolant.weights(x);
+                // Quotients of the same numbers, rounded once more.
+                assert!(found.iter().zip(&expected).all(|(f, e)| (f[i] - e).abs() <= 1e-15 * e.abs()), "{count} {x}");
+            }
+            assert!(interpolant.weights(1.234) != interpolant.weights(1.235));
         }
     }
 

@@ -99,6 +99,47 @@ impl Kernel {
         }
     }
 
+    /// Weights for `L` frequencies (1/nm) of all the lines that any of them reads, in double precision, zero where one
+    /// does not read, and the first line's index. Lines are `step` (1/nm) apart.
+    ///
+    /// Along lines a Gaussian changes by a factor that itself changes by a constant factor: three exponentials give them
+    /// all, and after `n` lines rounding is at most about `n²` times 1e-16.
+    pub(super) fn line_weights<const L: usize>(
+        &self,
+        frequency: [f64; L],
+        step: f64,
+        weights: &mut Vec<[f64; L]>,
+    ) -> i64 {
+        let half = self.half_width(step, 0.0) / step;
+        let count = (2.0 * half).ceil().max(1.0) as usize;
+        let firsts = frequency.map(|frequency| (frequency / step - half).ceil() as i64);
+        let [low, high] = firsts.iter().fold([i64::MAX, i64::MIN], |[low, high], &i| [low.min(i), high.max(i)]);
+        weights.clear();
+        weights.resize((high - low) as usize + count, [0.0; L]);
+        for (i, first) in firsts.into_iter().enumerate() {
+            // Lines from the first one to the frequency.
+            let distance = frequency[i] / step - first as f64;
+            let own = weights[(first - low) as usize..].iter_mut().take(count).map(|weights| &mut weights[i]);
+            let value = |lines: f64| self.value(lines * step, step, 0.0);
+            let rate = match *self {
+                Self::Semicircle => {
+                    own.enumerate().for_each(|(tap, weight)| *weight = value(distance - tap as f64));
+                    continue;
+                }
+                Self::GaussianAmplitude { sigma_nm } => 2.0 * (PI * sigma_nm * step).powi(2),
+                Self::GaussianPower { sigma_nm } => (2.0 * PI * sigma_nm * step).powi(2),
+            };
+            let (mut here, mut factor) = (value(distance), (rate * (2.0 * distance - 1.0)).exp());
+            let change = (-2.0 * rate).exp();
+            for weight in own {
+                *weight = here;
+                here *= factor;
+                factor *= change;
+            }
+        }
+        low
+    }
+
     /// Taps for a list of frequencies (1/nm) on lines `step` apart.
     pub fn taps(&self, frequencies: &[f64], step: f64, box_width: f64) -> Taps {
         let half = self.half_width(step, box_width) / step;
@@ -145,6 +186,36 @@ mod tests {
         let mean: f64 =
             (0..1000).map(|i| kernel.value(at + (f64::from(i) / 999.5 - 0.49975) * width, 1.0, 0.0)).sum::<f64>() / 1e3;
         assert!((kernel.value(at, 1.0, width) / mean - 1.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn weights_of_lines_are_the_kernel_at_their_distances() {
+        let sigma_nm = 4_000.0;
+        let kernels = [Kernel::GaussianPower { sigma_nm }, Kernel::GaussianAmplitude { sigma_nm }, Kernel::Semicircle];
+        // Lines wider apart than the kernel, about as wide as it, and a thousand of them under it.
+        for step in [1e-3, 3e-5, 2e-7] {
+            for kernel in kernels {
+                let frequencies = [0.0, 1.234e-4, 1.3e-4, -7.7e-5];
+                let mut found = Vec::new();
+                let first = kernel.line_weights(frequencies, step, &mut found);
+                let half = kernel.half_width(step, 0.0);
+                for (i, frequency) in frequencies.into_iter().enumerate() {
+                    let mut lines = 0;
+                    for (line, weights) in (first..).zip(&found) {
+                        let distance = frequency - line as f64 * step;
+                        let expected = kernel.value(distance, step, 0.0);
+                        let is_read = weights[i] != 0.0;
+                        lines += usize::from(is_read);
+                        assert!(is_read || distance.abs() > half * (1.0 - 1e-9), "{kernel:?} {step} {distance}");
+                        // The square of a thousand lines times the rounding of one.
+                        let error = (weights[i] / expected - 1.0).abs();
+                        assert!(!is_read || error < 1e-10, "{kernel:?} {step} {frequency} {line}: {error:e}");
+                    }
+                    let most = (2.0 * half / step).ceil().max(1.0) as usize;
+                    assert!(lines <= most && lines + 1 >= most, "{kernel:?} {step}: {lines} of {most}");
+                }
+            }
+        }
     }
 
     #[test]

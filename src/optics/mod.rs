@@ -3,6 +3,7 @@
 pub mod config;
 pub mod fresnel;
 pub mod kernel;
+pub mod lines;
 pub mod pigment;
 pub mod powers;
 pub mod reference;

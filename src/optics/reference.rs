@@ -20,16 +20,23 @@ use crate::ground::error::Result;
 use crate::ground::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers};
 use crate::height::HeightField;
 
-/// Fewest wavelengths of the reference; more follow from the window and the direction.
-const WAVELENGTHS_MIN: f64 = 80.0;
+/// How closely the reference takes wavenumbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WavenumberStep {
+    /// Largest step, in units of the window's frequency width divided by `|(u, v)|`: 1.41 standard deviations of what one
+    /// line of a periodic surface shows (see [`crate::ground::spectrum::wavenumbers_for_pulses`]).
+    of_width: f64,
+    /// Fewest wavelengths under a smooth light: where the window asks for fewer, the observer's curves do not. A lamp of
+    /// lines or an arbitrary table has three times as many.
+    fewest: usize,
+}
 
-/// Wavenumber step of the reference in units of the window's frequency width divided by `|(u, v)|`: 0.57 standard
-/// deviations of what one line of a periodic surface shows (see [`crate::ground::spectrum::wavenumbers_for_pulses`]), whose
-/// luminance under daylight then errs by 2e-6.
-pub const FULL_STEP: f64 = 0.4;
+/// Where errors are measured: 0.57 deviations, of which one line's luminance under daylight errs by 2e-6.
+pub const FULL_STEP: WavenumberStep = WavenumberStep { of_width: 0.4, fewest: 200 };
 
-/// The same for the reference pictures: 1.3 deviations, of which one line errs by 1e-3 and a pixel by less; invisible.
-pub const PICTURE_STEP: f64 = 0.9;
+/// For the reference pictures: one deviation, of which one line errs by 3e-5, and no fewer wavelengths than leave 1e-4 at
+/// small `|(u, v)|`; under a lamp of lines up to 3e-4.
+pub const PICTURE_STEP: WavenumberStep = WavenumberStep { of_width: 0.7, fewest: 44 };
 
 /// Reflectance, geometry and shadowing: everything in front of the window's power spectrum. Zero for
 /// directions not above the surface.
@@ -42,7 +49,7 @@ pub fn prefactor(optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> f64 {
 }
 
 /// The wavelengths that resolve every spectral feature of a window in a direction, with XYZ weights;
-/// `half_range_nm` is half the surface's range of heights, `step` is [`FULL_STEP`] or coarser.
+/// `half_range_nm` is half the surface's range of heights.
 ///
 /// # Errors
 /// `Error::Call` if the light is invisible.
@@ -50,7 +57,7 @@ pub fn resolving_wavelengths(
     optics: &OpticsConfig,
     q: Vec3,
     half_range_nm: f64,
-    step: f64,
+    step: WavenumberStep,
 ) -> Result<SpectralQuadrature> {
     uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, resolving_count(optics, q, half_range_nm, step))
 }
@@ -61,17 +68,17 @@ pub fn resolving_wavelengths(
 /// As a function of `1/λ`, `|P|²` consists of waves at the lags `ρ Δx + |w| Δh` between two points of the surface. The
 /// window spreads the former with a standard deviation of `√2 ρσ`; the latter are at most twice the half range, and
 /// spread by `√2 |w|` times it where only the highest and the lowest heights occur. Variances add.
-pub fn resolving_count(optics: &OpticsConfig, q: Vec3, half_range_nm: f64, step: f64) -> usize {
+pub fn resolving_count(optics: &OpticsConfig, q: Vec3, half_range_nm: f64, step: WavenumberStep) -> usize {
     let [low_nm, high_nm] = optics.wavelength_nm;
     let span = 1.0 / low_nm - 1.0 / high_nm;
     let rho = q[0].hypot(q[1]);
-    let needed = span * TAU * (rho * optics.sigma_nm).hypot(q[2] * half_range_nm) / step;
+    let needed = span * TAU * (rho * optics.sigma_nm).hypot(q[2] * half_range_nm) / step.of_width;
     let fewest = match optics.illuminant {
         // Spiky or arbitrary spectra: fine enough for the tables' 5 nm structure.
-        Illuminant::F(_) | Illuminant::Tabulated { .. } => 3.0 * WAVELENGTHS_MIN,
-        _ => WAVELENGTHS_MIN,
+        Illuminant::F(_) | Illuminant::Tabulated { .. } => 3 * step.fewest,
+        _ => step.fewest,
     };
-    let count = needed.max(fewest / step).ceil() as usize;
+    let count = (needed.ceil() as usize).max(fewest);
     count.next_multiple_of(1 << count.max(1).ilog2().saturating_sub(4))
 }
 
@@ -321,5 +328,67 @@ impl Phasors {
             sum += Complex::new(wr[i], wi[i]) * Complex::new(re[i], im[i]);
         }
         sum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ground::spectrum::{SpectralQuadrature, uniform_wavelengths};
+    use crate::optics::config::{Edge, Material, Windows};
+    use std::f64::consts::SQRT_2;
+
+    /// Relative errors of the luminance of one line, wherever in the spectrum it shows, ascending; places darker than a
+    /// hundredth of the brightest are left out.
+    fn errors(optics: &OpticsConfig, rho: f64, count: usize) -> Vec<f64> {
+        let [low_nm, high_nm] = optics.wavelength_nm;
+        let deviation = 1.0 / (TAU * SQRT_2 * rho * optics.sigma_nm);
+        let exact = uniform_wavelengths(&optics.illuminant, optics.wavelength_nm, 0.005).unwrap();
+        let coarse = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count).unwrap();
+        let luminance = |quadrature: &SpectralQuadrature, centre: f64| -> f64 {
+            let pulse = |nm: f64| {
+                let z = (1.0 / nm - centre) / deviation;
+                // Beyond, it is 2e-11.
+                if z.abs() < 7.0 { (-0.5 * z * z).exp() } else { 0.0 }
+            };
+            quadrature.wavelengths_nm.iter().zip(&quadrature.weights).map(|(&nm, weight)| weight[1] * pulse(nm)).sum()
+        };
+        let centres = (0..200).map(|i| 1.0 / (low_nm + (f64::from(i) + 0.5) / 200.0 * (high_nm - low_nm)));
+        let pairs: Vec<[f64; 2]> = centres.map(|c| [&exact, &coarse].map(|q| luminance(q, c))).collect();
+        let brightest = pairs.iter().map(|pair| pair[0]).fold(0.0, f64::max);
+        let lit = pairs.into_iter().filter(|pair| pair[0] > 1e-2 * brightest);
+        let mut errors: Vec<f64> = lit.map(|[exact, coarse]| (coarse / exact - 1.0).abs()).collect();
+        errors.sort_by(f64::total_cmp);
+        errors
+    }
+
+    #[test]
+    fn one_line_errs_by_no_more_than_the_steps_say() {
+        for illuminant in [Illuminant::D65, Illuminant::F(11)] {
+            let optics = OpticsConfig {
+                illuminant,
+                wavelength_nm: [380.0, 780.0],
+                sigma_nm: 8_000.0,
+                edge: Edge::Tile,
+                windows: Windows::Grid,
+                material: Material::Ideal,
+                shadowing: false,
+            };
+            // The kinks of a lamp are sharper than daylight's.
+            let in_pictures = if optics.illuminant == Illuminant::D65 { 1e-4 } else { 4e-4 };
+            for (step, most) in [(FULL_STEP, 2e-6), (PICTURE_STEP, in_pictures)] {
+                for rho in [0.1, 0.4, 0.8, 1.2, 1.9] {
+                    let count = resolving_count(&optics, [rho, 0.0, -0.5], 0.0, step);
+                    let [found, with_fewer] = [count, count / 2].map(|count| {
+                        let errors = errors(&optics, rho, count);
+                        errors[errors.len() * 95 / 100]
+                    });
+                    assert!(found < most, "{:?} {step:?} {rho}: {count}: {found:e}", optics.illuminant);
+                    // Where the window decides.
+                    let is_fewest = rho < 1.9 || optics.illuminant == Illuminant::F(11);
+                    assert!(is_fewest || with_fewer > 2.0 * most, "{step:?} {rho}: {with_fewer:e} with half as many");
+                }
+            }
+        }
     }
 }

@@ -7,7 +7,6 @@
 //! `P - c G̃` vanishes with `s`, hence `|P - c G̃|² / w² = k² |E|²` without cancellation at any `w`.
 
 use std::f64::consts::TAU;
-use std::ops::Range;
 
 use ndarray::{Array2, Zip};
 use rayon::prelude::*;
@@ -140,6 +139,35 @@ pub(super) fn window_plan(
         Placement::TileMean => Kernel::GaussianPower { sigma_nm },
     };
     (kernel, std::array::from_fn(|axis| axis_plan(placement, kernel, axis, field, sigma_nm, frequency[axis])))
+}
+
+/// How many lines one window's transforms have and an evaluation reads, along x and y.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LineCounts {
+    /// Distance of the lines in 1/nm.
+    pub step: [f64; 2],
+    /// Lines stored.
+    pub stored: [usize; 2],
+    /// Lines that one point reads, where all of them are stored.
+    pub read: [usize; 2],
+    /// Samples under the window.
+    pub samples: [usize; 2],
+    /// Samples that are transformed.
+    pub padded: [usize; 2],
+}
+
+/// Counts the lines of one window, for frequencies (1/nm) along x and y.
+pub fn line_counts(field: &HeightField, placement: Placement, sigma_nm: f64, frequency: [[f64; 2]; 2]) -> LineCounts {
+    let (kernel, plans) = window_plan(field, placement, sigma_nm, frequency);
+    let read = |plan: &AxisPlan| (2.0 * kernel.half_width(plan.step, 0.0) / plan.step).ceil().max(1.0) as usize;
+    let [x, y] = &plans;
+    LineCounts {
+        step: [x.step, y.step],
+        stored: [x.lines, y.lines],
+        read: [read(x), read(y)],
+        samples: [x.window.position_nm.len(), y.window.position_nm.len()],
+        padded: [x.padded, y.padded],
+    }
 }
 
 /// Smallest number of at least `size` with prime factors 2, 3 and 5 only: fast for the FFT.
@@ -371,159 +399,21 @@ impl Spectra {
     /// Transform of the window along one axis at a frequency (1/nm), divided by the root of the axis'
     /// norm: `G̃ / sqrt(A)` is the product of both axes.
     pub fn window_transform(&self, axis: usize, frequency: f64) -> f64 {
-        let window = &self.axes[axis];
+        let [value] = self.window_transforms(axis, [frequency]);
+        value
+    }
+
+    /// [`Self::window_transform`] at several frequencies.
+    pub(super) fn window_transforms<const L: usize>(&self, axis: usize, frequency: [f64; L]) -> [f64; L] {
         match self.kernel {
-            Kernel::Semicircle => {
-                let samples = window.position_nm.iter().zip(&window.amplitude);
-                let pitch = if window.position_nm.len() > 1 {
-                    (window.position_nm[1] - window.position_nm[0]).abs()
-                } else {
-                    window.integral_nm
-                };
-                samples.map(|(x, g)| g * (TAU * frequency * x).cos()).sum::<f64>() * pitch / window.norm_nm.sqrt()
-            }
+            Kernel::Semicircle => self.axes[axis].transforms(frequency),
             Kernel::GaussianAmplitude { sigma_nm } | Kernel::GaussianPower { sigma_nm } => {
-                Kernel::GaussianAmplitude { sigma_nm }.value(frequency, 1.0, 0.0)
+                frequency.map(|frequency| Kernel::GaussianAmplitude { sigma_nm }.value(frequency, 1.0, 0.0))
             }
         }
     }
-
-    /// `|E|² / A` at one frequency for several `s`, given [`Self::node_weights`] of each: straight from
-    /// the transforms in double precision, the slow path against which grid and basis are measured.
-    pub fn power_at(&self, frequency: [f64; 2], node_weights: &[Vec<f64>]) -> Vec<f64> {
-        if !self.mean_power {
-            let nodes = self.amplitude_nodes(frequency);
-            return node_weights.iter().map(|weights| combined(&nodes, weights).norm_sqr()).collect();
-        }
-        let count = node_weights.len();
-        let mut power = vec![0.0; count];
-        if let [weights] = node_weights {
-            self.for_each_row(frequency, |lines, taps, row_tap| power[0] += row_tap * row_power(lines, taps, weights));
-            return power;
-        }
-        // Weights of a node side by side, so that the sums over nodes run in step.
-        let turned: Vec<f64> = (0..self.nodes).flat_map(|n| node_weights.iter().map(move |w| w[n])).collect();
-        let mut sums = vec![[0.0; 2]; count];
-        self.for_each_row(frequency, |lines, taps, row_tap| {
-            for (line, tap) in lines.chunks_exact(self.nodes).zip(taps) {
-                sums.fill([0.0; 2]);
-                for (e, weights) in line.iter().zip(turned.chunks_exact(count)) {
-                    let [re, im] = [f64::from(e.re), f64::from(e.im)];
-                    for (sum, weight) in sums.iter_mut().zip(weights) {
-                        sum[0] += weight * re;
-                        sum[1] += weight * im;
-                    }
-                }
-                let tap = row_tap * f64::from(*tap);
-                power.iter_mut().zip(&sums).for_each(|(power, [re, im])| *power += tap * (re * re + im * im));
-            }
-        });
-        power
-    }
-
-    /// `|P|² / A` at one frequency and `s`, the coherent part included.
-    pub fn total_power(&self, frequency: [f64; 2], s: f64) -> f64 {
-        let weights = self.node_weights(s);
-        let window = self.window_transform(0, frequency[0]) * self.window_transform(1, frequency[1]);
-        let mean = combined(&self.mean_phasor, &weights);
-        if self.mean_power {
-            return mean.norm_sqr() * window * window + s * s * self.power_at(frequency, &[weights])[0];
-        }
-        (mean * window + combined(&self.amplitude_nodes(frequency), &weights) * s).norm_sqr()
-    }
-
-    /// `E / sqrt(A)` at one frequency, at every node.
-    fn amplitude_nodes(&self, frequency: [f64; 2]) -> Vec<Complex<f64>> {
-        let mut sum = vec![Complex::default(); self.nodes];
-        self.for_each_row(frequency, |lines, taps, row_tap| {
-            for (line, tap) in lines.chunks_exact(self.nodes).zip(taps) {
-                let tap = row_tap * f64::from(*tap);
-                for (sum, e) in sum.iter_mut().zip(line) {
-                    *sum += Complex::new(f64::from(e.re), f64::from(e.im)) * tap;
-                }
-            }
-        });
-        sum
-    }
-
-    /// Calls back for each stored row of lines near a frequency: all nodes of its lines, the lines' weights, the row's.
-    fn for_each_row(&self, frequency: [f64; 2], mut visit: impl FnMut(&[Complex<f32>], &[f32], f64)) {
-        let taps: [_; 2] = std::array::from_fn(|axis| self.kernel.taps(&[frequency[axis]], self.step[axis], 0.0));
-        // What lies outside of what is stored is left out.
-        let stored: [Range<i32>; 2] = std::array::from_fn(|axis| {
-            let first = taps[axis].first[0] - self.first[axis];
-            let end = (first + taps[axis].count as i32).min(self.lines[axis] as i32);
-            first.max(0)..end
-        });
-        let [columns, rows] = stored;
-        if columns.is_empty() {
-            return;
-        }
-        let skipped = (self.first[0] + columns.start - taps[0].first[0]) as usize;
-        let weights = &taps[0].weight[skipped..skipped + columns.len()];
-        for row in rows {
-            let start = (row as usize * self.lines[0] + columns.start as usize) * self.nodes;
-            let tap = taps[1].weight[(self.first[1] + row - taps[1].first[0]) as usize];
-            visit(&self.data[start..start + columns.len() * self.nodes], weights, tap.into());
-        }
-    }
-}
-
-/// `Σ tap |Σ weight E|²` over neighbouring lines, each with as many nodes as there are weights.
-///
-/// Four lines at a time: the sum over one line's nodes has to wait for each of its additions.
-fn row_power(lines: &[Complex<f32>], taps: &[f32], weights: &[f64]) -> f64 {
-    const AT_ONCE: usize = 4;
-    let nodes = weights.len();
-    let (blocks, block_taps) = (lines.chunks_exact(AT_ONCE * nodes), taps.chunks_exact(AT_ONCE));
-    let rest = blocks.remainder().chunks_exact(nodes).zip(block_taps.remainder());
-    let mut power = 0.0;
-    for (block, taps) in blocks.zip(block_taps) {
-        let line: [&[Complex<f32>]; AT_ONCE] = std::array::from_fn(|i| &block[i * nodes..(i + 1) * nodes]);
-        let mut sums = [Complex::new(0.0, 0.0); AT_ONCE];
-        for (node, &weight) in weights.iter().enumerate() {
-            for (sum, line) in sums.iter_mut().zip(line) {
-                sum.re += weight * f64::from(line[node].re);
-                sum.im += weight * f64::from(line[node].im);
-            }
-        }
-        power += sums.iter().zip(taps).map(|(sum, tap)| f64::from(*tap) * sum.norm_sqr()).sum::<f64>();
-    }
-    for (line, tap) in rest {
-        let sum: Complex<f64> =
-            line.iter().zip(weights).map(|(e, w)| Complex::new(f64::from(e.re), f64::from(e.im)) * w).sum();
-        power += f64::from(*tap) * sum.norm_sqr();
-    }
-    power
 }
 
 fn combined(nodes: &[Complex<f64>], weights: &[f64]) -> Complex<f64> {
     nodes.iter().zip(weights).map(|(e, w)| e * w).sum()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_power_of_a_row_is_the_sum_over_its_lines() {
-        let weights = [0.3, -1.2, 0.7];
-        // One line, whole blocks, and blocks with a rest.
-        for count in [1, 4, 8, 11] {
-            let number = |i: usize| (i * 37 % 19) as f32 / 19.0 - 0.4;
-            let lines: Vec<_> = (0..3 * count).map(|i| Complex::new(number(i), number(2 * i + 5))).collect();
-            let taps: Vec<f32> = (0..count).map(|i| 1.0 + number(3 * i + 1)).collect();
-            let of_line = |line: &[Complex<f32>]| {
-                let wide: Vec<_> = line.iter().map(|e| Complex::new(f64::from(e.re), f64::from(e.im))).collect();
-                combined(&wide, &weights).norm_sqr()
-            };
-            let plain: f64 = lines.chunks_exact(3).zip(&taps).map(|(line, tap)| f64::from(*tap) * of_line(line)).sum();
-            let found = row_power(&lines, &taps, &weights);
-            // Products and sums of at most a few dozen numbers of order one.
-            assert!((found - plain).abs() < 1e-13, "{count}: {found} {plain}");
-            let mut other = lines.clone();
-            other[3 * (count - 1)].re += 0.1;
-            assert!((row_power(&other, &taps, &weights) - plain).abs() > 1e-6, "{count}: every line counts");
-        }
-    }
 }

@@ -10,7 +10,8 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 
 use super::config::OpticsConfig;
-use super::reference::{FULL_STEP, prefactor, resolving_count};
+use super::lines::{Buffers, Part, Point};
+use super::reference::{FULL_STEP, WavenumberStep, prefactor, resolving_count};
 use super::spectra::{self, Spectra, SpectraConfig};
 use super::window::placements;
 use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
@@ -49,7 +50,7 @@ pub fn add_window(
     spectra: &Spectra,
     optics: &OpticsConfig,
     pairs: &[(Vec3, Vec3)],
-    step: f64,
+    step: WavenumberStep,
     sums: &mut [Xyz],
 ) -> Result<()> {
     // Directions with equally many wavelengths share them; one set is held at a time.
@@ -62,8 +63,8 @@ pub fn add_window(
     }
     for (count, group) in by_count {
         let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
-        group.into_par_iter().for_each(|(sum, front, q)| {
-            let power = window_power(spectra, &quadrature, q);
+        group.into_par_iter().for_each_init(Buffers::default, |buffers, (sum, front, q)| {
+            let power = window_power(spectra, &quadrature, q, buffers);
             sum.iter_mut().zip(power).for_each(|(sum, power)| *sum += front * power);
         });
     }
@@ -71,30 +72,35 @@ pub fn add_window(
 }
 
 /// `∫ S x̄ |P|² / (λ² A w²) dλ` of one window at `q`, the coherent part included.
-pub fn window_power(spectra: &Spectra, quadrature: &SpectralQuadrature, q: Vec3) -> Xyz {
+fn window_power(spectra: &Spectra, quadrature: &SpectralQuadrature, q: Vec3, buffers: &mut Buffers) -> Xyz {
+    let SpectralQuadrature { wavelengths_nm, weights } = quadrature;
     let w = q[2].abs();
+    let point = |j: usize| point([q[0], q[1]], w, wavelengths_nm[j]);
     let mut sum = [0.0; 3];
-    for (&nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
-        let power = spectra.total_power([q[0] / nm, q[1] / nm], TAU / nm * w) / (nm * nm * w * w);
-        for c in 0..3 {
-            sum[c] += weight[c] * power;
-        }
-    }
+    spectra.powers(Part::Total, wavelengths_nm.len(), point, buffers, |j, power| {
+        add(&mut sum, weights[j], power / (wavelengths_nm[j] * w).powi(2));
+    });
     sum
 }
 
 /// `∫ S x̄ k² |E|² / (λ² A) dλ` of one window: the diffuse part alone, for several values of `w`.
 pub fn diffuse_power(spectra: &Spectra, quadrature: &SpectralQuadrature, uv: [f64; 2], w: &[f64]) -> Vec<Xyz> {
+    let SpectralQuadrature { wavelengths_nm, weights } = quadrature;
     let mut sums = vec![[0.0; 3]; w.len()];
-    for (&nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
-        let k = TAU / nm;
-        let node_weights: Vec<_> = w.iter().map(|w| spectra.node_weights(k * w)).collect();
-        let powers = spectra.power_at([uv[0] / nm, uv[1] / nm], &node_weights);
-        for (sum, power) in sums.iter_mut().zip(powers) {
-            for c in 0..3 {
-                sum[c] += weight[c] * (k / nm).powi(2) * power;
-            }
-        }
-    }
+    let places = |index: usize| (index / w.len(), index % w.len());
+    let point = |index: usize| point(uv, w[places(index).1], wavelengths_nm[places(index).0]);
+    let count = wavelengths_nm.len() * w.len();
+    spectra.powers(Part::Diffuse, count, point, &mut Buffers::default(), |index, power| {
+        let (j, which) = places(index);
+        add(&mut sums[which], weights[j], (TAU / wavelengths_nm[j].powi(2)).powi(2) * power);
+    });
     sums
+}
+
+fn point(uv: [f64; 2], w: f64, wavelength_nm: f64) -> Point {
+    Point { frequency: uv.map(|u| u / wavelength_nm), s: TAU / wavelength_nm * w }
+}
+
+fn add(sum: &mut Xyz, weight: Xyz, power: f64) {
+    sum.iter_mut().zip(weight).for_each(|(sum, weight)| *sum += weight * power);
 }

@@ -24,7 +24,7 @@ pub const DIRECTIONS: usize = 128;
 pub const DRAWN: usize = 1 << 14;
 
 /// As many lit directions come with one that is dark.
-const LIT_PER_DARK: usize = 4;
+pub(super) const LIT_PER_DARK: usize = 4;
 
 /// Share of the floor up to which the tables call a direction dark: a lit one is missed only where they show less than half
 /// of its light.

@@ -6,6 +6,7 @@ pub mod config;
 pub(crate) mod describe;
 pub mod diff;
 pub mod error_directions;
+pub mod forecast_run;
 pub mod format_md;
 pub mod frame_time;
 pub mod gpu_check;

@@ -65,9 +65,22 @@ pub fn render_tables(scene: &Scene, set: &TableSet) -> Result<SceneWork> {
     let seconds = started.elapsed().as_secs_f64();
     let unserved = image.rows().into_iter().filter(|xyz| xyz.iter().any(|value| value.is_nan())).count();
     let stride = reference_stride(scene);
-    let subset = samples_of(scene, 0..scene.size_px, stride)?;
+    let subset = reference_samples(scene)?;
     let exposure = exposure_factor(scene.exposure, &image);
     Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, unserved, stride, subset, pigment: set.pigment })
+}
+
+/// The samples of a scene's reference picture.
+///
+/// # Errors
+/// A scene that cannot be rendered.
+pub fn reference_samples(scene: &Scene) -> Result<ShadingSamples> {
+    samples_of(scene, 0..scene.size_px, reference_stride(scene))
+}
+
+/// The pairs of directions of samples, in order.
+pub fn pairs_of(samples: &ShadingSamples) -> impl Iterator<Item = (Vec3, Vec3)> + '_ {
+    samples.wi.iter().zip(&samples.wo).map(|(wi, wo)| (wi.map(f64::from), wo.map(f64::from)))
 }
 
 /// Of how many pixels in each direction one has a reference.
@@ -80,7 +93,7 @@ pub fn reference_stride(scene: &Scene) -> usize {
 impl SceneWork {
     /// The pairs of directions whose BRDF the reference picture needs, in order.
     pub fn pairs(&self) -> impl Iterator<Item = (Vec3, Vec3)> + '_ {
-        self.subset.wi.iter().zip(&self.subset.wo).map(|(wi, wo)| (wi.map(f64::from), wo.map(f64::from)))
+        pairs_of(&self.subset)
     }
 
     /// The scene's name.

@@ -12,6 +12,7 @@ use super::plan::{Ring, nodes_bound_over, w_reach};
 use crate::ground::chebyshev::{self, Interpolant};
 use crate::ground::sampling;
 use crate::optics::spectra::Spectra;
+use crate::optics::spectral::diffuse_power;
 
 /// Texels spread over the disc, half as many where there is light, and a quarter as many around the mirror direction;
 /// the 95th percentiles then rest on the forty, twenty and ten largest errors.
@@ -266,16 +267,9 @@ fn polynomials(spectra: &Spectra, plan: &BuildPlan, texels: &[([f64; 2], [f64; 2
 
 /// Sums the luminance of a texel at fine nodes over a range of `|w|` that holds its own.
 fn polynomial(spectra: &Spectra, ring: &Ring, uv: [f64; 2], fine: usize, whole: [f64; 2], own: [f64; 2]) -> Polynomial {
-    let (quadrature, [u, v]) = (&ring.quadrature, uv);
     let nodes = chebyshev::gauss_nodes(fine, whole[0], whole[1]);
-    let mut values = vec![0.0; nodes.len()];
-    for (&nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
-        let k = TAU / nm;
-        let node_weights: Vec<_> = nodes.iter().map(|w| spectra.node_weights(k * w)).collect();
-        let power = spectra.power_at([u / nm, v / nm], &node_weights);
-        let scale = weight[1] * (k / nm).powi(2);
-        values.iter_mut().zip(power).for_each(|(sum, p)| *sum += scale * p);
-    }
+    let xyz = diffuse_power(spectra, &ring.quadrature, uv, &nodes);
+    let values = xyz.into_iter().map(|xyz| xyz[1]).collect();
     Polynomial { uv, values, whole, own: [own[0].max(whole[0]), own[1].min(whole[1])], rho: ring.rho }
 }
 

@@ -9,11 +9,15 @@ use crate::cli::output::{self, Outcome, bytes_in_words};
 use crate::ground::error::Result;
 use crate::manifest::{self, convert::run_config};
 use crate::scene::model::Scene;
+use crate::scene::samples::ShadingSamples;
 use crate::stages::config::{RunConfig, SpecimenConfig};
+use crate::stages::forecast_run::{ReferenceForecast, reference_forecast};
 use crate::stages::ingest::ingest;
 use crate::stages::measured;
+use crate::stages::scenes::reference_samples;
 use crate::stages::serve::{self, Budget, Cost, Source};
-use crate::tables::forecast::{Forecast, forecast, forecast_of};
+use crate::tables::build;
+use crate::tables::forecast::{Forecast, forecast_of};
 use crate::tables::model::Storage;
 
 /// Arguments of `plan`.
@@ -45,6 +49,8 @@ struct Plan {
 struct SpecimenPlan {
     name: String,
     forecast: Option<Forecast>,
+    /// What evaluating its reference will take, where that is asked for.
+    reference: Option<ReferenceForecast>,
     /// What its tables leave out, where they do not serve every direction.
     budget: Option<Budget>,
     failure: Option<String>,
@@ -59,12 +65,15 @@ pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     let config = run_config(&manifest, &text);
     let threads = rayon::current_num_threads();
     let asked_for = config.specimens.iter().filter(|specimen| serve::is_asked_for(&config, &specimen.name));
+    let mut pictures = Pictures::default();
     let specimens = asked_for.map(|specimen| {
-        let (forecast, budget, failure) = match plan_specimen(&config, specimen, threads) {
-            Ok((forecast, budget)) => (Some(forecast), budget, None),
-            Err(error) => (None, None, Some(error.to_string())),
-        };
-        SpecimenPlan { name: specimen.name.clone(), forecast, budget, failure }
+        plan_specimen(&config, specimen, threads, &mut pictures).unwrap_or_else(|error| SpecimenPlan {
+            name: specimen.name.clone(),
+            forecast: None,
+            reference: None,
+            budget: None,
+            failure: Some(error.to_string()),
+        })
     });
     let plan = Plan {
         atlas: config.atlas_name.clone(),
@@ -86,19 +95,53 @@ pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     Ok(if failures.is_empty() { Outcome::Done } else { Outcome::Failures(failures) })
 }
 
-fn plan_specimen(config: &RunConfig, specimen: &SpecimenConfig, threads: usize) -> Result<(Forecast, Option<Budget>)> {
+fn plan_specimen(
+    config: &RunConfig,
+    specimen: &SpecimenConfig,
+    threads: usize,
+    pictures: &mut Pictures,
+) -> Result<SpecimenPlan> {
     specimen.measured.as_ref().map(measured::read).transpose()?;
     let ingested = ingest(specimen)?;
     let tables = serve::tables_for(config, &specimen.name);
     let source = Source { fields: &ingested.fields, optics: &specimen.optics, tables: &tables };
-    let Some(scenes) = serve::served_scenes(config, &specimen.name) else {
-        return Ok((forecast(source.fields, source.optics, source.tables, threads)?, None));
+    let (plan, budget) = match serve::served_scenes(config, &specimen.name) {
+        None => (build::plan(source.fields, source.optics, source.tables)?, None),
+        Some(scenes) => {
+            let scenes: Vec<&Scene> = scenes.iter().collect();
+            let domain = serve::domain_of(&source, &scenes)?;
+            let budget = serve::budget(&source, &scenes, &domain, &config.tables)?;
+            (serve::plan_without(None, &source, &domain)?, Some(budget))
+        }
     };
-    let scenes: Vec<&Scene> = scenes.iter().collect();
-    let domain = serve::domain_of(&source, &scenes)?;
-    let plan = serve::plan_without(None, &source, &domain)?;
     let forecast = forecast_of(source.fields, source.optics, source.tables, &plan, threads);
-    Ok((forecast, Some(serve::budget(&source, &scenes, &domain, &config.tables)?)))
+    let reference = match config.report.reference {
+        false => None,
+        true => {
+            let samples = pictures.of(serve::pictured_scenes(config, &specimen.name))?;
+            Some(reference_forecast(&source, &plan, forecast.tables, &samples, threads))
+        }
+    };
+    Ok(SpecimenPlan { name: specimen.name.clone(), forecast: Some(forecast), reference, budget, failure: None })
+}
+
+/// Samples of the reference pictures: most scenes are the same for every specimen.
+#[derive(Default)]
+struct Pictures(Vec<(Scene, ShadingSamples)>);
+
+impl Pictures {
+    fn of(&mut self, scenes: Vec<Scene>) -> Result<Vec<&ShadingSamples>> {
+        let mut places = Vec::new();
+        for scene in scenes {
+            let known = self.0.iter().position(|(known, _)| *known == scene);
+            places.push(known.unwrap_or(self.0.len()));
+            if known.is_none() {
+                let samples = reference_samples(&scene)?;
+                self.0.push((scene, samples));
+            }
+        }
+        Ok(places.into_iter().map(|place| &self.0[place].1).collect())
+    }
 }
 
 impl Plan {
@@ -118,7 +161,7 @@ impl Plan {
 
     fn to_text(&self) -> String {
         let mut text = format!("atlas \"{}\" on {} threads\n", self.atlas, self.threads);
-        text += "specimen                    windows transforms tables  size  nm at rim  seconds     memory      stored  numbers\n";
+        text += "specimen                    windows transforms tables  size  nm at rim  seconds reference     memory      stored  numbers\n";
         let mut total_s = 0.0;
         for specimen in &self.specimens {
             match (&specimen.forecast, &specimen.failure) {
@@ -126,7 +169,7 @@ impl Plan {
                     total_s += f.seconds;
                     let step = f.step_min_nm.map_or("-".into(), |step_nm| format!("{step_nm:.2}"));
                     text += &format!(
-                        "{:<27} {:>7} {:>10} {:>6} {:>5} {:>10} {:>8.2} {:>10} {:>11}  {}\n",
+                        "{:<27} {:>7} {:>10} {:>6} {:>5} {:>10} {:>8.2} {:>9} {:>10} {:>11}  {}\n",
                         specimen.name,
                         f.windows,
                         f.transforms,
@@ -134,6 +177,7 @@ impl Plan {
                         f.size,
                         step,
                         f.seconds,
+                        specimen.reference.map_or("-".into(), |reference| format!("{:.2}", reference.seconds)),
                         bytes_in_words(f.memory_bytes),
                         bytes_in_words(f.stored_bytes),
                         numbers_in_words(f)
@@ -143,7 +187,15 @@ impl Plan {
                 (None, None) => {}
             }
         }
-        text += &format!("tables in about {total_s:.2} s; pictures and measured errors come on top\n");
+        let reference_s: f64 =
+            self.specimens.iter().filter_map(|specimen| specimen.reference).map(|reference| reference.seconds).sum();
+        text += &match self.specimens.iter().any(|s| s.forecast.is_some() && s.reference.is_none()) {
+            true => format!("tables in about {total_s:.2} s, no reference; pictures come on top\n"),
+            false => format!(
+                "tables in about {total_s:.2} s, the reference in about {reference_s:.2} s where none of it is known; \
+                 pictures come on top\n"
+            ),
+        };
         text += &self.windows_text();
         if self.specimens.iter().flat_map(|specimen| &specimen.forecast).any(|forecast| !forecast.storage_asked) {
             text +=

@@ -9,6 +9,7 @@ use crate::ground::direction::{Vec3, from_angles_deg, wave_vector_change};
 use crate::ground::error::{Error, Result};
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
+use crate::optics::lines::{Buffers, Part, Point};
 use crate::optics::reference::prefactor;
 use crate::optics::spectra::{self, Spectra, SpectraConfig};
 use crate::optics::window::placements;
@@ -94,6 +95,7 @@ pub fn modelled(
 
 /// `⟨f cos_theta⟩` of one window: f vanishes for directions below the horizon.
 fn scatter(spectra: &Spectra, optics: &OpticsConfig, row: &RowSamples) -> f64 {
+    let mut buffers = Buffers::default();
     let mut sum = 0.0;
     for &wo in &row.wo {
         let front = prefactor(optics, row.wi, wo) * wo[2];
@@ -101,11 +103,13 @@ fn scatter(spectra: &Spectra, optics: &OpticsConfig, row: &RowSamples) -> f64 {
             continue;
         }
         let q = wave_vector_change(row.wi, wo);
-        let power = row
-            .wavelengths_nm
-            .iter()
-            .map(|nm| spectra.total_power([q[0] / nm, q[1] / nm], TAU / nm * q[2].abs()) / (nm * nm * q[2] * q[2]));
-        sum += front * power.sum::<f64>();
+        let point = |j: usize| {
+            let nm = row.wavelengths_nm[j];
+            Point { frequency: [q[0] / nm, q[1] / nm], s: TAU / nm * q[2].abs() }
+        };
+        spectra.powers(Part::Total, row.wavelengths_nm.len(), point, &mut buffers, |j, power| {
+            sum += front * power / (row.wavelengths_nm[j] * q[2]).powi(2);
+        });
     }
     sum / (row.wo.len() * row.wavelengths_nm.len()) as f64
 }
