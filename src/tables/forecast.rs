@@ -58,7 +58,7 @@ const NS_PER_LANE_TAP: f64 = 0.6;
 const NS_PER_LANE_SUM: f64 = 2.0;
 const NS_PER_KERNEL_VALUE: f64 = 8.0;
 const NS_PER_WAVE: f64 = 2e4;
-const NS_PER_COMPLEX_PRODUCT: f64 = 1.0;
+const NS_PER_COMPLEX_PRODUCT: f64 = 0.6;
 const NS_PER_TEXEL_AND_TABLE: f64 = 60.0;
 
 /// What a build takes besides: threads woken, memory fetched, files of one texel.
@@ -173,7 +173,7 @@ fn scratch_bytes(plan: &BuildPlan, window: &WindowWork, ring: &Ring, nodes: usiz
     let WindowWork { lines: Lines { step, taps, .. }, parts, box_samples, .. } = window;
     let texel = plan.texels.grid.texel();
     let extent = |texels: usize| (2.0 * ring.rho[1]).min(texels as f64 * texel);
-    let lines = extent(plan.texels.rows.len()) / (plan.wavelength_min_nm * step[1]) + taps;
+    let lines = extent(plan.texels.rows.len()) / (plan.wavelength_min_nm * step[1]) + taps[1];
     let columns = extent(plan.texels.columns.len()) / texel * box_samples;
     let lanes = (nodes.div_ceil(GROUP) as f64).min(LANES_MAX as f64) * parts;
     // It is allocated with up to an eighth to spare.
@@ -254,26 +254,26 @@ fn ring_ns(plan: &BuildPlan, window: &WindowWork, ring: &Ring, texels: f64, node
     let targets = box_samples * 2.0 * area.sqrt().max(share * 2.0 * ring.rho[1]) / texel;
     let of_wave = |nm: &f64| {
         // Lines whose blur reaches into the ring.
-        let reach = 0.5 * taps * nm * step[0].max(step[1]);
+        let reach = 0.5 * nm * (taps[0] * step[0]).max(taps[1] * step[1]);
         let wide =
             (share * annulus([ring.rho[0] - reach, ring.rho[1] + reach])).max((area.sqrt() + 2.0 * reach).powi(2));
         let cells = wide / (nm * nm * step[0] * step[1]);
         let rows = texels * texel / (nm * step[1]).min(texel * 8.0);
-        let taps_read = parts * taps * (rows * box_samples + texels * box_samples.powi(2));
+        let taps_read = parts * (taps[0] * rows * box_samples + taps[1] * texels * box_samples.powi(2));
         let in_lanes = NS_PER_LINE_NODE * 2.0 * cells * transforms
             + NS_PER_LANE_TAP * taps_read
             + NS_PER_LANE_SUM * texels * box_samples.powi(2);
-        NS_PER_WAVE + NS_PER_KERNEL_VALUE * taps * targets + lanes * in_lanes
+        NS_PER_WAVE + NS_PER_KERNEL_VALUE * 0.5 * (taps[0] + taps[1]) * targets + lanes * in_lanes
     };
     ring.quadrature.wavelengths_nm.iter().map(of_wave).sum()
 }
 
 /// The pilot: every tested texel at all its wavelengths and fine nodes, once per tap where powers are summed.
-fn pilot_ns(plan: &BuildPlan, transforms: usize, taps: f64, placement: Placement) -> f64 {
+fn pilot_ns(plan: &BuildPlan, transforms: usize, [x, y]: [f64; 2], placement: Placement) -> f64 {
     let wavelengths: usize = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum();
     let each = wavelengths as f64 / plan.rings.len() as f64;
     let fine = plan.nodes_bound as f64;
-    let products = if placement == Placement::TileMean { taps * taps * fine } else { taps * taps + fine };
+    let products = if placement == Placement::TileMean { x * y * fine } else { x * y + fine };
     pilot::TEXELS as f64 * each * products * transforms as f64 * NS_PER_COMPLEX_PRODUCT
 }
 
@@ -303,12 +303,13 @@ struct Lines {
     padded: [f64; 2],
     step: [f64; 2],
     lines: [f64; 2],
-    taps: f64,
+    /// Lines that a point reads.
+    taps: [f64; 2],
 }
 
 fn lines(field: &HeightField, placement: Placement, optics: &OpticsConfig, plan: &BuildPlan) -> Lines {
     let size = field.size();
-    let mut lines = Lines { samples: [0.0; 2], padded: [0.0; 2], step: [0.0; 2], lines: [0.0; 2], taps: 0.0 };
+    let mut lines = Lines { samples: [0.0; 2], padded: [0.0; 2], step: [0.0; 2], lines: [0.0; 2], taps: [0.0; 2] };
     for (axis, (samples, pitch)) in size.into_iter().zip(field.pitch_nm).enumerate() {
         let inside = matches!(placement, Placement::Inside { .. });
         let within = 2.0 * SUPPORT_SIGMAS * optics.sigma_nm / pitch;
@@ -325,7 +326,7 @@ fn lines(field: &HeightField, placement: Placement, optics: &OpticsConfig, plan:
             Placement::TileCentre => gaussian.ceil(),
             Placement::TileMean => (gaussian / std::f64::consts::SQRT_2).ceil(),
         };
-        lines.taps = lines.taps.max(taps);
+        lines.taps[axis] = taps;
         let [low, high] = plan.spectra.frequency[axis];
         lines.lines[axis] = ((high - low) / lines.step[axis] + taps + 1.0).min(lines.padded[axis]);
     }
