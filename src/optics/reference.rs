@@ -35,7 +35,7 @@ pub struct WavenumberStep {
 pub const FULL_STEP: WavenumberStep = WavenumberStep { of_width: 0.4, fewest: 200 };
 
 /// For the reference pictures: one deviation, of which one line errs by 3e-5, and no fewer wavelengths than leave 1e-4 at
-/// small `|(u, v)|`; under a lamp of lines up to 3e-4.
+/// small `|(u, v)|`; under a lamp of lines 4e-4.
 pub const PICTURE_STEP: WavenumberStep = WavenumberStep { of_width: 0.7, fewest: 44 };
 
 /// Reflectance, geometry and shadowing: everything in front of the window's power spectrum. Zero for
@@ -74,7 +74,8 @@ pub fn resolving_count(optics: &OpticsConfig, q: Vec3, half_range_nm: f64, step:
     let rho = q[0].hypot(q[1]);
     let needed = span * TAU * (rho * optics.sigma_nm).hypot(q[2] * half_range_nm) / step.of_width;
     let fewest = match optics.illuminant {
-        // Spiky or arbitrary spectra: fine enough for the tables' 5 nm structure.
+        // Spiky or arbitrary spectra: weights integrate them exactly, but times polynomials through the wavelengths, which
+        // then have to follow the surface's spectrum at each spike by itself.
         Illuminant::F(_) | Illuminant::Tabulated { .. } => 3 * step.fewest,
         _ => step.fewest,
     };

@@ -80,6 +80,8 @@ mod tests {
         let grid = Grid { size: 61, half_width: 2.0 };
         let found = known_reach(&cache, &ball(), grid, 1).unwrap();
         assert!(found == reach(&ball(), grid, 1).unwrap() && found.texels() > 500);
+        // How many copies of the grid are filled at once is no part of the key.
+        assert!(found == reach(&ball(), grid, 4).unwrap());
         let [before, _] = cache.traffic();
         // The same under another name, brighter, and asked for less.
         let other = Scene { name: "other".into(), exposure: Exposure::Ev(2.0), tolerance: Some(0.1), ..ball() };

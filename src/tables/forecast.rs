@@ -326,7 +326,8 @@ fn lines(field: &HeightField, placement: Placement, optics: &OpticsConfig, plan:
             Placement::TileCentre => gaussian.ceil(),
             Placement::TileMean => (gaussian / std::f64::consts::SQRT_2).ceil(),
         };
-        lines.taps[axis] = taps;
+        // Lines that do not exist are not read.
+        lines.taps[axis] = taps.min(lines.padded[axis]);
         let [low, high] = plan.spectra.frequency[axis];
         lines.lines[axis] = ((high - low) / lines.step[axis] + taps + 1.0).min(lines.padded[axis]);
     }

@@ -103,8 +103,8 @@ impl Part<'_> {
 const COUNT_BYTES: usize = 8;
 const INDEX_BYTES: usize = 4;
 
-/// Sums of some texels of a ring, of one block of rows, as bytes: their number, their indices in the grid from the least on, and of each texel
-/// `[channel][node]` floats; all from the least byte on.
+/// Sums of some texels of a ring, of one block of rows, as bytes: how many texels, their indices in the grid in ascending
+/// order, then `[channel][node]` floats of each. All numbers are little-endian.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KeptSums {
     bytes: Vec<u8>,
@@ -195,7 +195,7 @@ fn either<'a>(before: Option<&'a KeptSums>, part: &'a Part) -> impl Iterator<Ite
     })
 }
 
-/// Floats from the least byte on.
+/// Little-endian floats.
 pub(super) fn numbers(bytes: &[u8]) -> impl Iterator<Item = f32> + '_ {
     bytes.as_chunks::<4>().0.iter().map(|four| f32::from_le_bytes(*four))
 }

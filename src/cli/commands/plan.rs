@@ -159,6 +159,20 @@ impl Plan {
         lines.iter().map(|(line, names)| format!("windows of {}: {line}\n", names.join(", "))).collect()
     }
 
+    /// What all specimens take; nothing where none has a forecast.
+    fn total_text(&self, tables_s: f64) -> String {
+        let references = self.specimens.iter().filter_map(|specimen| specimen.reference);
+        let reference_s = references.map(|reference| reference.seconds).reduce(|a, b| a + b);
+        match (self.specimens.iter().any(|specimen| specimen.forecast.is_some()), reference_s) {
+            (false, _) => String::new(),
+            (true, None) => format!("tables in about {tables_s:.2} s, no reference; pictures come on top\n"),
+            (true, Some(reference_s)) => format!(
+                "tables in about {tables_s:.2} s, the reference in about {reference_s:.2} s where none of it is known; \
+                 pictures and the direct sum come on top\n"
+            ),
+        }
+    }
+
     fn to_text(&self) -> String {
         let mut text = format!("atlas \"{}\" on {} threads\n", self.atlas, self.threads);
         text += "specimen                    windows transforms tables  size  nm at rim  seconds reference     memory      stored  numbers\n";
@@ -187,15 +201,7 @@ impl Plan {
                 (None, None) => {}
             }
         }
-        let reference_s: f64 =
-            self.specimens.iter().filter_map(|specimen| specimen.reference).map(|reference| reference.seconds).sum();
-        text += &match self.specimens.iter().any(|s| s.forecast.is_some() && s.reference.is_none()) {
-            true => format!("tables in about {total_s:.2} s, no reference; pictures come on top\n"),
-            false => format!(
-                "tables in about {total_s:.2} s, the reference in about {reference_s:.2} s where none of it is known; \
-                 pictures come on top\n"
-            ),
-        };
+        text += &self.total_text(total_s);
         text += &self.windows_text();
         if self.specimens.iter().flat_map(|specimen| &specimen.forecast).any(|forecast| !forecast.storage_asked) {
             text +=
