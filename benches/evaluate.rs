@@ -3,16 +3,18 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use diffraction_atlas::ground::direction::Vec3;
-use diffraction_atlas::ground::sampling::{Region, direction_pairs};
-use diffraction_atlas::ground::spectrum::Illuminant;
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::height::synthesize::{Structure, synthesize};
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
-use diffraction_atlas::optics::{reference, spectra, spectral};
-use diffraction_atlas::tables::build;
-use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
-use diffraction_atlas::tables::model::{Basis, Prefilter, Storage, TablesConfig};
+use diffraction_brdf::direction::Vec3;
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_build::ground::sampling::{Region, direction_pairs};
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::height::HeightField;
+use diffraction_build::height::synthesize::{Structure, synthesize};
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::reference;
+use diffraction_build::optics::spectra;
+use diffraction_build::optics::spectral;
+use diffraction_build::tables::build;
+use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
 /// Pairs per measurement of the fast methods: enough that look-ups do not stay in one cache line.
 const PAIRS: usize = 1024;

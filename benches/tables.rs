@@ -4,14 +4,14 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use diffraction_atlas::ground::spectrum::Illuminant;
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::height::synthesize::{Structure, synthesize};
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
-use diffraction_atlas::optics::spectra;
-use diffraction_atlas::tables::accumulate::{PowerSums, Quantity, RingSum, add_ring};
-use diffraction_atlas::tables::build;
-use diffraction_atlas::tables::model::{Basis, Prefilter, Storage, TablesConfig};
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::height::HeightField;
+use diffraction_build::height::synthesize::{Structure, synthesize};
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::spectra;
+use diffraction_build::tables::accumulate::{PowerSums, Quantity, RingSum, add_ring};
+use diffraction_build::tables::build;
+use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
 /// Nodes in `w`, as snake scales need at the default tolerance.
 const NODES: usize = 5;
@@ -72,7 +72,7 @@ fn one_ring(criterion: &mut Criterion) {
         let (_, placement) = plan.windows[0];
         let spectra = spectra::transform(&field, placement, &optics, &plan.spectra).expect("the transforms fit");
         let ring = &plan.rings[0];
-        let nodes = diffraction_atlas::ground::chebyshev::gauss_nodes(NODES, ring.w[0], ring.w[1]);
+        let nodes = diffraction_brdf::chebyshev::gauss_nodes(NODES, ring.w[0], ring.w[1]);
         let mut sums = PowerSums::new(&plan.texels, NODES);
         let what = RingSum { texels: &plan.texels, ring, filter: plan.filter, quantity: Quantity::Power, share: 1.0 };
         group.bench_function(name, |bencher| {
@@ -94,7 +94,7 @@ fn whole_build(criterion: &mut Criterion) {
 }
 
 fn depth_nodes(criterion: &mut Criterion) {
-    use diffraction_atlas::ground::chebyshev::nodes_for_exponential;
+    use diffraction_brdf::chebyshev::nodes_for_exponential;
     criterion.bench_function("number of depth nodes, 1 µm", |bencher| {
         bencher.iter(|| nodes_for_exponential(black_box(500.0), 2.0 * TAU / 380.0, 1e-6));
     });

@@ -3,16 +3,17 @@
 //! Smooth made-up tables of 501 x 501 texels: the time does not depend on their values. Chebyshev sets have a coherent
 //! lobe; 24 tables are what the published powers of w need for an error of 1e-6 at 250 nm of depth.
 
-use diffraction_atlas::ground::error::Result;
-use diffraction_atlas::ground::spectrum::Illuminant;
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::render::gpu::Gpu;
 use diffraction_atlas::render::gpu_frame::{Frame, FramePlan, time_frames};
-use diffraction_atlas::render::gpu_layout::table_image;
 use diffraction_atlas::render::gpu_tables::upload;
 use diffraction_atlas::scene::gbuffer::gbuffer;
 use diffraction_atlas::scene::model::{Light, Scene, Shape};
-use diffraction_atlas::tables::model::{Basis, Lobe, TableSet};
+use diffraction_brdf::error::Result;
+use diffraction_brdf::front_factor::FrontFactor;
+use diffraction_brdf::material::Material;
+use diffraction_brdf::shader::table_image;
+use diffraction_brdf::table_set::{Basis, Lobe, TableSet};
+
 use ndarray::Array3;
 
 const SIZE: usize = 501;
@@ -34,17 +35,8 @@ fn set(basis: Basis, count: usize) -> TableSet {
         tables: (0..count).map(table).collect(),
         lobe: (basis == Basis::Chebyshev).then_some(lobe),
         prefilter_width: 0.0,
-        optics: OpticsConfig {
-            illuminant: Illuminant::D65,
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: 16_250.0,
-            edge: Edge::Tile,
-            windows: Windows::Grid,
-            material: Material::Dielectric { n: 1.56 },
-            shadowing: true,
-        },
+        front_factor: FrontFactor { material: Material::Dielectric { n: 1.56 }, shadowing: true },
         served: None,
-        pigment: None,
         usable_radius: 2.0,
     }
 }
@@ -70,7 +62,7 @@ fn main() -> Result<()> {
         (Basis::Taylor, 24),
         (Basis::Taylor, 40),
     ] {
-        let tables = upload(&gpu, &table_image(&set(basis, count))?)?;
+        let tables = upload(&gpu, &table_image(&set(basis, count), None)?)?;
         let frame = Frame::new(&gpu, &tables, &surfaces, 1.0)?;
         let [time] = time_frames([&frame], plan)?;
         let base = *base_ms.get_or_insert(time.median_ms);

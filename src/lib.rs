@@ -25,13 +25,13 @@
 //! Tables of a small sinusoidal grating, held against the direct sum over the scan:
 //!
 //! ```
-//! use diffraction_atlas::ground::direction::from_angles_deg;
-//! use diffraction_atlas::ground::spectrum::{Illuminant, Line};
-//! use diffraction_atlas::height::synthesize::{Structure, synthesize};
-//! use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
-//! use diffraction_atlas::optics::reference;
-//! use diffraction_atlas::tables::evaluate::{self, Interpolation};
-//! use diffraction_atlas::tables::model::{Basis, Prefilter, Storage, TablesConfig};
+//! use diffraction_brdf::direction::from_angles_deg;
+//! use diffraction_build::ground::spectrum::{Illuminant, Line};
+//! use diffraction_build::height::synthesize::{Structure, synthesize};
+//! use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+//! use diffraction_build::optics::reference;
+//! use diffraction_brdf::evaluate::{self, Interpolation};
+//! use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 //!
 //! // 8 periods of 1.6 µm along x, 120 nm from valley to peak.
 //! let grating = Structure::Sinusoid { period_nm: 1_600.0, amplitude_nm: 60.0, direction_deg: 0.0 };
@@ -57,7 +57,7 @@
 //!     memory_mib: 256,
 //! };
 //! let scans = [scan];
-//! let (tables, _) = diffraction_atlas::tables::build::build(&scans, &optics, &config, &|_| ())?;
+//! let (tables, _) = diffraction_build::tables::build::build(&scans, &optics, &config, &|_| ())?;
 //!
 //! // Light along the normal; the first order leaves at sin θ = λ / period.
 //! let wi = [0.0, 0.0, 1.0];
@@ -65,7 +65,7 @@
 //! let [_, y, _] = evaluate::brdf_xyz(&tables, Interpolation::Cubic, wi, wo);
 //! let [_, exact, _] = reference::brdf_xyz(&scans, &optics, wi, wo)?;
 //! assert!((y / exact - 1.0).abs() < 1e-3, "{y} {exact}");
-//! # Ok::<(), diffraction_atlas::ground::error::Error>(())
+//! # Ok::<(), diffraction_brdf::error::Error>(())
 //! ```
 //!
 //! From files: [`height::read`] and [`height::prepare`] give height fields, [`tables::storage`] keeps tables as EXR,
@@ -77,12 +77,10 @@
 //! [`ground`], [`height`], [`optics`], [`tables`], [`scene`], [`render`], [`stages`], [`manifest`] and [`report`], [`cli`].
 
 pub mod cli;
-pub mod ground;
-pub mod height;
+
 pub mod manifest;
-pub mod optics;
+
 pub mod render;
 pub mod report;
 pub mod scene;
 pub mod stages;
-pub mod tables;

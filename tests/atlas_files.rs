@@ -7,19 +7,23 @@ use std::path::Path;
 use std::process::Command;
 
 use atlas_example::{index, random_tables, write_specimen};
-use diffraction_atlas::ground::files;
 use diffraction_atlas::stages::format_md::format_md;
+use diffraction_atlas::stages::publish;
+use diffraction_atlas::stages::specimen;
+use diffraction_atlas::stages::verify;
 use diffraction_atlas::stages::worked::work_number;
-use diffraction_atlas::stages::{atlas, publish, specimen, verify};
-use diffraction_atlas::tables::evaluate::{self, Interpolation};
-use diffraction_atlas::tables::model::{Basis, Storage, TableSet};
-use diffraction_atlas::tables::storage::{self, StoredTables};
+use diffraction_brdf::atlas;
+use diffraction_brdf::evaluate::{self, Interpolation};
+use diffraction_brdf::files;
+use diffraction_brdf::specimen::CheckValue;
+use diffraction_brdf::storage::{self, StoredTables};
+use diffraction_build::tables::model::{Basis, Storage, TableSet};
 use ndarray::Array3;
 
 fn through_files(set: &TableSet, storage: Storage) -> (StoredTables, TableSet) {
     let folder = tempfile::tempdir().unwrap();
     let stored = storage::write_tables(folder.path(), set, storage).unwrap();
-    let back = storage::read_tables(folder.path(), &stored, &set.optics).unwrap();
+    let back = storage::read_tables(folder.path(), &stored, set.front_factor).unwrap();
     (stored, back)
 }
 
@@ -86,7 +90,7 @@ fn files_that_do_not_fit_their_description_are_refused() {
     let set = random_tables(6, Basis::Chebyshev, 9);
     let stored = storage::write_tables(folder.path(), &set, Storage::Half).unwrap();
     let read =
-        |stored: &StoredTables| storage::read_tables(folder.path(), stored, &set.optics).unwrap_err().to_string();
+        |stored: &StoredTables| storage::read_tables(folder.path(), stored, set.front_factor).unwrap_err().to_string();
 
     let mut larger = stored.clone();
     larger.u.samples = 11;
@@ -146,7 +150,7 @@ fn a_specimen_is_loaded_as_it_was_written() {
     assert!(unknown.to_string().contains("no specimen `three`; it holds one, two") && unknown.exit_status() == 2);
 }
 
-fn angles(check: &specimen::CheckValue) -> [f64; 4] {
+fn angles(check: &CheckValue) -> [f64; 4] {
     [check.theta_i_deg, check.phi_i_deg, check.theta_r_deg, check.phi_r_deg]
 }
 

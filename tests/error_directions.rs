@@ -5,16 +5,16 @@ mod common;
 use std::f64::consts::TAU;
 
 use common::surfaces::{random, sampled, tables_config};
-use diffraction_atlas::ground::sampling::{Region, direction_pairs};
-use diffraction_atlas::ground::spectrum::Illuminant;
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::stages::error_directions::{Candidates, ErrorDirections};
 use diffraction_atlas::stages::measure::{error_rows, yardstick};
 use diffraction_atlas::stages::results::ErrorRow;
-use diffraction_atlas::tables::build::{build, plan};
-use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
-use diffraction_atlas::tables::model::TableSet;
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_build::ground::sampling::{Region, direction_pairs};
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::tables::build::{build, plan};
+use diffraction_build::tables::model::TableSet;
 
 fn daylight() -> OpticsConfig {
     OpticsConfig {

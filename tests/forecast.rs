@@ -5,16 +5,16 @@ mod common;
 use std::sync::Mutex;
 
 use common::surfaces::{laser, random, tables_config};
-use diffraction_atlas::ground::spectrum::Illuminant;
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::known::Built;
 use diffraction_atlas::stages::serve::{Source, domain_of};
 use diffraction_atlas::stages::usage::{HeapCounter, lend_heap_counter, with_heap_bytes};
-use diffraction_atlas::tables::build::{BuildPlan, plan_for};
-use diffraction_atlas::tables::forecast::{Forecast, forecast_of};
-use diffraction_atlas::tables::model::{Prefilter, TablesConfig};
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::tables::build::{BuildPlan, plan_for};
+use diffraction_build::tables::forecast::{Forecast, forecast_of};
+use diffraction_build::tables::model::{Prefilter, TablesConfig};
 use peak_alloc::PeakAlloc;
 
 #[global_allocator]

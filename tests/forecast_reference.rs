@@ -4,14 +4,15 @@ mod common;
 
 use assert_cmd::Command;
 use common::surfaces::{laser, random, tables_config};
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::optics::config::{Edge, OpticsConfig, Windows};
-use diffraction_atlas::optics::window::placements;
 use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::forecast_run::{ReferenceForecast, reference_forecast};
 use diffraction_atlas::stages::scenes::{reference_samples, render_tables};
 use diffraction_atlas::stages::serve::Source;
-use diffraction_atlas::tables::build::{build, plan};
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
+use diffraction_build::optics::pigment::Surface;
+use diffraction_build::optics::window::placements;
+use diffraction_build::tables::build::{build, plan};
 use serde_json::Value;
 
 fn surface() -> HeightField {
@@ -36,7 +37,8 @@ fn forecast(optics: &OpticsConfig, scenes: &[Scene], threads: usize) -> Referenc
 fn pairs_are_those_that_a_run_evaluates() {
     let optics = laser(&[450.0, 633.0], 900.0, Edge::Tile, Windows::Grid);
     let tables = build(&[surface()], &optics, &tables_config(1e-2, Some(65)), &|_| ()).unwrap().0;
-    let evaluated = |scene: &Scene| render_tables(scene, &tables).unwrap().pairs().count() as u64;
+    let evaluated =
+        |scene: &Scene| render_tables(scene, Surface::without_pigment(&tables)).unwrap().pairs().count() as u64;
     let expected: u64 = scenes().iter().map(evaluated).sum();
     let found = forecast(&optics, &scenes(), 1).picture_pairs;
     assert!(expected > 2_000 && found == expected, "{found} {expected}");

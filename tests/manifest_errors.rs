@@ -4,8 +4,8 @@ mod manifest_fixture;
 
 use std::sync::LazyLock;
 
-use diffraction_atlas::ground::error::Error;
 use diffraction_atlas::manifest;
+use diffraction_brdf::error::Error;
 use manifest_fixture::{GOOD, folder, good_with, parse_in};
 use proptest::prelude::*;
 

@@ -4,16 +4,16 @@ mod manifest_fixture;
 
 use std::path::{Path, PathBuf};
 
-use diffraction_atlas::ground::spectrum::{Illuminant, Line};
 use diffraction_atlas::manifest::{
     self, ExposureSection, FrameTiming, GpuCheck, HeightSection, HeightUnit, LevelSection, ShapeSection,
 };
-use diffraction_atlas::optics::config::{Edge, Material, Windows};
 use diffraction_atlas::scene::animation::{Axis, Moving};
 use diffraction_atlas::scene::camera::{Camera, Field};
 use diffraction_atlas::scene::environment;
 use diffraction_atlas::stages::measured::MeasuredConfig;
-use diffraction_atlas::tables::model::{Basis, Prefilter, Storage};
+use diffraction_build::ground::spectrum::{Illuminant, Line};
+use diffraction_build::optics::config::{Edge, Material, Windows};
+use diffraction_build::tables::model::{Basis, Prefilter, Storage};
 use manifest_fixture::{GOOD, folder, good_with, parse_in};
 
 #[test]

@@ -8,11 +8,11 @@ use std::path::Path;
 
 use common::optics_forms::{front, gaussian};
 use common::surfaces::{PLACEMENTS, flat, laser, lobe_deviation, random, sampled};
-use diffraction_atlas::ground::direction::{from_angles_deg, wave_vector_change};
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
-use diffraction_atlas::optics::reference::brdf_spectrum;
 use diffraction_atlas::stages::measured::{self, CurveResult, MeasuredConfig, MeasuredResult};
+use diffraction_brdf::direction::{from_angles_deg, wave_vector_change};
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::reference::brdf_spectrum;
 
 const PERIOD_NM: f64 = 1_600.0;
 const AMPLITUDE_NM: f64 = 60.0;

@@ -9,14 +9,14 @@ use common::surfaces::{
     laser, lobe_deviation, lobe_points, negated, outgoing, rolled, sampled, stretched, tables, tables_config,
     worst_of_peak,
 };
-use diffraction_atlas::ground::direction::{Vec3, from_angles_deg};
-use diffraction_atlas::ground::spectrum::Illuminant;
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
-use diffraction_atlas::optics::reference::brdf_xyz_batch;
-use diffraction_atlas::tables::build::build;
-use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz, lobe_window_power};
-use diffraction_atlas::tables::model::TablesConfig;
+use diffraction_brdf::direction::{Vec3, from_angles_deg};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, lobe_window_power};
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::reference::brdf_xyz_batch;
+use diffraction_build::tables::build::build;
+use diffraction_build::tables::model::TablesConfig;
 
 const WAVELENGTH_NM: f64 = 550.0;
 const SIGMA_NM: f64 = 4_000.0;

@@ -6,11 +6,11 @@ use common::optics_forms::{fresnel, front, gaussian};
 use common::surfaces::{
     PLACEMENTS, flat, laser, lobe_deviation, lobe_points, negated, outgoing, sampled, stretched, tables, worst_of_peak,
 };
-use diffraction_atlas::ground::direction::{Vec3, dot, from_angles_deg};
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
-use diffraction_atlas::optics::reference::brdf_xyz_batch;
-use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::direction::{Vec3, dot, from_angles_deg};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::reference::brdf_xyz_batch;
 
 const MATERIALS: [Material; 3] =
     [Material::Ideal, Material::Dielectric { n: 1.56 }, Material::Conductor { n: 0.27, k: 2.77 }];
@@ -58,7 +58,7 @@ fn a_mirror_reflects_its_fresnel_reflectance() {
         let mut set = tables(&mirror, &optics, 1e-4, Some(101));
         for material in MATERIALS {
             optics.material = material;
-            set.optics.material = material;
+            set.front_factor.material = material;
             for wi in incident() {
                 let expected = fresnel(material, wi[2]) + widening(material, wi);
                 let direct = integral(wi, |pairs| reference(&mirror, &optics, pairs));

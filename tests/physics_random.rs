@@ -5,16 +5,16 @@ mod common;
 use std::f64::consts::TAU;
 
 use common::surfaces::{centred, laser, outgoing, quantile, random, rolled, stretched, tables, tables_config};
-use diffraction_atlas::ground::direction::{Vec3, from_angles_deg, wave_vector_change};
-use diffraction_atlas::ground::sampling::{Region, direction_pairs};
-use diffraction_atlas::ground::spectrum::Illuminant;
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
-use diffraction_atlas::optics::reference::brdf_xyz_batch;
-use diffraction_atlas::optics::spectral;
-use diffraction_atlas::optics::window::{Placement, placements, speckle_deviation};
-use diffraction_atlas::tables::build::{build, plan};
-use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::direction::{Vec3, from_angles_deg, wave_vector_change};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_build::ground::sampling::{Region, direction_pairs};
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::reference::brdf_xyz_batch;
+use diffraction_build::optics::spectral;
+use diffraction_build::optics::window::{Placement, placements, speckle_deviation};
+use diffraction_build::tables::build::{build, plan};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 

@@ -3,14 +3,14 @@
 mod common;
 
 use common::surfaces::{PLACEMENTS, half_turn, laser, mirrored_x, quantile, random, rolled, sampled, tables_config};
-use diffraction_atlas::ground::direction::{Vec3, Xyz};
-use diffraction_atlas::ground::sampling::{Region, direction_pairs};
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
-use diffraction_atlas::optics::reference::brdf_xyz_batch;
-use diffraction_atlas::tables::build::build;
-use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
-use diffraction_atlas::tables::model::{TableSet, TablesConfig};
+use diffraction_brdf::direction::{Vec3, Xyz};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_build::ground::sampling::{Region, direction_pairs};
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::reference::brdf_xyz_batch;
+use diffraction_build::tables::build::build;
+use diffraction_build::tables::model::{TableSet, TablesConfig};
 
 type Pair = (Vec3, Vec3);
 

@@ -8,11 +8,13 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 
 use atlas_example::{index, random_tables, write_specimen};
-use diffraction_atlas::ground::files;
 use diffraction_atlas::stages::diff::diff;
+use diffraction_atlas::stages::publish;
 use diffraction_atlas::stages::publish::{Published, Staging};
-use diffraction_atlas::stages::{atlas, publish, verify};
-use diffraction_atlas::tables::model::{Basis, Storage};
+use diffraction_atlas::stages::verify;
+use diffraction_brdf::atlas;
+use diffraction_brdf::files;
+use diffraction_build::tables::model::{Basis, Storage};
 
 /// A run whose tables follow from `seed`; its report differs every time.
 fn run(root: &Path, seed: u64, report: &str) -> Published {

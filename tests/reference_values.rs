@@ -2,8 +2,8 @@
 
 mod common;
 
-use diffraction_atlas::ground::direction::Xyz;
-use diffraction_atlas::optics::reference::brdf_xyz_batch;
+use diffraction_brdf::direction::Xyz;
+use diffraction_build::optics::reference::brdf_xyz_batch;
 
 /// Rows darker than this (1/sr) are not compared: the issue is visible light.
 const FLOOR_PER_SR: f64 = 1e-6;

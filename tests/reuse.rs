@@ -6,16 +6,16 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use common::surfaces::{random, tables_config};
-use diffraction_atlas::ground::direction::wave_vector_change;
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::optics::config::{Edge, OpticsConfig, Windows};
-use diffraction_atlas::optics::spectra::SpectraConfig;
-use diffraction_atlas::optics::spectral::brdf_xyz_batch;
 use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::serve::{Source, domain_of, plan_without};
-use diffraction_atlas::tables::build::build_planned;
-use diffraction_atlas::tables::kept::{Keeper, Piece};
-use diffraction_atlas::tables::model::{TableSet, TablesConfig};
+use diffraction_brdf::direction::wave_vector_change;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
+use diffraction_build::optics::spectra::SpectraConfig;
+use diffraction_build::optics::spectral::brdf_xyz_batch;
+use diffraction_build::tables::build::build_planned;
+use diffraction_build::tables::kept::{Keeper, Piece};
+use diffraction_build::tables::model::{TableSet, TablesConfig};
 use proptest::prelude::*;
 
 /// Keeps everything by what a piece says of itself: enough for one surface under one light, where transforms hold the same
@@ -176,7 +176,7 @@ fn what_is_no_sums_is_summed_again() {
 #[test]
 fn tables_for_every_direction_keep_nothing() {
     let case = Case::new(1_500.0, Edge::Tile, Windows::Grid, 41);
-    let plan = diffraction_atlas::tables::build::plan(&case.fields, &case.optics, &case.tables).unwrap();
+    let plan = diffraction_build::tables::build::plan(&case.fields, &case.optics, &case.tables).unwrap();
     let shelf = Shelf::default();
     build_planned(&case.fields, &case.optics, &case.tables, &plan, Some(&shelf), &|_| ()).unwrap();
     assert!(shelf.kept.borrow().is_empty());

@@ -4,8 +4,8 @@ mod scan_support;
 
 use std::path::Path;
 
-use diffraction_atlas::ground::error::Result;
-use diffraction_atlas::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, scan_from_bytes};
+use diffraction_brdf::error::Result;
+use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, scan_from_bytes};
 use scan_support::{ASCII, BYTE, LONG, Order, PageParts, f32_bytes, tiff_file};
 
 const ORDERS: [Order; 2] = [Order::Little, Order::Big];

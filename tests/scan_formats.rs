@@ -4,9 +4,9 @@ mod scan_support;
 
 use std::path::Path;
 
-use diffraction_atlas::ground::error::Error;
-use diffraction_atlas::ground::files::sha256_hex;
-use diffraction_atlas::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, read_scan};
+use diffraction_brdf::error::Error;
+use diffraction_brdf::files::sha256_hex;
+use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, read_scan};
 use scan_support::samples;
 
 /// Who gives a calibration: the file, at this place, or the manifest because the file is silent.

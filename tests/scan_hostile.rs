@@ -5,8 +5,8 @@ mod scan_support;
 use std::io::Cursor;
 use std::path::Path;
 
-use diffraction_atlas::ground::error::{Error, Result};
-use diffraction_atlas::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, read_scan, scan_from_bytes};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, read_scan, scan_from_bytes};
 use proptest::prelude::*;
 use scan_support::{DOUBLE, LONG, Order, PageParts, f32_bytes, samples, tiff_file};
 use tiff::encoder::{Compression, DeflateLevel, Predictor, TiffEncoder, colortype};

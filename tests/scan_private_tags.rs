@@ -4,8 +4,8 @@ mod scan_support;
 
 use std::path::Path;
 
-use diffraction_atlas::ground::error::Result;
-use diffraction_atlas::height::read::{ReadConfig, Scan, scan_from_bytes};
+use diffraction_brdf::error::Result;
+use diffraction_build::height::read::{ReadConfig, Scan, scan_from_bytes};
 use scan_support::{BYTE, Order, PageParts, SHORT, UNDEFINED, tiff_file};
 
 fn read(bytes: &[u8], config: &ReadConfig) -> Result<Scan> {

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::height::prepare::{Despike, Level, PrepareConfig, prepare};
-use diffraction_atlas::height::read::{HeightScale, LengthUnit, ReadConfig, read_scan};
-use diffraction_atlas::height::statistics::{Period, Statistics, statistics};
+use diffraction_build::height::HeightField;
+use diffraction_build::height::prepare::{Despike, Level, PrepareConfig, prepare};
+use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig, read_scan};
+use diffraction_build::height::statistics::{Period, Statistics, statistics};
 
 /// The sibling folder with scans, if there is one.
 fn specimens() -> Option<PathBuf> {

@@ -2,19 +2,19 @@
 
 mod common;
 
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::height::prepare::{Level, PrepareConfig, prepare};
-use diffraction_atlas::height::read::{ReadConfig, read_scan};
-use diffraction_atlas::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_atlas::render::cpu;
 use diffraction_atlas::scene::model::{Exposure, Light, Scene, Shape, exposure_factor};
 use diffraction_atlas::scene::reach::reach;
 use diffraction_atlas::scene::samples::samples;
 use diffraction_atlas::stages::serve::{Pruning, Source, account, domain_of, measure, plan_without};
-use diffraction_atlas::tables::build::{build, build_planned, grid};
-use diffraction_atlas::tables::domain::Domain;
-use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz, serves};
-use diffraction_atlas::tables::model::{TableSet, TablesConfig};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, serves};
+use diffraction_build::height::HeightField;
+use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
+use diffraction_build::height::read::{ReadConfig, read_scan};
+use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
+use diffraction_build::tables::build::{build, build_planned, grid};
+use diffraction_build::tables::domain::Domain;
+use diffraction_build::tables::model::{TableSet, TablesConfig};
 use ndarray::Array3;
 use proptest::prelude::*;
 

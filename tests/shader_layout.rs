@@ -1,9 +1,8 @@
-//! The shaders as naga reads them: byte layouts and names against the Rust side.
+//! The shaders as naga reads them: byte layouts against the Rust side.
 
-use std::collections::BTreeSet;
-
-use diffraction_atlas::render::gpu_layout::{FrameLight, FrameParams, LAYERS_MAX, Run, ShadingSample, TableParams};
+use diffraction_atlas::render::gpu_layout::{FrameLight, FrameParams, Run, ShadingSample};
 use diffraction_atlas::render::wgsl;
+use diffraction_brdf::shader::{LAYERS_MAX, TABLES_WGSL, TableParams};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{Module, TypeInner};
 
@@ -72,60 +71,10 @@ fn a_moved_field_is_noticed() {
 
 #[test]
 fn lists_of_scales_hold_every_layer() {
-    let module = module(wgsl::TABLES);
+    let module = module(TABLES_WGSL);
     let arrays = module.types.iter().filter_map(|(_, ty)| match ty.inner {
         TypeInner::Array { size: naga::ArraySize::Constant(count), stride, .. } => Some((count.get(), stride)),
         _ => None,
     });
     assert_eq!(arrays.collect::<Vec<_>>(), [(LAYERS_MAX as u32 / 4, 16)]);
-}
-
-/// Shader functions with their counterparts, file by file in the order of both.
-const COUNTERPARTS: [(&str, &[&str]); 8] = [
-    (include_str!("../src/ground/direction.rs"), &["wave_vector_change", "geometry_factor", "v_cavity_shadowing"]),
-    (include_str!("../src/optics/fresnel.rs"), &["reflectance", "cos_half_angle"]),
-    (include_str!("../src/optics/pigment.rs"), &["pigment_xyz"]),
-    (include_str!("../src/optics/reference.rs"), &["prefactor"]),
-    (include_str!("../src/tables/plan.rs"), &["w_reach"]),
-    (include_str!("../src/ground/chebyshev.rs"), &["shifted_values"]),
-    (
-        include_str!("../src/tables/evaluate.rs"),
-        &[
-            "surface_xyz",
-            "brdf_xyz",
-            "window_power",
-            "serves",
-            "share_of_range",
-            "t_of",
-            "lobe_value",
-            "expansion",
-            "sample",
-        ],
-    ),
-    (include_str!("../src/ground/colour.rs"), &["xyz_to_linear_srgb"]),
-];
-
-/// Functions only a shader needs: complex numbers, the second texture, texture coordinates, powers in registers.
-const SHADER_ONLY: [&str; 7] = [
-    "complex_product",
-    "complex_quotient",
-    "complex_root",
-    "cross_expansion",
-    "texel_centred",
-    "table_place",
-    "powers",
-];
-
-#[test]
-fn functions_carry_the_names_and_the_order_of_the_rust_side() {
-    let module = module(wgsl::TABLES);
-    let in_shader: BTreeSet<String> = module.functions.iter().map(|(_, f)| f.name.clone().unwrap()).collect();
-    let named = COUNTERPARTS.iter().flat_map(|(_, names)| names.iter()).chain(&SHADER_ONLY);
-    assert_eq!(in_shader, named.map(|name| (*name).to_owned()).collect());
-    for (rust, names) in COUNTERPARTS {
-        for source in [rust, wgsl::TABLES] {
-            let places = names.iter().map(|name| source.find(&format!("fn {name}(")).expect(name));
-            assert!(places.clone().zip(places.skip(1)).all(|(a, b)| a < b), "order of {names:?}");
-        }
-    }
 }

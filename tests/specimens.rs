@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
-use diffraction_atlas::height::read::{ReadConfig, read_scan};
-use diffraction_atlas::height::synthesize::{bundled, synthesize};
+use diffraction_build::height::read::{ReadConfig, read_scan};
+use diffraction_build::height::synthesize::{bundled, synthesize};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("specimens")

@@ -2,10 +2,6 @@
 
 mod common;
 
-use diffraction_atlas::ground::spectrum::Illuminant;
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::height::synthesize::{bundled, synthesize};
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::report::study_page::study_files;
 use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::progress::Silent;
@@ -13,6 +9,10 @@ use diffraction_atlas::stages::stability::{DepthRow, GrazingRow, Guard, SeriesRo
 use diffraction_atlas::stages::study::{
     Contender, Measure, MethodRow, SpecimenStudy, Study, StudyConfig, StudySpecimen, run_study,
 };
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::height::HeightField;
+use diffraction_build::height::synthesize::{bundled, synthesize};
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use ndarray::Array2;
 
 fn specimen(depth_nm: f64) -> StudySpecimen {

@@ -4,9 +4,9 @@ mod common;
 
 use common::Case;
 use common::surfaces::{centred, quantile, stretched, tables};
-use diffraction_atlas::ground::direction::wave_vector_change;
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::direction::wave_vector_change;
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_build::height::HeightField;
 
 /// Rows darker than this (1/sr) are not compared: the issue is visible light.
 const FLOOR_PER_SR: f64 = 1e-6;

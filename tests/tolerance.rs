@@ -8,8 +8,8 @@ use diffraction_atlas::stages::ingest::ingest;
 use diffraction_atlas::stages::study::{
     Kept, StudyConfig, StudySpecimen, TOLERANCES, ToleranceRow, automatic, tolerance_row,
 };
-use diffraction_atlas::tables::build;
-use diffraction_atlas::tables::model::{Prefilter, Storage, TablesConfig};
+use diffraction_build::tables::build;
+use diffraction_build::tables::model::{Prefilter, Storage, TablesConfig};
 
 /// The specimens of a manifest, by its path in the repository.
 fn specimens(manifest: &str) -> Vec<StudySpecimen> {

@@ -3,10 +3,10 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use crate::ground::csv;
-use crate::ground::direction::{Vec3, from_angles_deg};
-use crate::ground::error::{Error, Result};
-use crate::ground::files;
+use diffraction_brdf::direction::{Vec3, from_angles_deg};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::files;
+use diffraction_build::ground::csv;
 
 /// The columns of a direction, in degrees.
 pub const COLUMNS: [&str; 4] = ["theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg"];

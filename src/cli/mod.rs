@@ -11,8 +11,8 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use crate::ground::error::{Error, Result};
 use commands::{cache, diff, eval, export, inspect, list, plan, run, study, synthesize, verify};
+use diffraction_brdf::error::{Error, Result};
 use output::Outcome;
 
 /// Turns height scans of iridescent surfaces into BRDF tables that any renderer can evaluate.

@@ -6,8 +6,8 @@ use std::process::ExitCode;
 
 use serde::Serialize;
 
-use crate::ground::error::{Error, Result};
-use crate::stages::atlas;
+use diffraction_brdf::atlas;
+use diffraction_brdf::error::{Error, Result};
 
 /// How a command that ran to its end has ended.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use super::keys;
 use super::reader::Item;
-use crate::ground::error::Result;
-use crate::ground::spectrum::{Illuminant, Line};
+use diffraction_brdf::error::Result;
+use diffraction_build::ground::spectrum::{Illuminant, Line};
 
 /// Shortest and longest wavelength that a manifest may name.
 pub const WAVELENGTH_NM: [f64; 2] = [200.0, 2500.0];

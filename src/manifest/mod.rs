@@ -29,7 +29,7 @@ pub use model::{
     HeightUnit, LevelSection, LightSection, Manifest, ReportConfig, SceneSection, Serve, ShapeSection, SpecimenSection,
 };
 
-use crate::ground::error::{Error, Result};
+use diffraction_brdf::error::{Error, Result};
 use reader::Section;
 use source::Source;
 

@@ -1,7 +1,7 @@
 //! Names of atlases, specimens, and scenes: they become folders and files on any system.
 
 use super::reader::Item;
-use crate::ground::error::Result;
+use diffraction_brdf::error::Result;
 
 /// Longest name.
 const CHARACTERS_MAX: usize = 64;

@@ -6,9 +6,9 @@ use super::defaults;
 use super::illuminant::{self, VISIBLE_NM, WAVELENGTH_NM};
 use super::keys;
 use super::reader::{Item, Section};
-use crate::ground::error::Result;
-use crate::ground::spectrum::Illuminant;
-use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_brdf::error::Result;
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 
 /// Smallest and largest sigma: from well below a wavelength to far beyond any scan.
 const SIGMA_UM: [f64; 2] = [0.1, 10_000.0];

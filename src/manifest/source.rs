@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::ground::error::Error;
+use diffraction_brdf::error::Error;
 
 /// A manifest's text and the name it goes by in messages.
 #[derive(Debug, Clone, Copy)]

@@ -9,9 +9,9 @@ use super::model::{DespikeSection, HeightSection, HeightUnit, LevelSection, Spec
 use super::name;
 use super::optics;
 use super::reader::{Item, Section};
-use crate::ground::error::Result;
-use crate::optics::config::{Material, OpticsConfig};
 use crate::stages::measured::MeasuredConfig;
+use diffraction_brdf::error::Result;
+use diffraction_build::optics::config::{Material, OpticsConfig};
 
 /// Largest lateral length and pitch: 1 mm, beyond any structure that diffracts visibly.
 const LATERAL_MAX_NM: f64 = 1e6;

@@ -3,9 +3,9 @@
 use super::defaults;
 use super::keys;
 use super::reader::Item;
-use crate::ground::error::Result;
 use crate::stages::config::Serve;
-use crate::tables::model::{Basis, Prefilter, Storage, TablesConfig};
+use diffraction_brdf::error::Result;
+use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
 /// Tolerances lie above the first, at which double precision is spent, and up to the second.
 const TOLERANCE: [f64; 2] = [1e-8, 0.5];

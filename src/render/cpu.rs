@@ -3,9 +3,9 @@
 use ndarray::{Array3, Axis};
 use rayon::prelude::*;
 
-use crate::ground::error::Result;
 use crate::scene::model::{Scene, check};
 use crate::scene::samples::{ShadingSamples, pixel_range, samples_of, samples_per_pixel};
+use diffraction_brdf::error::Result;
 
 use super::Brdf;
 

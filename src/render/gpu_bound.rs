@@ -20,18 +20,18 @@ use ndarray::{Array3, Axis};
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
-use super::gpu_layout::{RUN_SAMPLES_MAX, peak};
-use crate::ground::chebyshev;
-use crate::ground::direction::{Vec3, Xyz, dot, wave_vector_change};
-use crate::optics::config::{Material, OpticsConfig};
-use crate::optics::fresnel::{cos_half_angle, reflectance};
-use crate::optics::pigment::Pigment;
-use crate::optics::reference::prefactor;
+use super::gpu_layout::RUN_SAMPLES_MAX;
 use crate::scene::samples::{ShadingSamples, pixel_range};
-use crate::tables::evaluate::{Interpolation, sample, window_power};
-use crate::tables::model::{Basis, Lobe, Served, TableSet};
-use crate::tables::plan::w_reach;
-use crate::tables::storage::half_scale;
+use diffraction_brdf::chebyshev;
+use diffraction_brdf::direction::max_abs_w;
+use diffraction_brdf::direction::{Vec3, Xyz, dot, wave_vector_change};
+use diffraction_brdf::evaluate::{Interpolation, sample, window_power};
+use diffraction_brdf::front_factor::FrontFactor;
+use diffraction_brdf::material::{Material, cos_half_angle, reflectance};
+use diffraction_brdf::shader::peak;
+use diffraction_brdf::storage::half_scale;
+use diffraction_build::optics::pigment::{Pigment, Surface};
+use diffraction_build::tables::model::{Basis, Lobe, Served, TableSet};
 
 /// Rounding to nearest in 32 bits.
 const U: f64 = 1.0 / (1 << 24) as f64;
@@ -60,7 +60,8 @@ struct BasisValues {
 
 /// Largest difference `|GPU - CPU|` that each channel of each pixel may show, `[rows, columns, 3]`, in the unit of the
 /// picture.
-pub fn bound_image(set: &TableSet, samples: &ShadingSamples) -> Array3<f32> {
+pub fn bound_image(surface: Surface, samples: &ShadingSamples) -> Array3<f32> {
+    let set = surface.tables;
     let tables = Layers::of(&set.tables);
     let cross = Layers::of(set.lobe.as_ref().map_or(&[], |lobe| &lobe.cross));
     let mut image = Array3::zeros((samples.rows, samples.columns, 3));
@@ -70,7 +71,7 @@ pub fn bound_image(set: &TableSet, samples: &ShadingSamples) -> Array3<f32> {
             for index in pixel_range(samples, row, column) {
                 let (wi, wo) = (samples.wi[index].map(f64::from), samples.wo[index].map(f64::from));
                 let mut of_sample = sample_bound(set, &tables, &cross, wi, wo);
-                if let Some(pigment) = &set.pigment {
+                if let Some(pigment) = surface.pigment {
                     add(&mut of_sample, pigment_bound(pigment, wi, wo));
                 }
                 for (sum, value) in bound.iter_mut().zip(of_sample) {
@@ -87,13 +88,13 @@ pub fn bound_image(set: &TableSet, samples: &ShadingSamples) -> Array3<f32> {
 }
 
 fn sample_bound(set: &TableSet, tables: &Layers, cross: &Layers, wi: Vec3, wo: Vec3) -> Xyz {
-    let front = prefactor(&set.optics, wi, wo);
+    let front = set.front_factor.value(wi, wo);
     if front == 0.0 {
         return [0.0; 3];
     }
     let q = wave_vector_change(wi, wo);
     let (w, rho) = (q[2].abs(), q[0].hypot(q[1]));
-    let reach = w_reach(rho);
+    let reach = max_abs_w(rho);
     let t = if reach == 0.0 { 0.0 } else { (w / reach).min(1.0) };
     let t_error = (t * (10.0 * U / (reach * reach) + 8.0 * ULP)).min(1.0);
     let (mut s, mut s_error, mut first) = (t, t_error, [0; 2]);
@@ -116,7 +117,7 @@ fn sample_bound(set: &TableSet, tables: &Layers, cross: &Layers, wi: Vec3, wo: V
     }
     let value = window_power(set, Interpolation::Bilinear, q);
     // Rounding of the runs' sums, and of both pictures.
-    let relative = front_error(&set.optics, wi, wo) + (RUN_SAMPLES_MAX + 8) as f64 * U;
+    let relative = front_error(&set.front_factor, wi, wo) + (RUN_SAMPLES_MAX + 8) as f64 * U;
     std::array::from_fn(|c| front * (error[c] * (1.0 + relative) + relative * value[c].abs()))
 }
 
@@ -149,16 +150,16 @@ fn power_values(count: usize, w: f64) -> BasisValues {
 }
 
 /// Relative error of reflectance, geometry and shadowing. The half angle's cosine `c` comes from `1 + wi·wo`, off by `8 u`.
-pub fn front_error(optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> f64 {
+pub fn front_error(front: &FrontFactor, wi: Vec3, wo: Vec3) -> f64 {
     let one_plus = (1.0 + dot(wi, wo)).max(f64::MIN_POSITIVE);
     let cosine = cos_half_angle(wi, wo).max(f64::MIN_POSITIVE);
     let cosine_error = 4.0 * U / cosine + 5.0 * ULP;
     let mut relative = 16.0 * U / one_plus + 10.0 * ULP;
-    if optics.shadowing {
+    if front.shadowing {
         relative += 16.0 * ULP + 8.0 * ULP / cosine;
     }
-    let error = reflectance_error(optics.material, cosine, cosine_error);
-    relative + error.min(1.0) / reflectance(optics.material, cosine).max(f64::MIN_POSITIVE)
+    let error = reflectance_error(front.material, cosine, cosine_error);
+    relative + error.min(1.0) / reflectance(front.material, cosine).max(f64::MIN_POSITIVE)
 }
 
 /// Absolute error of the reflectance at a cosine that is off by so much.

@@ -9,12 +9,13 @@ use serde::{Deserialize, Serialize};
 use std::time::Instant;
 
 use super::gpu::Gpu;
-use super::gpu_layout::{FrameLight, FrameParams, LAYERS_MAX, SIDE_MAX};
+use super::gpu_layout::{FrameLight, FrameParams};
 use super::gpu_tables::{GpuTables, entry, texture, write_layer};
 use super::wgsl;
-use crate::ground::error::{Error, Result};
 use crate::scene::gbuffer::GBuffer;
 use crate::scene::light::LightSample;
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::shader::{LAYERS_MAX, SIDE_MAX};
 
 /// Most frames in a batch: two entries each of a query set, which holds 4096.
 const BATCH_MAX: usize = 2048;

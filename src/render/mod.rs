@@ -1,6 +1,6 @@
 //! Render floor: shading the samples of a scene.
 
-use crate::ground::direction::{Vec3, Xyz};
+use diffraction_brdf::direction::{Vec3, Xyz};
 
 pub mod cpu;
 pub mod gpu;
@@ -9,6 +9,7 @@ pub mod gpu_frame;
 pub mod gpu_layout;
 pub mod gpu_tables;
 pub mod gpu_thread;
+pub mod png_image;
 pub mod wgsl;
 
 /// A BRDF to shade with: local `wi` and `wo`, both with positive z, to XYZ in 1/sr. It is called from

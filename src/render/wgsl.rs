@@ -1,7 +1,7 @@
-//! The shaders' sources: one that evaluates tables, and the entry points put behind it.
+//! The shaders' sources: the entry points put behind the one that evaluates tables.
 
-/// Evaluates tables; declares the bindings of group 0.
-pub const TABLES: &str = include_str!("shaders/tables.wgsl");
+use diffraction_brdf::shader::TABLES_WGSL;
+
 /// Compute entry point [`SHADE_RUNS`].
 const CHECK: &str = include_str!("shaders/check.wgsl");
 /// Entry points [`FULL_SCREEN`] and [`SHADE_SURFACES`].
@@ -20,15 +20,15 @@ pub const SHADE_MATERIAL: &str = "shade_material";
 
 /// Source that shades uploaded samples.
 pub fn check() -> String {
-    [TABLES, CHECK].join("\n")
+    [TABLES_WGSL, CHECK].join("\n")
 }
 
 /// Source that shades the stored surfaces of a frame.
 pub fn frame() -> String {
-    [TABLES, FRAME].join("\n")
+    [TABLES_WGSL, FRAME].join("\n")
 }
 
 /// Source that other shading languages are translated from.
 pub fn material() -> String {
-    [TABLES, MATERIAL].join("\n")
+    [TABLES_WGSL, MATERIAL].join("\n")
 }

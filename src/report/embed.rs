@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::ground::error::{Error, Result};
 use crate::report::svg::escape;
+use diffraction_brdf::error::{Error, Result};
 
 /// Bytes of PNG that one page holds; beyond it pictures are linked, so that the report of a
 /// thousand specimens still opens.
@@ -117,7 +117,7 @@ pub fn base64(bytes: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::png_image::encode_png;
+    use crate::render::png_image::encode_png;
 
     fn png() -> Vec<u8> {
         encode_png(&ndarray::Array3::zeros((4, 6, 3))).unwrap()

@@ -1,11 +1,11 @@
 //! What the report says about a specimen in words and numbers.
 
-use crate::ground::spectrum::Illuminant;
-use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
 use crate::report::frames::period_letter;
 use crate::report::numbers;
 use crate::stages::results::{BuildResult, ErrorRow, Period, SpecimenResult, Statistics};
-use crate::tables::model::{Basis, Rounding, Storage};
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::tables::model::{Basis, Rounding, Storage};
 
 /// A name and what is to be said about it.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,13 +2,13 @@
 
 use minijinja::{Environment, UndefinedBehavior, Value, context, escape_formatter};
 
-use crate::ground::error::{Error, Result};
 use crate::report::embed::{Album, EMBEDDED_MAX_BYTES, Picture, missing};
 use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
 use crate::report::{budget_facts, frames, gpu_facts, measured, numbers, plots};
 use crate::stages::cache::CacheUse;
 use crate::stages::results::{ErrorRow, RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
+use diffraction_brdf::error::{Error, Result};
 
 const TEMPLATE: &str = include_str!("templates/report.html");
 
@@ -416,7 +416,7 @@ fn safe(markup: String) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::png_image::encode_png;
+    use crate::render::png_image::encode_png;
 
     fn png() -> Vec<u8> {
         encode_png(&ndarray::Array3::zeros((4, 6, 3))).unwrap()

@@ -21,9 +21,9 @@ pub use html::render_html;
 
 use std::path::Path;
 
-use crate::ground::error::Result;
-use crate::ground::files;
 use crate::stages::results::{RunResults, to_json};
+use diffraction_brdf::error::Result;
+use diffraction_brdf::files;
 
 /// Writes `report.html` and `report.json` into a version's folder, whose pictures the page embeds.
 ///

@@ -2,11 +2,11 @@
 
 use ndarray::{Array2, Array3, Axis};
 
-use crate::ground::error::{Error, Result};
-use crate::height::HeightField;
 use crate::report::colour_maps::{VIRIDIS, colour};
 pub use crate::report::spectrum_picture::{SpectrumPicture, spectrum_half_range_per_um, spectrum_picture};
 use crate::report::svg::round_step;
+use diffraction_brdf::error::{Error, Result};
+use diffraction_build::height::HeightField;
 
 /// Margin of the scale bar from the lower left corner, as a share of the picture's longer side.
 pub const SCALE_BAR_MARGIN: f64 = 0.03;

@@ -4,10 +4,10 @@ use ndarray::{Array2, Array3, Axis};
 use rayon::prelude::*;
 use rustfft::{FftPlanner, num_complex::Complex};
 
-use crate::ground::error::{Error, Result};
-use crate::height::HeightField;
 use crate::report::colour_maps::{INFERNO, colour};
 use crate::report::pictures::{put, require_area};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_build::height::HeightField;
 
 /// Side of a spectrum picture in pixels; odd, so that frequency 0 has a pixel of its own.
 const SPECTRUM_PX: usize = 385;

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::frame::Frame;
 use super::model::Scene;
-use crate::ground::direction::Vec3;
+use diffraction_brdf::direction::Vec3;
 
 /// What moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]

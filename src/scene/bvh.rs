@@ -1,6 +1,6 @@
 //! Bounding volume hierarchy: which of many primitives a ray meets first, and whether it meets any.
 
-use crate::ground::direction::Vec3;
+use diffraction_brdf::direction::Vec3;
 
 /// A half line `origin + t direction`, t > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::ground::direction::{Vec3, dot, normalise};
+use diffraction_brdf::direction::{Vec3, dot, normalise};
 
 use super::bvh::{Bounds, Ray, middle};
 use super::frame::{add_scaled, cross};

@@ -13,9 +13,9 @@ use ndarray::{Array2, Axis};
 use serde::{Deserialize, Serialize};
 
 use super::animation::{Turn, back, turned};
-use crate::ground::direction::Vec3;
-use crate::ground::error::{Error, Result};
-use crate::ground::exr_foreign::read_luminance;
+use crate::scene::exr_foreign::read_luminance;
+use diffraction_brdf::direction::Vec3;
+use diffraction_brdf::error::{Error, Result};
 
 /// An environment, ready to light a scene.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -164,9 +164,9 @@ pub fn direction([rows, columns]: [usize; 2], row: f64, column: f64, rotate_deg:
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::direction::dot;
-    use crate::ground::sampling::plane;
     use crate::scene::animation::Axis as TurnAxis;
+    use diffraction_brdf::direction::dot;
+    use diffraction_build::ground::sampling::plane;
 
     fn environment(image: Array2<f32>, rotate_deg: f64, turn: Turn) -> Environment {
         let sky = Arc::new(sky(image, rotate_deg).unwrap());

@@ -1,6 +1,6 @@
 //! Orthonormal frames: from world to the local frame of a point on a surface.
 
-use crate::ground::direction::{Vec3, dot, normalise};
+use diffraction_brdf::direction::{Vec3, dot, normalise};
 
 /// A right-handed orthonormal frame; the structure's x axis runs along `tangent`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,8 +5,8 @@
 
 use rayon::prelude::*;
 
-use crate::ground::direction::dot;
-use crate::ground::error::{Error, Result};
+use diffraction_brdf::direction::dot;
+use diffraction_brdf::error::{Error, Result};
 
 use super::frame::{cross, to_local};
 use super::light::{LightSample, light_samples};
@@ -184,9 +184,9 @@ fn stored(LitHit { hit, .. }: &LitHit) -> Point {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::direction::Vec3;
     use crate::scene::model::{Light, Shape};
     use crate::scene::samples::{pixel_range, samples};
+    use diffraction_brdf::direction::Vec3;
 
     /// The samples of a pixel as a shader makes them.
     fn shaded(buffer: &GBuffer, row: usize, column: usize) -> Vec<(Vec3, Vec3, f64)> {

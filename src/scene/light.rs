@@ -6,7 +6,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::ground::direction::{Vec3, normalise};
+use diffraction_brdf::direction::{Vec3, normalise};
 
 use super::frame::{about, to_world};
 use super::model::{Light, Scene, Shape};
@@ -102,7 +102,7 @@ fn samples_of(scene: &Scene, light: &Light) -> Vec<LightSample> {
             pixel_offset: pixel_offset(scene, index),
         })
         .collect();
-    let facing: f64 = samples.iter().map(|sample| crate::ground::direction::dot(sample.direction, axis)).sum();
+    let facing: f64 = samples.iter().map(|sample| diffraction_brdf::direction::dot(sample.direction, axis)).sum();
     for sample in &mut samples {
         sample.irradiance /= facing;
     }
@@ -112,7 +112,7 @@ fn samples_of(scene: &Scene, light: &Light) -> Vec<LightSample> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::direction::dot;
+    use diffraction_brdf::direction::dot;
 
     fn scene(diameter_deg: f64, light_samples: usize, pixel_samples: usize) -> Scene {
         let light = Light { direction: [0.6, -1.0, 2.0], angular_diameter_deg: diameter_deg, irradiance: 3.0 };

@@ -11,9 +11,9 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use crate::ground::direction::{Vec3, dot};
-use crate::ground::error::{Error, Result};
-use crate::ground::files;
+use diffraction_brdf::direction::{Vec3, dot};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::files;
 
 use super::animation::{Turn, back, carried, turned};
 use super::bvh::{self, Ray};

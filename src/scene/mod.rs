@@ -6,6 +6,7 @@ pub mod animation;
 pub mod bvh;
 pub mod camera;
 pub mod environment;
+pub mod exr_foreign;
 pub mod frame;
 pub mod gbuffer;
 pub mod hemisphere;

@@ -3,11 +3,11 @@
 use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 
-use crate::ground::colour::auto_exposure;
-use crate::ground::direction::{Vec3, dot};
-use crate::ground::error::{Error, Result};
 use crate::scene::animation::{Animation, Axis, Moving, Turn};
 use crate::scene::environment::{Environment, scalar_irradiance};
+use diffraction_brdf::direction::{Vec3, dot};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_build::ground::colour::auto_exposure;
 
 use super::mesh::{self, MeshShape};
 

@@ -1,6 +1,6 @@
 //! A flat square seen in perspective.
 
-use crate::ground::direction::{Vec3, dot, normalise};
+use diffraction_brdf::direction::{Vec3, dot, normalise};
 
 use super::animation::{Turn, carried};
 use super::frame::{self, Frame, add_scaled};

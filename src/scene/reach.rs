@@ -5,11 +5,11 @@ use rayon::prelude::*;
 use super::animation;
 use super::model::{Light, Scene, Shape};
 use super::samples::{ShadingSamples, pixel_range, samples_of, samples_per_pixel};
-use crate::ground::direction::{dot, wave_vector_change};
-use crate::ground::error::Result;
-use crate::tables::domain::{Directions, Domain};
-use crate::tables::evaluate::t_of;
-use crate::tables::plan::Grid;
+use diffraction_brdf::direction::normalised_abs_w;
+use diffraction_brdf::direction::{dot, wave_vector_change};
+use diffraction_brdf::error::Result;
+use diffraction_build::tables::domain::{Directions, Domain};
+use diffraction_build::tables::plan::Grid;
 
 /// Texels by which the directions of neighbouring pixels may lie apart and still belong to one piece of surface: what
 /// lies between them is then reached too. Farther apart they are on two sides of an edge.
@@ -125,7 +125,7 @@ fn pixel_directions(samples: &ShadingSamples, pixel: usize) -> Option<Directions
         .map(|index| {
             let [wi, wo] = [samples.wi[index], samples.wo[index]].map(|d| d.map(f64::from));
             let q = wave_vector_change(wi, wo);
-            Directions { u: [q[0]; 2], v: [q[1]; 2], t: [t_of(q); 2], q_squared: [dot(q, q); 2] }
+            Directions { u: [q[0]; 2], v: [q[1]; 2], t: [normalised_abs_w(q); 2], q_squared: [dot(q, q); 2] }
         })
         .reduce(|a, b| a.joined(&b))
 }

@@ -7,8 +7,8 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::ground::direction::Vec3;
-use crate::ground::error::{Error, Result};
+use diffraction_brdf::direction::Vec3;
+use diffraction_brdf::error::{Error, Result};
 
 use super::frame::to_local;
 use super::light::{LightSample, environment_count, light_samples, pixel_offset};

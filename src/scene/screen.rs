@@ -16,7 +16,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::ground::direction::{Vec3, dot};
+use diffraction_brdf::direction::{Vec3, dot};
 
 use super::frame::{Frame, to_local};
 use super::light::{direction_to, disc_xy, pixel_offset, sequence_point, sunflower};

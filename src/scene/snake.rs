@@ -6,7 +6,7 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;
 
-use crate::ground::direction::{Vec3, dot, normalise};
+use diffraction_brdf::direction::{Vec3, dot, normalise};
 
 use super::bvh::Ray;
 use super::camera::{self, Camera, Field, View};

@@ -22,7 +22,7 @@ pub fn hit([x, y]: [f64; 2]) -> Option<Hit> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::direction::from_angles_deg;
+    use diffraction_brdf::direction::from_angles_deg;
 
     #[test]
     fn the_structure_follows_latitude_and_longitude() {

@@ -1,6 +1,6 @@
 //! Surfaces that a camera sees: what its rays meet, whatever the shape, and whether lights get there.
 
-use crate::ground::direction::Vec3;
+use diffraction_brdf::direction::Vec3;
 
 use super::animation::{Turn, back, carried, turned};
 use super::frame::Frame;

@@ -11,8 +11,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::ground::direction::Vec3;
-use crate::ground::sampling::plane_far;
+use diffraction_brdf::direction::Vec3;
+use diffraction_build::ground::sampling::plane_far;
 
 use super::environment::{Environment, direction_by_light, radiance, scalar_irradiance};
 use super::frame::{to_local, to_world};
@@ -69,8 +69,8 @@ fn density_around_mirror(wi: Vec3, wo: Vec3) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::direction::from_angles_deg;
-    use crate::ground::sampling::plane;
+    use diffraction_brdf::direction::from_angles_deg;
+    use diffraction_build::ground::sampling::plane;
 
     #[test]
     fn the_density_is_that_of_the_directions() {

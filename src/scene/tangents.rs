@@ -1,6 +1,6 @@
 //! From a mesh as it stands in a file to one with tangents along +u at every vertex.
 
-use crate::ground::direction::{Vec3, dot, normalise};
+use diffraction_brdf::direction::{Vec3, dot, normalise};
 
 use super::bvh;
 use super::frame::{add_scaled, cross};

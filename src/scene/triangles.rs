@@ -1,6 +1,6 @@
 //! Triangles with smooth frames: what a ray meets, which way the structure lies there, and what is in the shade.
 
-use crate::ground::direction::{Vec3, dot, normalise};
+use diffraction_brdf::direction::{Vec3, dot, normalise};
 
 use super::bvh::{self, Bounds, Bvh, Ray};
 use super::frame::{Frame, add_scaled, cross};

@@ -12,8 +12,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
-use crate::ground::error::{Error, Result};
-use crate::ground::{files, json as json_text};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::files;
+use diffraction_brdf::json as json_text;
 
 /// Layout of the entries; another number is another cache.
 const FORMAT: u32 = 1;

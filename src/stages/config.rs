@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use super::cache::CacheConfig;
-use crate::height::prepare::PrepareConfig;
-use crate::height::read::ReadConfig;
-use crate::optics::config::OpticsConfig;
 use crate::scene::model::Scene;
 use crate::stages::measured::MeasuredConfig;
-use crate::tables::model::TablesConfig;
+use diffraction_build::height::prepare::PrepareConfig;
+use diffraction_build::height::read::ReadConfig;
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::tables::model::TablesConfig;
 
 /// A whole run.
 #[derive(Debug, Clone)]

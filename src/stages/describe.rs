@@ -4,22 +4,24 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::atlas::{InputRecord, SpecimenEntry};
 use super::config::{RunConfig, SpecimenConfig};
 use super::ingest::Ingested;
 use super::measured::Measurement;
 use super::results::{BuildResult, LobeResult, SpecimenResult};
-use super::specimen::{self, CheckValue, SpecimenFile};
-use crate::ground::direction::{Vec3, angles_deg, from_angles_deg};
-use crate::ground::error::Error;
-use crate::ground::sampling;
-use crate::height::HeightField;
-use crate::height::statistics::seam_warning;
-use crate::optics::config::{Edge, OpticsConfig, Windows};
-use crate::tables::build::BuildPlan;
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::{Basis, BuildRecord, Rounding, Storage, TableSet, TablesConfig};
-use crate::tables::storage::StoredTables;
+use super::specimen::SpecimenFile;
+use diffraction_brdf::atlas::{InputRecord, SpecimenEntry};
+use diffraction_brdf::direction::{Vec3, angles_deg, from_angles_deg};
+use diffraction_brdf::error::Error;
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::specimen::CheckValue;
+use diffraction_brdf::storage::StoredTables;
+use diffraction_build::ground::sampling;
+use diffraction_build::height::HeightField;
+use diffraction_build::height::statistics::seam_warning;
+use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
+use diffraction_build::optics::pigment::Pigment;
+use diffraction_build::tables::build::BuildPlan;
+use diffraction_build::tables::model::{Basis, BuildRecord, Rounding, Storage, TableSet, TablesConfig};
 
 /// Directions whose values are stored for testing other programs.
 const CHECK_VALUES: usize = 20;
@@ -30,6 +32,7 @@ pub(super) fn describe(
     ingested: &Ingested,
     tables: &TablesConfig,
     set: &TableSet,
+    pigment: Option<Pigment>,
     stored: &StoredTables,
     record: &BuildRecord,
     plan: &BuildPlan,
@@ -44,7 +47,7 @@ pub(super) fn describe(
         extent_um: [nx * 1e-3, ny * 1e-3],
         statistics: ingested.statistics.first().cloned(),
         optics: Some(specimen.optics.clone()),
-        pigment: set.pigment,
+        pigment,
         build: Some(BuildResult {
             basis: set.basis,
             tables: set.tables.len(),
@@ -191,14 +194,14 @@ pub(super) fn specimen_file(
     served: &[(Vec3, Vec3)],
 ) -> SpecimenFile {
     SpecimenFile {
-        schema: specimen::SCHEMA,
+        schema: diffraction_brdf::specimen::SCHEMA,
         name: specimen.name.clone(),
         species: specimen.species.clone().unwrap_or_default(),
         provenance: to_value(&ingested.provenance),
         preparation: json!({ "settings": specimen.prepare, "done": ingested.preparation }),
         statistics: to_value(&ingested.statistics),
         optics: specimen.optics.clone(),
-        pigment: set.pigment,
+        pigment: result.pigment,
         build: result.build.as_ref().map(|build| build.record.clone()).unwrap_or_default(),
         tables,
         errors: to_value(&result.errors),

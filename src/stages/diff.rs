@@ -7,11 +7,12 @@ use ndarray::Array3;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::ground::direction::Xyz;
-use crate::ground::error::{Error, Result};
-use crate::stages::atlas::{self, AtlasIndex};
-use crate::stages::specimen::{self, CheckValue, SpecimenFile};
-use crate::tables::model::TableSet;
+use crate::stages::specimen::{self, SpecimenFile};
+use diffraction_brdf::atlas::{self, AtlasIndex};
+use diffraction_brdf::direction::Xyz;
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::specimen::CheckValue;
+use diffraction_build::tables::model::TableSet;
 
 /// A value that is not the same in both; `None` where it is absent.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -9,13 +9,13 @@ use std::f64::consts::PI;
 use rayon::prelude::*;
 
 use super::scenes::SceneWork;
-use crate::ground::direction::Vec3;
-use crate::ground::metrics::quantile_of_sorted;
-use crate::ground::sampling::{Region, direction_pairs_in};
-use crate::optics::config::OpticsConfig;
-use crate::optics::fresnel::reflectance;
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::TableSet;
+use diffraction_brdf::direction::Vec3;
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::material::Material;
+use diffraction_brdf::material::reflectance;
+use diffraction_build::ground::metrics::quantile_of_sorted;
+use diffraction_build::ground::sampling::{Region, direction_pairs_in};
+use diffraction_build::tables::model::TableSet;
 
 /// Lit directions of each group in a run.
 pub const DIRECTIONS: usize = 128;
@@ -47,8 +47,8 @@ type Pair = (Vec3, Vec3);
 /// material's reflectance at normal incidence would show everywhere, or a smaller one of the brightest directions but
 /// for one in fifty, given Y over the hemisphere: a grating sends its light into fewer than the rest, and a lobe's
 /// flank a thousand times below its peak is the dark between orders.
-pub fn floor_per_sr(optics: &OpticsConfig, hemisphere: &[f64]) -> f64 {
-    let matt = FLOOR_SHARE * reflectance(optics.material, 1.0) / PI;
+pub fn floor_per_sr(material: Material, hemisphere: &[f64]) -> f64 {
+    let matt = FLOOR_SHARE * reflectance(material, 1.0) / PI;
     let mut sorted = hemisphere.to_vec();
     sorted.sort_unstable_by(f64::total_cmp);
     let bright = if sorted.is_empty() { 0.0 } else { quantile_of_sorted(&sorted, BRIGHT) };
@@ -73,7 +73,7 @@ impl Candidates {
     pub fn of_regions(set: &TableSet, turn: usize) -> Vec<Self> {
         let drawn = |region| direction_pairs_in(region, turn * DRAWN..(turn + 1) * DRAWN);
         let hemisphere = luminances(set, &drawn(Region::Hemisphere));
-        let floor_per_sr = floor_per_sr(&set.optics, &hemisphere);
+        let floor_per_sr = floor_per_sr(set.front_factor.material, &hemisphere);
         Region::ALL.into_iter().map(|r| Self { name: r.name().into(), pairs: drawn(r), floor_per_sr }).collect()
     }
 
@@ -88,7 +88,7 @@ impl Candidates {
 
     /// Those of one scene, given some of its pairs.
     pub fn of_scene(set: &TableSet, scene: &str, pairs: Vec<Pair>) -> Self {
-        let floor_per_sr = floor_per_sr(&set.optics, &luminances(set, &pairs));
+        let floor_per_sr = floor_per_sr(set.front_factor.material, &luminances(set, &pairs));
         Self { name: format!("scene {scene}"), pairs: in_turns(pairs), floor_per_sr }
     }
 }

@@ -5,17 +5,17 @@ use serde::Serialize;
 use super::error_directions::{DIRECTIONS, LIT_PER_DARK};
 use super::scenes::pairs_of;
 use super::serve::Source;
-use crate::ground::chebyshev;
-use crate::ground::direction::{Vec3, wave_vector_change};
-use crate::ground::sampling::{Region, direction_pairs_in};
-use crate::ground::spectrum::Illuminant;
-use crate::optics::kernel::SEMICIRCLE_TAPS;
-use crate::optics::lines::lines_fetched;
-use crate::optics::reference::{FULL_STEP, PICTURE_STEP, WavenumberStep, prefactor, resolving_count};
-use crate::optics::spectra::{LineCounts, bandwidth_nm, line_counts};
-use crate::optics::window::Placement;
 use crate::scene::samples::ShadingSamples;
-use crate::tables::build::BuildPlan;
+use diffraction_brdf::chebyshev;
+use diffraction_brdf::direction::{Vec3, wave_vector_change};
+use diffraction_build::ground::sampling::{Region, direction_pairs_in};
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::optics::kernel::SEMICIRCLE_TAPS;
+use diffraction_build::optics::lines::lines_fetched;
+use diffraction_build::optics::reference::{FULL_STEP, PICTURE_STEP, WavenumberStep, resolving_count};
+use diffraction_build::optics::spectra::{LineCounts, bandwidth_nm, line_counts};
+use diffraction_build::optics::window::Placement;
+use diffraction_build::tables::build::BuildPlan;
 
 /// What the reference of one specimen will take, with nothing of it known from earlier runs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -116,7 +116,7 @@ impl Window<'_> {
     /// Evaluations of a pair at all its wavelengths, and their nanoseconds.
     fn pair(&self, (wi, wo): (Vec3, Vec3), step: WavenumberStep) -> (f64, f64) {
         let optics = self.source.optics;
-        if prefactor(optics, wi, wo) == 0.0 {
+        if optics.front_factor().value(wi, wo) == 0.0 {
             return (0.0, 0.0);
         }
         let q = wave_vector_change(wi, wo);

@@ -1,11 +1,11 @@
 //! The page `FORMAT.md`: how to evaluate an atlas in any renderer, with one number worked out.
 
-use crate::ground::direction::Xyz;
-use crate::optics::config::Material;
 use crate::stages::specimen::SpecimenFile;
 use crate::stages::worked::{Lookup, WorkedNumber};
-use crate::tables::model::Basis;
-use crate::tables::storage::{StoredLobe, StoredServed, StoredTables};
+use diffraction_brdf::direction::Xyz;
+use diffraction_brdf::storage::{StoredLobe, StoredServed, StoredTables};
+use diffraction_build::optics::config::Material;
+use diffraction_build::tables::model::Basis;
 
 /// The page, with `example`'s own sizes and `worked` as its number.
 pub fn format_md(example: &SpecimenFile, worked: &WorkedNumber) -> String {

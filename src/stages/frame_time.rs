@@ -16,19 +16,19 @@ use super::gpu_stage::GpuStage;
 use super::ingest::ingest;
 use super::measure;
 use super::specimen;
-use crate::ground::direction::{Vec3, Xyz};
-use crate::ground::error::{Error, Result};
-use crate::ground::metrics;
 use crate::render::gpu::Gpu;
 use crate::render::gpu_frame::{Frame, FramePlan, FrameTime, copy_gb_per_s, time_frames};
-use crate::render::gpu_layout::{TableImage, table_image};
 use crate::render::gpu_tables::upload;
 use crate::scene::gbuffer::{GBuffer, gbuffer};
 use crate::scene::model::{Light, Scene, Shape};
-use crate::tables::build;
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::{Basis, Storage, TableSet, TablesConfig};
-use crate::tables::storage::round_to_half;
+use diffraction_brdf::direction::{Vec3, Xyz};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::shader::{TableImage, table_image};
+use diffraction_brdf::storage::round_to_half;
+use diffraction_build::ground::metrics;
+use diffraction_build::tables::build;
+use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
 
 /// Name of the stage, in times and failures.
 pub const STAGE: &str = "time frames";
@@ -67,8 +67,8 @@ pub fn compare(
         Err(error @ Error::Limit { .. }) => (None, Some(error.to_string())),
         Err(error) => return Err(error),
     };
-    let atlas_image = table_image(&atlas)?;
-    let taylor_image = taylor.as_ref().map(|(set, _)| table_image(set)).transpose()?;
+    let atlas_image = table_image(&atlas, None)?;
+    let taylor_image = taylor.as_ref().map(|(set, _)| table_image(set, None)).transpose()?;
     let light = Light::point([0.3, 0.2, 1.0]);
     let surfaces = gbuffer(&Scene::still("frame", Shape::Snake, vec![light], SIZE_PX))?;
     let ((atlas_time, taylor_time), copy_gb_per_s) =

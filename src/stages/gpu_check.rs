@@ -7,19 +7,20 @@ use ndarray::{Array3, Axis, Slice};
 use serde::{Deserialize, Serialize};
 
 use super::scenes::{every, reference_stride};
-use crate::ground::colour::NOT_FINITE_RGB8;
-use crate::ground::error::Result;
-use crate::ground::metrics::{ColourDifference, ciede2000, relative_l2};
 use crate::render::cpu;
 use crate::render::gpu::Gpu;
 use crate::render::gpu_bound::bound_image;
-use crate::render::gpu_layout::table_image;
 use crate::render::gpu_tables::{GpuTables, shade, upload};
 use crate::scene::model::{Scene, exposure_factor};
 use crate::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
-use crate::tables::evaluate::{Interpolation, surface_xyz};
-use crate::tables::model::{Storage, TableSet};
-use crate::tables::taylor::unit_roundoff;
+use diffraction_brdf::error::Result;
+use diffraction_brdf::evaluate::Interpolation;
+use diffraction_brdf::shader::table_image;
+use diffraction_build::ground::colour::NOT_FINITE_RGB8;
+use diffraction_build::ground::metrics::{ColourDifference, ciede2000, relative_l2};
+use diffraction_build::optics::pigment::Surface;
+use diffraction_build::tables::model::Storage;
+use diffraction_build::tables::taylor::unit_roundoff;
 
 /// Samples of a scene held at a time: 29 MB here and 8 MB on the GPU.
 const BAND_SAMPLES: usize = 1 << 20;
@@ -104,18 +105,18 @@ pub struct ReferenceCheck {
 /// # Errors
 /// `Error::Gpu`; `Error::Limit` for tables that do not fit every GPU; those of a scene that cannot be rendered. A picture
 /// that differs is no error.
-pub fn check_specimen(gpu: &Gpu, set: &TableSet, scenes: &[Scene]) -> Result<Vec<GpuSceneCheck>> {
-    let tables = upload(gpu, &table_image(set)?)?;
-    scenes.iter().map(|scene| check_uploaded(gpu, &tables, set, scene)).collect()
+pub fn check_specimen(gpu: &Gpu, surface: Surface, scenes: &[Scene]) -> Result<Vec<GpuSceneCheck>> {
+    let tables = upload(gpu, &table_image(surface.tables, surface.pigment.map(|pigment| pigment.xyz_per_sr))?)?;
+    scenes.iter().map(|scene| check_uploaded(gpu, &tables, surface, scene)).collect()
 }
 
 /// Checks one scene with tables that are already on the GPU.
 ///
 /// # Errors
 /// As [`check_specimen`].
-pub fn check_uploaded(gpu: &Gpu, tables: &GpuTables, set: &TableSet, scene: &Scene) -> Result<GpuSceneCheck> {
-    let by_cpu = cpu::render(scene, &|wi, wo| surface_xyz(set, Interpolation::Bilinear, wi, wo))?;
-    check_picture(&|samples| shade(gpu, tables, samples), set, scene, &by_cpu, 1)
+pub fn check_uploaded(gpu: &Gpu, tables: &GpuTables, surface: Surface, scene: &Scene) -> Result<GpuSceneCheck> {
+    let by_cpu = cpu::render(scene, &|wi, wo| surface.xyz(Interpolation::Bilinear, wi, wo))?;
+    check_picture(&|samples| shade(gpu, tables, samples), surface, scene, &by_cpu, 1)
 }
 
 /// Checks every `stride`-th pixel of a scene against the CPU's whole picture.
@@ -124,13 +125,13 @@ pub fn check_uploaded(gpu: &Gpu, tables: &GpuTables, set: &TableSet, scene: &Sce
 /// As [`check_specimen`].
 pub fn check_picture(
     shade: Shade,
-    set: &TableSet,
+    surface: Surface,
     scene: &Scene,
     by_cpu: &Array3<f32>,
     stride: usize,
 ) -> Result<GpuSceneCheck> {
     let white = 1.0 / f64::from(exposure_factor(scene.exposure, by_cpu));
-    let drawn = draw(shade, set, scene, stride)?;
+    let drawn = draw(shade, surface, scene, stride)?;
     let mut check = compare(&every(by_cpu, stride), &drawn.image, &drawn.bound, white);
     check.scene = scene.name.clone();
     check.samples = drawn.samples;
@@ -143,7 +144,7 @@ pub fn check_picture(
 /// As [`check_specimen`].
 pub fn check_reference(
     shade: Shade,
-    set: &TableSet,
+    surface: Surface,
     scene: &Scene,
     by_cpu: &Array3<f32>,
     reference: &Array3<f32>,
@@ -151,10 +152,10 @@ pub fn check_reference(
 ) -> Result<ReferenceCheck> {
     let white = 1.0 / f64::from(exposure_factor(scene.exposure, by_cpu));
     let stride = reference_stride(scene);
-    let drawn = draw(shade, set, scene, stride)?;
+    let drawn = draw(shade, surface, scene, stride)?;
     let samples = samples_of(scene, 0..scene.size_px, stride)?;
     let [linear, cubic] = [Interpolation::Bilinear, Interpolation::Cubic]
-        .map(|look_up| cpu::shade(&samples, &|wi, wo| surface_xyz(set, look_up, wi, wo)));
+        .map(|look_up| cpu::shade(&samples, &|wi, wo| surface.xyz(look_up, wi, wo)));
     let pictures = CpuPictures { published: &every(by_cpu, stride), linear: &linear, cubic: &cubic };
     Ok(compare_with_reference(reference, pictures, &drawn.image, &drawn.bound, white, limit))
 }
@@ -172,7 +173,7 @@ struct Drawn {
     samples: usize,
 }
 
-fn draw(shade: Shade, set: &TableSet, scene: &Scene, stride: usize) -> Result<Drawn> {
+fn draw(shade: Shade, surface: Surface, scene: &Scene, stride: usize) -> Result<Drawn> {
     crate::scene::model::check(scene)?;
     let side = scene.size_px.div_ceil(stride);
     let [image, bound] = [(); 2].map(|()| Array3::zeros((side, side, 3)));
@@ -182,7 +183,7 @@ fn draw(shade: Shade, set: &TableSet, scene: &Scene, stride: usize) -> Result<Dr
         drawn.samples += samples.weight.len();
         let band = Slice::from(rows.start / stride..rows.end.div_ceil(stride));
         drawn.image.slice_axis_mut(Axis(0), band).assign(&shade(&samples)?);
-        drawn.bound.slice_axis_mut(Axis(0), band).assign(&bound_image(set, &samples));
+        drawn.bound.slice_axis_mut(Axis(0), band).assign(&bound_image(surface, &samples));
     }
     Ok(drawn)
 }

@@ -9,7 +9,6 @@ use std::time::Duration;
 
 use ndarray::Array3;
 
-use super::atlas::DIFFERENCE_SUFFIX;
 use super::config::{FrameTiming, GpuCheck, RunConfig, Serve, SpecimenConfig};
 use super::frame_time;
 use super::gpu_check::{ReferenceCheck, Shade, check_picture, check_reference, reference_limit};
@@ -21,17 +20,20 @@ use super::serve;
 use super::shared_scenes::specimens_of;
 use super::specimen;
 use super::usage::Stopwatch;
-use crate::ground::error::{Error, Result};
-use crate::ground::exr_image::read_rgb;
-use crate::ground::png_image::write_png;
 use crate::render::gpu::{Gpu, GpuInfo};
-use crate::render::gpu_layout::{LAYERS_MAX, SIDE_MAX, table_image};
 use crate::render::gpu_tables::{shade, upload};
 use crate::render::gpu_thread::OwningThread;
+use crate::render::png_image::write_png;
 use crate::scene::model::Scene;
 use crate::scene::samples::ShadingSamples;
-use crate::tables::model::{Basis, Storage, TableSet, TablesConfig};
-use crate::tables::plan::lobe_width;
+use diffraction_brdf::atlas::DIFFERENCE_SUFFIX;
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::exr_image::read_rgb;
+use diffraction_brdf::shader::{LAYERS_MAX, SIDE_MAX, table_image};
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::pigment::Surface;
+use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
+use diffraction_build::tables::plan::lobe_width;
 
 /// Name of the stage, in times and failures.
 pub const STAGE: &str = "check on the GPU";
@@ -174,7 +176,9 @@ pub fn time_frames(
     };
     // The published method is not compared with itself, and the frame shows more than tables for other scenes serve.
     let wanted = wanted && config.tables.basis == Basis::Chebyshev && config.serve == Serve::All;
-    let done = |specimen: &&SpecimenConfig| version_folder.join(&specimen.name).join(specimen::FILE).is_file();
+    let done = |specimen: &&SpecimenConfig| {
+        version_folder.join(&specimen.name).join(diffraction_brdf::specimen::FILE).is_file()
+    };
     let fits = |specimen: &&SpecimenConfig| {
         config.frame_time == FrameTiming::On || beyond_limits(&version_folder.join(&specimen.name)).is_none()
     };
@@ -216,14 +220,16 @@ pub fn check_files(
 ) -> Result<Vec<GpuRow>> {
     let (file, set) = specimen::load(folder)?;
     let thread = stage.thread();
-    let image = table_image(&set)?;
+    let pigment = file.pigment;
+    let surface = Surface { tables: &set, pigment: pigment.as_ref() };
+    let image = table_image(&set, pigment.map(|pigment| pigment.xyz_per_sr))?;
     let tables = Arc::new(thread.run("upload the tables", move |gpu| upload(gpu, &image))?);
     let shade = |samples: &Arc<ShadingSamples>| {
         let (tables, samples) = (tables.clone(), samples.clone());
         thread.run("shade samples", move |gpu| shade(gpu, &tables, &samples))
     };
     let storage = file.tables.storage;
-    let job = Job { shade: &shade, set: &set, storage, folder, specimen, config, reference };
+    let job = Job { shade: &shade, surface, optics: &file.optics, storage, folder, specimen, config, reference };
     let side_max = if stage.info.is_software() { SOFTWARE_SIDE_MAX_PX } else { usize::MAX };
     scenes.iter().map(|scene| job.check(scene, scene.size_px.div_ceil(side_max))).collect()
 }
@@ -231,7 +237,8 @@ pub fn check_files(
 /// What the scenes of a specimen have in common.
 struct Job<'a> {
     shade: Shade<'a>,
-    set: &'a TableSet,
+    surface: Surface<'a>,
+    optics: &'a OpticsConfig,
     storage: Storage,
     folder: &'a Path,
     specimen: &'a str,
@@ -242,7 +249,7 @@ struct Job<'a> {
 impl Job<'_> {
     fn check(&self, scene: &Scene, stride: usize) -> Result<GpuRow> {
         let by_cpu = self.picture(scene, ".exr", scene.size_px)?;
-        let mut cpu = check_picture(self.shade, self.set, scene, &by_cpu, stride)?;
+        let mut cpu = check_picture(self.shade, self.surface, scene, &by_cpu, stride)?;
         let mut reference = match self.reference {
             false => None,
             true => Some(self.against_reference(scene, &by_cpu)?),
@@ -250,7 +257,7 @@ impl Job<'_> {
         let of_reference = reference.as_mut().and_then(|check| check.difference.take());
         let difference = cpu.difference.take().or(of_reference);
         let difference_png = difference.map(|picture| self.write_difference(&picture, &scene.name)).transpose()?;
-        let promised = tolerance_holds(self.set, self.config);
+        let promised = tolerance_holds(self.surface.tables, self.optics, self.config);
         Ok(GpuRow { specimen: self.specimen.to_owned(), cpu, reference, promised, difference_png })
     }
 
@@ -258,7 +265,7 @@ impl Job<'_> {
         let side = scene.size_px.div_ceil(reference_stride(scene));
         let reference = self.picture(scene, ".reference.exr", side)?;
         let limit = reference_limit(self.config.tolerance, self.storage);
-        check_reference(self.shade, self.set, scene, by_cpu, &reference, limit)
+        check_reference(self.shade, self.surface, scene, by_cpu, &reference, limit)
     }
 
     fn picture(&self, scene: &Scene, ending: &str, side: usize) -> Result<Array3<f32>> {
@@ -281,13 +288,13 @@ impl Job<'_> {
 
 /// Whether tables must be as good as the tolerance says: number and steps were left to it, texels hold point values of a
 /// grid that resolves the lobes, and the scan answers for the whole hemisphere.
-fn tolerance_holds(set: &TableSet, config: &TablesConfig) -> bool {
-    let low_nm = set.optics.illuminant.reach_nm(set.optics.wavelength_nm)[0];
+fn tolerance_holds(set: &TableSet, optics: &OpticsConfig, config: &TablesConfig) -> bool {
+    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
     let texel = 4.0 / (set.size().max(2) - 1) as f64;
     set.basis == Basis::Chebyshev
         && config.count.is_none()
         && config.wavelength_step_nm.is_none()
         && set.prefilter_width == 0.0
         && set.usable_radius >= 2.0
-        && texel <= lobe_width(set.optics.sigma_nm, low_nm)
+        && texel <= lobe_width(optics.sigma_nm, low_nm)
 }

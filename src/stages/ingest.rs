@@ -1,11 +1,11 @@
 //! From a specimen's scan files to prepared height fields with their statistics.
 
 use super::config::SpecimenConfig;
-use crate::ground::error::Result;
-use crate::height::HeightField;
-use crate::height::prepare::{PrepareRecord, prepare};
-use crate::height::read::{Provenance, read_scan};
-use crate::height::statistics::{Statistics, statistics};
+use diffraction_brdf::error::Result;
+use diffraction_build::height::HeightField;
+use diffraction_build::height::prepare::{PrepareRecord, prepare};
+use diffraction_build::height::read::{Provenance, read_scan};
+use diffraction_build::height::statistics::{Statistics, statistics};
 
 /// A specimen's scans, ready for the optics.
 #[derive(Debug, Clone)]

@@ -18,15 +18,15 @@ use super::measure::{self, Yardstick};
 use super::results::ErrorRow;
 use super::serve::Source;
 use super::usage::{self, Stopwatch};
-use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
-use crate::ground::error::Result;
-use crate::ground::files;
-use crate::height::HeightField;
-use crate::optics::reference;
-use crate::tables::build::{self, Advance, BuildPlan};
-use crate::tables::domain::Domain;
-use crate::tables::kept::Keeper;
-use crate::tables::model::{Basis, BuildRecord, Lobe, TableSet, TablesConfig};
+use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
+use diffraction_brdf::error::Result;
+use diffraction_brdf::files;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::reference;
+use diffraction_build::tables::build::{self, Advance, BuildPlan};
+use diffraction_build::tables::domain::Domain;
+use diffraction_build::tables::kept::Keeper;
+use diffraction_build::tables::model::{Basis, BuildRecord, Lobe, TableSet, TablesConfig};
 
 type Pair = (Vec3, Vec3);
 
@@ -402,9 +402,8 @@ fn decode_tables(bytes: &[u8], source: &Source, plan: &BuildPlan) -> Option<Buil
         tables,
         lobe,
         prefilter_width: header.prefilter_width,
-        optics: source.optics.clone(),
+        front_factor: source.optics.front_factor(),
         served: plan.domain.as_ref().and_then(Domain::served),
-        pigment: None,
         usable_radius: header.usable_radius,
     };
     let Header { record, build_s: seconds, processor_s, memory_bytes, summed, .. } = header;

@@ -3,11 +3,11 @@
 use serde_json::{Value, json};
 
 use super::cache::Cache;
-use crate::ground::error::Result;
 use crate::scene::model::{Scene, Shape};
 use crate::scene::reach::reach;
-use crate::tables::domain::Domain;
-use crate::tables::plan::Grid;
+use diffraction_brdf::error::Result;
+use diffraction_build::tables::domain::Domain;
+use diffraction_build::tables::plan::Grid;
 
 /// [`reach`], found where it is not known.
 ///

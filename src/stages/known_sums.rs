@@ -7,9 +7,9 @@ use serde_json::{Value, json};
 use super::cache::Cache;
 use super::known::transforms_parts;
 use super::serve::Source;
-use crate::optics::config::{Material, OpticsConfig};
-use crate::tables::build::BuildPlan;
-use crate::tables::kept::{Cut, Keeper, Piece};
+use diffraction_build::optics::config::{Material, OpticsConfig};
+use diffraction_build::tables::build::BuildPlan;
+use diffraction_build::tables::kept::{Cut, Keeper, Piece};
 
 /// The cache's part that belongs to one surface, light and plan of transforms.
 #[derive(Debug)]
@@ -73,13 +73,13 @@ impl Keeper for KnownSums<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::spectrum::Illuminant;
-    use crate::height::HeightField;
-    use crate::optics::config::{Edge, Windows};
     use crate::stages::cache::CacheConfig;
-    use crate::tables::build;
-    use crate::tables::model::{Basis, Prefilter, TablesConfig};
-    use crate::tables::sums::RingNodes;
+    use diffraction_build::ground::spectrum::Illuminant;
+    use diffraction_build::height::HeightField;
+    use diffraction_build::optics::config::{Edge, Windows};
+    use diffraction_build::tables::build;
+    use diffraction_build::tables::model::{Basis, Prefilter, TablesConfig};
+    use diffraction_build::tables::sums::RingNodes;
 
     /// Whatever the sums of a ring depend on, another value of it finds nothing.
     #[test]

@@ -5,19 +5,21 @@
 
 use super::error_directions::{ErrorDirections, ErrorGroup};
 use super::results::{ErrorRow, PowerSum};
-use crate::ground::chebyshev;
-use crate::ground::direction::{Vec3, Xyz, from_angles_deg, wave_vector_change};
-use crate::ground::error::Result;
-use crate::ground::metrics;
-use crate::height::HeightField;
-use crate::optics::config::OpticsConfig;
-use crate::optics::reference::{self, FULL_STEP, PICTURE_STEP};
-use crate::optics::spectra::{self, Spectra};
-use crate::optics::spectral;
-use crate::tables::build::BuildPlan;
-use crate::tables::evaluate::{Interpolation, brdf_xyz, diffuse_window_power, lobe_window_power};
-use crate::tables::model::{Basis, TableSet};
-use crate::tables::plan::w_reach;
+use diffraction_brdf::chebyshev;
+use diffraction_brdf::direction::max_abs_w;
+use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg, wave_vector_change};
+use diffraction_brdf::error::Result;
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, diffuse_window_power, lobe_window_power};
+use diffraction_brdf::front_factor::FrontFactor;
+use diffraction_brdf::material::Material;
+use diffraction_build::ground::metrics;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::reference::{self, FULL_STEP, PICTURE_STEP};
+use diffraction_build::optics::spectra::{self, Spectra};
+use diffraction_build::optics::spectral;
+use diffraction_build::tables::build::BuildPlan;
+use diffraction_build::tables::model::{Basis, TableSet};
 use rayon::prelude::*;
 
 /// What the row is called that holds the yardstick itself against the direct sum.
@@ -110,7 +112,7 @@ fn diffuse_shares(
         Some(domain) => domain.w_near(uv).unwrap_or(ring.w),
     };
     let mut points = chebyshev::gauss_nodes(nodes, low, high);
-    let weights = chebyshev::interpolation_weights(nodes, low, high, w.min(w_reach(rho)));
+    let weights = chebyshev::interpolation_weights(nodes, low, high, w.min(max_abs_w(rho)));
     points.push(w);
     let values = spectral::diffuse_power(spectra, &ring.quadrature, uv, &points);
     let interpolated = values.iter().zip(&weights).map(|(value, weight)| value[1] * weight).sum();
@@ -128,7 +130,7 @@ pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) ->
         let luminance = |values: &[Xyz]| values.iter().map(|xyz| xyz[1]).collect::<Vec<_>>();
         let exact = luminance(&yardstick.xyz[range.clone()]);
         // The diffuse part as bright as it is seen, so that one floor counts for all rows.
-        let front: Vec<f64> = pairs.iter().map(|&(wi, wo)| reference::prefactor(&stored.optics, wi, wo)).collect();
+        let front: Vec<f64> = pairs.iter().map(|&(wi, wo)| stored.front_factor.value(wi, wo)).collect();
         let seen = |diffuse: &[f64]| -> Vec<f64> { diffuse.iter().zip(&front).map(|(d, front)| d * front).collect() };
         let tables = |set: &TableSet, interpolation| {
             luminance(&pairs.iter().map(|&(wi, wo)| brdf_xyz(set, interpolation, wi, wo)).collect::<Vec<_>>())
@@ -195,7 +197,7 @@ pub type DirectSum<'a> = &'a dyn Fn(&[(Vec3, Vec3)]) -> Result<Vec<Xyz>>;
 /// Those of the reference.
 pub fn direct_row(yardstick: &Yardstick, direct: DirectSum) -> Result<ErrorRow> {
     let Some(group) = yardstick.groups.first() else {
-        return Err(crate::ground::error::Error::Call("errors are counted on no directions".into()));
+        return Err(diffraction_brdf::error::Error::Call("errors are counted on no directions".into()));
     };
     let mut brightest: Vec<usize> = (0..group.len()).collect();
     brightest.sort_by(|&a, &b| yardstick.xyz[b][1].total_cmp(&yardstick.xyz[a][1]));
@@ -241,17 +243,14 @@ pub fn power_sums(set: &TableSet) -> (Vec<PowerSum>, Option<f64>) {
     if set.served.is_some() {
         return (Vec::new(), None);
     }
-    let unit = TableSet {
-        optics: OpticsConfig { material: crate::optics::config::Material::Ideal, ..set.optics.clone() },
-        ..set.clone()
-    };
+    let unit = TableSet { front_factor: FrontFactor { material: Material::Ideal, ..set.front_factor }, ..set.clone() };
     // A step per texel at most, or narrow orders fall between them.
     let steps = (set.size() / 2).max(256);
     let mut sums = Vec::new();
     let mut lobe_share = None;
     for theta_i_deg in [0.0, 30.0, 60.0] {
         let wi = from_angles_deg(theta_i_deg, 0.0);
-        let front = |wo: Vec3| reference::prefactor(&unit.optics, wi, wo);
+        let front = |wo: Vec3| unit.front_factor.value(wi, wo);
         let diffuse = integrate([0.0, 0.0], 1.0, steps, |wo| {
             front(wo) * diffuse_window_power(&unit, Interpolation::Bilinear, wave_vector_change(wi, wo))[1]
         });

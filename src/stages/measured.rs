@@ -13,9 +13,9 @@ use std::path::PathBuf;
 pub use figures::{CurveResult, MeasuredColumn, MeasuredResult, PeakPair};
 pub use read::{Measurement, read};
 
-use crate::ground::error::Result;
-use crate::height::HeightField;
-use crate::optics::config::OpticsConfig;
+use diffraction_brdf::error::Result;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::OpticsConfig;
 
 /// The file, and what the instrument averaged over.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]

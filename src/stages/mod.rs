@@ -1,6 +1,5 @@
 //! Stages floor: order of the work, what it found out, the atlas on disk, publishing, comparing versions.
 
-pub mod atlas;
 pub mod cache;
 pub mod config;
 pub(crate) mod describe;

@@ -6,7 +6,6 @@
 use std::path::Path;
 use std::time::Instant;
 
-use super::atlas::{AtlasIndex, InputRecord};
 use super::cache::{Cache, CacheUse};
 use super::config::{RunConfig, Serve, SpecimenConfig};
 use super::describe::{describe, entry, failed_result, inputs, scan_warnings, specimen_file};
@@ -30,19 +29,22 @@ use super::shared_scenes::{self, Share, SharedScenes};
 use super::specimen;
 use super::usage::{self, Stopwatch};
 use super::worked::work_number;
-use crate::ground::error::{Error, Result};
-use crate::ground::files;
-use crate::ground::png_image::write_png;
-use crate::height::HeightField;
-use crate::optics::pigment::pigment;
 use crate::render::cpu;
+use crate::render::png_image::write_png;
 use crate::scene::model::{Light, Scene, Shape};
-use crate::tables::build;
-use crate::tables::evaluate::{Interpolation, surface_xyz};
-use crate::tables::forecast::forecast_of;
-use crate::tables::model::{Basis, TableSet};
-use crate::tables::rounding;
-use crate::tables::storage::read_tables;
+use diffraction_brdf::atlas::{AtlasIndex, InputRecord};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::evaluate::Interpolation;
+use diffraction_brdf::files;
+use diffraction_brdf::storage::read_tables;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::pigment::Surface;
+use diffraction_build::optics::pigment::pigment;
+use diffraction_build::tables::build;
+use diffraction_build::tables::forecast::forecast_of;
+use diffraction_build::tables::model::Basis;
+use diffraction_build::tables::plan::lobe_radius;
+use diffraction_build::tables::rounding;
 
 /// Directions of the worked number in `FORMAT.md`, in degrees.
 const WORKED_DEG: [f64; 4] = [35.0, 20.0, 61.0, 250.0];
@@ -271,25 +273,27 @@ fn run_specimen(
         known.tables(&source, &plan, config.report.savings, &|n| helpers.progress.advance(n))
     })?;
     let built = &done.set;
-    let chosen =
-        clock.stage("round to the tolerance", 0, || Ok(rounding::choose(built, tables.storage, tables.tolerance)))?;
-    let stored = clock.stage("store tables", 0, || chosen.write(&folder))?;
-    let set = clock.stage("read back", 0, || {
-        let pigment = specimen.albedo.map(|albedo| pigment(albedo, optics)).transpose()?;
-        Ok(TableSet { pigment, ..read_tables(&folder, &stored, optics)? })
+    let chosen = clock.stage("round to the tolerance", 0, || {
+        Ok(rounding::choose(built, tables.storage, tables.tolerance, lobe_radius(optics)))
     })?;
+    let stored = clock.stage("store tables", 0, || chosen.write(&folder))?;
+    let (set, pigment) = clock.stage("read back", 0, || {
+        let pigment = specimen.albedo.map(|albedo| pigment(albedo, optics)).transpose()?;
+        Ok((read_tables(&folder, &stored, optics.front_factor())?, pigment))
+    })?;
+    let surface = Surface { tables: &set, pigment: pigment.as_ref() };
     let works = clock.stage("render scenes", 0, || {
-        wanted.iter().map(|scene| render_tables(scene, &set)).collect::<Result<Vec<SceneWork>>>()
+        wanted.iter().map(|scene| render_tables(scene, surface)).collect::<Result<Vec<SceneWork>>>()
     })?;
     if works.iter().any(SceneWork::is_animated) {
-        clock.stage("render animations", 0, || works.iter().try_for_each(|work| work.animate(&set, &folder)))?;
+        clock.stage("render animations", 0, || works.iter().try_for_each(|work| work.animate(surface, &folder)))?;
     }
     let directions = match serving {
         false => ErrorDirections::of_regions(&set),
         true => ErrorDirections::drawn(&set, Candidates::of_scenes(&set, &works), DIRECTIONS),
     };
     let served = directions.pairs.clone();
-    let mut result = describe(specimen, &ingested, &tables, &set, &stored, &done.record, &plan);
+    let mut result = describe(specimen, &ingested, &tables, &set, pigment, &stored, &done.record, &plan);
     let yardstick = match config.report.reference {
         false => None,
         true => Some(clock.stage("evaluate the reference", 0, || {
@@ -332,7 +336,7 @@ fn run_specimen(
                 result.scenes.push(work.finish(reference, &folder, &specimen.name)?);
             }
         }
-        result.preview_png = preview(&set, &result, &folder)?;
+        result.preview_png = preview(surface, &result, &folder)?;
         if let Some(picture) = reached_picture(&set) {
             write_png(&folder.join("served.png"), &picture)?;
             result.reached_png = Some(format!("{}/served.png", specimen.name));
@@ -369,22 +373,22 @@ fn run_specimen(
 }
 
 /// Path of the picture of a specimen in lists: the first of its scenes where tables serve nothing else.
-fn preview(set: &TableSet, result: &SpecimenResult, folder: &Path) -> Result<Option<String>> {
-    if set.served.is_some() {
+fn preview(surface: Surface, result: &SpecimenResult, folder: &Path) -> Result<Option<String>> {
+    if surface.tables.served.is_some() {
         return Ok(result.scenes.first().map(|scene| scene.table_png.clone()));
     }
-    write_preview(set, folder)?;
+    write_preview(surface, folder)?;
     Ok(Some(format!("{}/preview.png", result.name)))
 }
 
 /// A ball under a sun high to the right.
-fn write_preview(set: &TableSet, folder: &Path) -> Result<()> {
+fn write_preview(surface: Surface, folder: &Path) -> Result<()> {
     let sun = Light { angular_diameter_deg: 0.53, ..Light::point([0.5, 0.5, 1.0]) };
     let still = Scene::still("preview", Shape::Sphere, vec![sun], PREVIEW_PX);
     let scene = Scene { light_samples: 16, pixel_samples: 4, ..still };
-    let image = cpu::render(&scene, &|wi, wo| surface_xyz(set, Interpolation::Bilinear, wi, wo))?;
+    let image = cpu::render(&scene, &|wi, wo| surface.xyz(Interpolation::Bilinear, wi, wo))?;
     let exposure = crate::scene::model::exposure_factor(scene.exposure, &image);
-    write_png(&folder.join("preview.png"), &crate::ground::colour::to_srgb8(&image, exposure))
+    write_png(&folder.join("preview.png"), &diffraction_build::ground::colour::to_srgb8(&image, exposure))
 }
 
 fn write_format(specimen_folder: &Path, version_folder: &Path) -> Result<()> {

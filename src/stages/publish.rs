@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
-use crate::ground::error::{Error, Result};
-use crate::ground::files;
-use crate::stages::atlas::{self, AtlasIndex, LATEST_FILE};
 use crate::stages::verify;
+use diffraction_brdf::atlas::{self, AtlasIndex, LATEST_FILE};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::files;
 
 const LOCK_FILE: &str = ".lock";
 const STAGING_PREFIX: &str = ".staging-";

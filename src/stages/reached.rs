@@ -2,8 +2,8 @@
 
 use ndarray::Array3;
 
-use crate::ground::colour::{auto_exposure, to_srgb8};
-use crate::tables::model::{Served, TableSet};
+use diffraction_build::ground::colour::{auto_exposure, to_srgb8};
+use diffraction_build::tables::model::{Served, TableSet};
 
 /// Side of the picture in pixels.
 const SIDE_PX: usize = 360;
@@ -50,9 +50,9 @@ fn texel_at(served: &Served, row: usize, column: usize) -> Option<[usize; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::spectrum::Illuminant;
-    use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
-    use crate::tables::model::Basis;
+    use diffraction_brdf::front_factor::FrontFactor;
+    use diffraction_brdf::material::Material;
+    use diffraction_build::tables::model::Basis;
 
     #[test]
     fn served_texels_shine_and_the_rest_of_the_disc_is_grey() {
@@ -64,17 +64,8 @@ mod tests {
             tables: vec![Array3::from_elem((2, 1, 3), 1.0)],
             lobe: None,
             prefilter_width: 0.0,
-            optics: OpticsConfig {
-                illuminant: Illuminant::D65,
-                wavelength_nm: [380.0, 780.0],
-                sigma_nm: 1e3,
-                edge: Edge::Tile,
-                windows: Windows::Grid,
-                material: Material::Ideal,
-                shadowing: false,
-            },
+            front_factor: FrontFactor { material: Material::Ideal, shadowing: false },
             served: Some(Served { size: 5, first: [1, 3], range }),
-            pigment: None,
             usable_radius: 2.0,
         };
         let picture = reached_picture(&set).unwrap();

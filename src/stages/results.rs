@@ -8,12 +8,12 @@ use serde::{Deserialize, Serialize};
 use super::cache::CacheUse;
 pub use super::gpu_results::{GpuResult, GpuRow};
 use super::serve::{Budget, Cost};
-use crate::ground::error::{Error, Result};
-pub use crate::height::statistics::{Period, Statistics};
-use crate::optics::config::OpticsConfig;
-use crate::optics::pigment::Pigment;
 use crate::stages::measured::MeasuredResult;
-use crate::tables::model::{Basis, BuildRecord, Rounding, Storage};
+use diffraction_brdf::error::{Error, Result};
+pub use diffraction_build::height::statistics::{Period, Statistics};
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::pigment::Pigment;
+use diffraction_build::tables::model::{Basis, BuildRecord, Rounding, Storage};
 
 /// Version of the layout of `report.json`; raised when a field changes its meaning or disappears.
 pub const RESULTS_SCHEMA: u32 = 2;

@@ -6,26 +6,25 @@ use std::time::Instant;
 use ndarray::Array3;
 use serde_json::json;
 
-use super::atlas::InputRecord;
 use super::config::RunConfig;
 use super::results::{SceneError, SceneResult};
-use crate::ground::colour::to_srgb8;
-use crate::ground::direction::{Vec3, Xyz};
-use crate::ground::error::{Error, Result};
-use crate::ground::exr_image::{Precision, write_rgb};
-use crate::ground::files;
-use crate::ground::metrics;
-use crate::ground::png_image::{encode_animation, heat_map, side_by_side, write_png};
-use crate::optics::config::OpticsConfig;
-use crate::optics::pigment::{Pigment, pigment_xyz};
 use crate::render::cpu;
+use crate::render::png_image::{encode_animation, heat_map, side_by_side, write_png};
 use crate::scene::animation::{self, Animation, Axis, Moving};
 use crate::scene::light::environment_count;
 use crate::scene::model::{Scene, Shape, exposure_factor};
 use crate::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
-use crate::tables::evaluate::{Interpolation, surface_xyz};
-use crate::tables::model::TableSet;
-use crate::tables::plan::lobe_width;
+use diffraction_brdf::atlas::InputRecord;
+use diffraction_brdf::direction::{Vec3, Xyz};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::evaluate::Interpolation;
+use diffraction_brdf::exr_image::{Precision, write_rgb};
+use diffraction_brdf::files;
+use diffraction_build::ground::colour::to_srgb8;
+use diffraction_build::ground::metrics;
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::pigment::{Pigment, Surface, pigment_xyz};
+use diffraction_build::tables::plan::lobe_width;
 
 /// Most pairs of directions that one scene may ask of the yardstick: sets the lattice of its picture.
 const REFERENCE_SAMPLES_MAX: usize = 40_000;
@@ -59,15 +58,16 @@ pub struct SceneWork {
 ///
 /// # Errors
 /// A scene that cannot be rendered.
-pub fn render_tables(scene: &Scene, set: &TableSet) -> Result<SceneWork> {
+pub fn render_tables(scene: &Scene, surface: Surface) -> Result<SceneWork> {
     let started = Instant::now();
-    let image = cpu::render(scene, &|wi, wo| surface_xyz(set, Interpolation::Bilinear, wi, wo))?;
+    let image = cpu::render(scene, &|wi, wo| surface.xyz(Interpolation::Bilinear, wi, wo))?;
     let seconds = started.elapsed().as_secs_f64();
     let unserved = image.rows().into_iter().filter(|xyz| xyz.iter().any(|value| value.is_nan())).count();
     let stride = reference_stride(scene);
     let subset = reference_samples(scene)?;
     let exposure = exposure_factor(scene.exposure, &image);
-    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, unserved, stride, subset, pigment: set.pigment })
+    let pigment = surface.pigment.copied();
+    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, unserved, stride, subset, pigment })
 }
 
 /// The samples of a scene's reference picture.
@@ -116,13 +116,13 @@ impl SceneWork {
     ///
     /// # Errors
     /// The disk's; `Error::Limit` for a frame that asks for directions which the tables do not serve.
-    pub fn animate(&self, set: &TableSet, folder: &Path) -> Result<()> {
+    pub fn animate(&self, surface: Surface, folder: &Path) -> Result<()> {
         let Some(animation) = &self.scene.animation else {
             return Ok(());
         };
         let picture = |index: usize| -> Result<Array3<u8>> {
             let scene = animation::frame(&self.scene, animation, index);
-            let image = cpu::render(&scene, &|wi, wo| surface_xyz(set, Interpolation::Bilinear, wi, wo))?;
+            let image = cpu::render(&scene, &|wi, wo| surface.xyz(Interpolation::Bilinear, wi, wo))?;
             if image.iter().any(|value| value.is_nan()) {
                 return Err(Error::limit(
                     format!(

@@ -11,19 +11,20 @@ use super::config::{GpuCheck, RunConfig, Serve};
 use super::known::Built;
 use super::results::null_for_nan;
 use super::shared_scenes::scenes_for;
-use crate::ground::error::{Error, Result};
-use crate::ground::files;
-use crate::ground::spectrum::Illuminant;
-use crate::height::HeightField;
-use crate::optics::config::OpticsConfig;
 use crate::scene::model::{Exposure, Scene};
 use crate::scene::reach::reach;
-use crate::tables::build::{self, BuildPlan, plan, plan_for, smooth};
-use crate::tables::domain::{Domain, TexelSet};
-use crate::tables::forecast::{Forecast, forecast_of};
-use crate::tables::model::TablesConfig;
-use crate::tables::plan::Grid;
-use crate::tables::rounding;
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::files;
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::tables::build::{self, BuildPlan, plan, plan_for, smooth};
+use diffraction_build::tables::domain::{Domain, TexelSet};
+use diffraction_build::tables::forecast::{Forecast, forecast_of};
+use diffraction_build::tables::model::TablesConfig;
+use diffraction_build::tables::plan::Grid;
+use diffraction_build::tables::plan::lobe_radius;
+use diffraction_build::tables::rounding;
 
 /// The scenes that a specimen's tables must serve, or its shares of them; `None` where they serve every direction.
 pub fn served_scenes(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
@@ -375,7 +376,8 @@ pub fn account(
 pub fn measure(source: &Source, plan: &BuildPlan) -> Result<Cost> {
     let built = Built::measured(source, plan, &|_| ())?;
     let folder = tempfile::tempdir().map_err(|e| Error::disk(Path::new("."), "create a temporary folder", e))?;
-    rounding::choose(&built.set, source.tables.storage, source.tables.tolerance).write(folder.path())?;
+    rounding::choose(&built.set, source.tables.storage, source.tables.tolerance, lobe_radius(source.optics))
+        .write(folder.path())?;
     let stored_bytes = files::bytes_of(folder.path(), "exr")? as f64;
     Ok(Cost::measured(&built, stored_bytes))
 }

@@ -4,10 +4,11 @@ use std::path::Path;
 
 use serde_json::json;
 
-use crate::ground::error::Result;
-use crate::ground::{files, json};
-use crate::render::gpu_layout::{HalfLayers, table_image};
-use crate::tables::model::TableSet;
+use diffraction_brdf::error::Result;
+use diffraction_brdf::files;
+use diffraction_brdf::json;
+use diffraction_brdf::shader::{HalfLayers, table_image};
+use diffraction_build::optics::pigment::Surface;
 
 /// Name of the file that describes the others.
 pub const INDEX: &str = "textures.json";
@@ -17,9 +18,9 @@ pub const INDEX: &str = "textures.json";
 ///
 /// # Errors
 /// `Error::Limit` for tables that do not fit every GPU; the disk's.
-pub fn write_shader_data(folder: &Path, set: &TableSet) -> Result<()> {
+pub fn write_shader_data(folder: &Path, surface: Surface) -> Result<()> {
     files::create_folder(folder)?;
-    let image = table_image(set)?;
+    let image = table_image(surface.tables, surface.pigment.map(|pigment| pigment.xyz_per_sr))?;
     let [rows, columns] = image.coherent_size;
     files::replace(&folder.join("params.bin"), bytemuck::bytes_of(&image.params))?;
     files::replace(&folder.join("tables.rgba16f"), bytemuck::cast_slice(&image.tables.texels))?;

@@ -7,13 +7,13 @@ use std::path::Path;
 
 use ndarray::Array3;
 
-use super::atlas::InputRecord;
 use super::results::{Failure, SceneResult, SharedSceneResult};
 use super::scenes::SceneWork;
-use crate::ground::error::Result;
-use crate::ground::files;
 use crate::scene::mesh;
 use crate::scene::model::{Scene, Shape};
+use diffraction_brdf::atlas::InputRecord;
+use diffraction_brdf::error::Result;
+use diffraction_brdf::files;
 
 /// Folder of these pictures, beside those of the specimens.
 pub const FOLDER: &str = "scenes";

@@ -27,17 +27,17 @@ use serde::{Deserialize, Serialize};
 
 use super::error_directions::FLOOR_SHARE;
 use super::progress::Progress;
-use crate::ground::error::Result;
-use crate::ground::metrics::ErrorQuantiles;
-use crate::ground::sampling::Region;
-use crate::height::HeightField;
-use crate::optics::config::{Edge, OpticsConfig, Windows};
-use crate::optics::window::FADE_SIGMAS;
 use crate::scene::model::Scene;
-use crate::tables::baselines::statistics::{SurfaceStatistics, surface_statistics};
-use crate::tables::build::AUTOMATIC_SIZE_MAX;
-use crate::tables::model::{Basis, Storage};
-use crate::tables::plan::{lobe_width, usable_radius};
+use diffraction_brdf::error::Result;
+use diffraction_build::ground::metrics::ErrorQuantiles;
+use diffraction_build::ground::sampling::Region;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
+use diffraction_build::optics::window::FADE_SIGMAS;
+use diffraction_build::tables::baselines::statistics::{SurfaceStatistics, surface_statistics};
+use diffraction_build::tables::build::AUTOMATIC_SIZE_MAX;
+use diffraction_build::tables::model::{Basis, Storage};
+use diffraction_build::tables::plan::{lobe_width, usable_radius};
 
 /// Standard deviations of the narrowest lobe per texel of the study's tables: cubic interpolation then errs by
 /// about `3/128 · 0.5⁴ · 3` = 0.4 % of a lobe's peak at worst, and far less at the median.
@@ -333,7 +333,7 @@ fn study_specimen(
     let statistics = surface_statistics(fields);
     let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
     let s_max = 2.0 * std::f64::consts::TAU / low_nm;
-    let forecast = crate::tables::taylor::forecast(fields, s_max, 1e-3);
+    let forecast = diffraction_build::tables::taylor::forecast(fields, s_max, 1e-3);
     let (optics, sample, pictures, spectra) = (&optics, &sample, &pictures, &spectra[..]);
     let clock = &Clock::new()?;
     let context = methods::Context { fields, optics, config, sample, spectra, pictures, clock, gpu, progress };

@@ -6,10 +6,11 @@ use std::path::Path;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::ground::error::{Error, Result};
-use crate::ground::{exr_image, files};
-use crate::stages::atlas::{self, FileRecord, INDEX_FILE};
 use crate::stages::specimen;
+use diffraction_brdf::atlas::{self, FileRecord, INDEX_FILE};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::exr_image;
+use diffraction_brdf::files;
 
 /// A file that is not as it was published.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -46,7 +47,7 @@ pub fn verify_files(version_folder: &Path) -> Result<VerifyReport> {
     let added = present.iter().filter(|path| *path != INDEX_FILE && !listed.contains(path.as_str()));
     failures.extend(added.map(|path| failure(path, format!("it is not listed in {INDEX_FILE}"))));
     for entry in &index.specimens {
-        let path = format!("{}/{}", entry.name, specimen::FILE);
+        let path = format!("{}/{}", entry.name, diffraction_brdf::specimen::FILE);
         if !listed.contains(path.as_str()) {
             failures.push(failure(&path, format!("the specimen is listed in {INDEX_FILE}, its file is not")));
         }
@@ -73,7 +74,7 @@ fn check_file(version_folder: &Path, file: &FileRecord) -> std::result::Result<(
     // Right by its digest, but is it readable? What was published broken is found here.
     let readable = if file.path.ends_with(".exr") {
         exr_image::check_file(&path).map(|_| ())
-    } else if file.path.ends_with(&format!("/{}", specimen::FILE)) {
+    } else if file.path.ends_with(&format!("/{}", diffraction_brdf::specimen::FILE)) {
         specimen::read(path.parent().unwrap_or(version_folder)).map(|_| ())
     } else {
         Ok(())

@@ -6,9 +6,9 @@
 use ndarray::Array3;
 use serde::Serialize;
 
-use crate::ground::direction::{self, Vec3, Xyz};
-use crate::optics::fresnel;
-use crate::tables::model::{Basis, Lobe, Served, TableSet};
+use diffraction_brdf::direction::{self, Vec3, Xyz};
+use diffraction_brdf::material;
+use diffraction_build::tables::model::{Basis, Lobe, Served, TableSet};
 
 /// A look-up between four texels.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -103,9 +103,9 @@ pub fn work_number(tables: &TableSet, angles_deg: [f64; 4]) -> WorkedNumber {
     let lobe = tables.lobe.as_ref().map(|lobe| lobe_share(lobe, q, t));
 
     let geometry_factor = direction::geometry_factor(wi, wo);
-    let cos_half = fresnel::cos_half_angle(wi, wo);
-    let reflectance = fresnel::reflectance(tables.optics.material, cos_half);
-    let shadowing = if tables.optics.shadowing { direction::v_cavity_shadowing(wi, wo) } else { 1.0 };
+    let cos_half = material::cos_half_angle(wi, wo);
+    let reflectance = material::reflectance(tables.front_factor.material, cos_half);
+    let shadowing = if tables.front_factor.shadowing { direction::v_cavity_shadowing(wi, wo) } else { 1.0 };
     let xyz = std::array::from_fn(|channel| {
         let body = match tables.basis {
             Basis::Chebyshev => sum[channel],
@@ -219,8 +219,8 @@ fn lobe_share(lobe: &Lobe, q: Vec3, t: f64) -> LobeShare {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::spectrum::Illuminant;
-    use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
+    use diffraction_build::ground::spectrum::Illuminant;
+    use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 
     fn optics() -> OpticsConfig {
         OpticsConfig {
@@ -248,9 +248,8 @@ mod tests {
             tables,
             lobe,
             prefilter_width: 0.0,
-            optics: optics(),
+            front_factor: optics().front_factor(),
             served: None,
-            pigment: None,
             usable_radius: 2.0,
         }
     }

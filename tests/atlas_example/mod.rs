@@ -2,14 +2,15 @@
 
 use std::path::Path;
 
-use diffraction_atlas::ground::direction::from_angles_deg;
-use diffraction_atlas::ground::spectrum::Illuminant;
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
-use diffraction_atlas::stages::atlas::{AtlasIndex, InputRecord, SpecimenEntry};
-use diffraction_atlas::stages::specimen::{self, CheckValue, SCHEMA, SpecimenFile};
+use diffraction_atlas::stages::specimen::{self, SpecimenFile};
 use diffraction_atlas::stages::worked;
-use diffraction_atlas::tables::model::{Basis, BuildRecord, Lobe, Storage, TableSet};
-use diffraction_atlas::tables::storage;
+use diffraction_brdf::atlas::{AtlasIndex, InputRecord, SpecimenEntry};
+use diffraction_brdf::direction::from_angles_deg;
+use diffraction_brdf::specimen::{CheckValue, SCHEMA};
+use diffraction_brdf::storage;
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::tables::model::{Basis, BuildRecord, Lobe, Storage, TableSet};
 use ndarray::Array3;
 use serde_json::json;
 
@@ -46,9 +47,8 @@ pub fn random_tables(seed: u64, basis: Basis, size: usize) -> TableSet {
         tables,
         lobe,
         prefilter_width: 0.008,
-        optics: optics(true),
+        front_factor: optics(true).front_factor(),
         served: None,
-        pigment: None,
         usable_radius: 1.71,
     }
 }
@@ -83,7 +83,7 @@ pub fn write_specimen(version: &Path, name: &str, set: &TableSet, storage: Stora
     let folder = version.join(name);
     std::fs::create_dir_all(&folder).unwrap();
     let stored = storage::write_tables(&folder, set, storage).unwrap();
-    let rounded = storage::read_tables(&folder, &stored, &set.optics).unwrap();
+    let rounded = storage::read_tables(&folder, &stored, set.front_factor).unwrap();
     let file = SpecimenFile {
         schema: SCHEMA,
         name: name.to_owned(),
@@ -91,7 +91,7 @@ pub fn write_specimen(version: &Path, name: &str, set: &TableSet, storage: Stora
         provenance: json!({"scans": [{"path": "a.tif", "sha256": "00"}]}),
         preparation: json!({"level": "plane"}),
         statistics: json!({"rms_nm": 26.4}),
-        optics: set.optics.clone(),
+        optics: optics(true),
         pigment: None,
         build: BuildRecord { transforms: 12, windows: 1, ..BuildRecord::default() },
         tables: stored,

@@ -7,10 +7,10 @@ pub mod surfaces;
 
 use std::path::{Path, PathBuf};
 
-use diffraction_atlas::ground::direction::{Vec3, Xyz, from_angles_deg};
-use diffraction_atlas::ground::spectrum::Illuminant;
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg};
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use ndarray::Array2;
 use tiff::decoder::{Decoder, DecodingResult};
 

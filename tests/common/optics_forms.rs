@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use diffraction_atlas::ground::direction::Vec3;
-use diffraction_atlas::optics::config::Material;
+use diffraction_brdf::direction::Vec3;
+use diffraction_build::optics::config::Material;
 
 /// Fresnel power reflectance in real arithmetic (Born and Wolf, Principles of Optics, 7th ed., §14.2: a
 /// plane wave on an absorbing half space), for unpolarised light.

@@ -2,12 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use diffraction_atlas::ground::direction::Vec3;
-use diffraction_atlas::ground::spectrum::{Illuminant, Line};
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
-use diffraction_atlas::tables::build::build;
-use diffraction_atlas::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+use diffraction_brdf::direction::Vec3;
+use diffraction_build::ground::spectrum::{Illuminant, Line};
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::tables::build::build;
+use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 use ndarray::{Array2, Axis, Slice};
 
 /// Laser light of equal luminance weights on these wavelengths; XYZ's Y is then the BRDF itself where

@@ -1,18 +1,18 @@
 //! Every kind of table set, in every kind of scene, agrees with the CPU within the derived bound.
 
-use diffraction_atlas::optics::config::{Material, Windows};
-use diffraction_atlas::optics::pigment::pigment;
-use diffraction_atlas::render::gpu_layout::table_image;
 use diffraction_atlas::render::gpu_tables::upload;
 use diffraction_atlas::stages::gpu_check::{check_specimen, check_uploaded};
-use diffraction_atlas::tables::model::{Basis, TableSet};
+use diffraction_brdf::shader::table_image;
+use diffraction_build::optics::config::{Material, Windows};
+use diffraction_build::optics::pigment::{Surface, pigment};
+use diffraction_build::tables::model::{Basis, TableSet};
 use half::f16;
 
-use crate::sets::{build_set, full_set, gpu, scenes, served_set, sphere};
+use crate::sets::{self, build_set, full_set, gpu, scenes, served_set, sphere};
 
-fn agrees(name: &str, set: &TableSet) {
+fn agrees(name: &str, surface: Surface) {
     let Some(gpu) = gpu(name) else { return };
-    for check in check_specimen(gpu, set, &scenes()).unwrap() {
+    for check in check_specimen(gpu, surface, &scenes()).unwrap() {
         println!(
             "{name} {}: worst {:.2e}, mean {:.2e} of white; allowed {:.2e}, {:.2e}; share {:.3}; dE {:.4}",
             check.scene,
@@ -33,31 +33,34 @@ fn agrees(name: &str, set: &TableSet) {
 fn lobe_and_cross_term_with_a_conductor_and_shadowing() {
     let set = full_set();
     assert!(set.lobe.as_ref().is_some_and(|lobe| !lobe.cross.is_empty()));
-    agrees("full", set);
+    agrees("full", Surface::without_pigment(set));
 }
 
 #[test]
 fn lobe_without_cross_term_on_a_dielectric() {
     let set = build_set(Basis::Chebyshev, Windows::Grid, Material::Dielectric { n: 1.56 }, false);
     assert!(set.lobe.as_ref().is_some_and(|lobe| lobe.cross.is_empty()));
-    agrees("mean", &set);
+    agrees("mean", Surface::without_pigment(&set));
 }
 
 #[test]
 fn a_pigment_below_the_structure() {
-    let mut set = build_set(Basis::Chebyshev, Windows::Grid, Material::Dielectric { n: 1.56 }, true);
-    set.pigment = Some(pigment([0.4, 0.2, 0.1], &set.optics).unwrap());
-    agrees("pigment", &set);
+    let material = Material::Dielectric { n: 1.56 };
+    let set = build_set(Basis::Chebyshev, Windows::Grid, material, true);
+    let mut pigment = pigment([0.4, 0.2, 0.1], &sets::optics(Windows::Grid, material, true)).unwrap();
+    let image = table_image(&set, Some(pigment.xyz_per_sr)).unwrap();
+    agrees("pigment", Surface { tables: &set, pigment: Some(&pigment) });
     // A pigment 0.1 % off is another picture.
     let Some(gpu) = gpu("pigment") else { return };
-    let tables = upload(gpu, &table_image(&set).unwrap()).unwrap();
-    set.pigment.iter_mut().for_each(|pigment| pigment.xyz_per_sr[1] *= 1.001);
-    assert!(!check_uploaded(gpu, &tables, &set, &sphere(32)).unwrap().passed);
+    let tables = upload(gpu, &image).unwrap();
+    pigment.xyz_per_sr[1] *= 1.001;
+    let other = Surface { tables: &set, pigment: Some(&pigment) };
+    assert!(!check_uploaded(gpu, &tables, other, &sphere(32)).unwrap().passed);
 }
 
 #[test]
 fn powers_of_w_on_an_ideal_reflector() {
-    agrees("taylor", &build_set(Basis::Taylor, Windows::Centre, Material::Ideal, false));
+    agrees("taylor", Surface::without_pigment(&build_set(Basis::Taylor, Windows::Centre, Material::Ideal, false)));
 }
 
 /// Tables for one scene: a window of the grid, a range of depths in each texel.
@@ -67,7 +70,8 @@ fn tables_that_serve_one_scene() {
     for scene in scenes() {
         let set = served_set(&scene);
         assert!(set.served.is_some());
-        let check = check_specimen(gpu, &set, std::slice::from_ref(&scene)).unwrap().remove(0);
+        let check =
+            check_specimen(gpu, Surface::without_pigment(&set), std::slice::from_ref(&scene)).unwrap().remove(0);
         println!("{}: share {:.3} of {:.2e}", check.scene, check.worst_of_tolerance, check.tolerance);
         assert!(check.passed && check.worst > 0.0, "{check:?}");
     }
@@ -79,7 +83,7 @@ fn look_ups_beyond_what_is_served_fail() {
     let Some(gpu) = gpu("beyond what is served") else { return };
     let patch = scenes().swap_remove(2);
     let set = served_set(&patch);
-    let check = check_specimen(gpu, &set, &[sphere(24)]).unwrap().remove(0);
+    let check = check_specimen(gpu, Surface::without_pigment(&set), &[sphere(24)]).unwrap().remove(0);
     assert!(!check.passed && check.not_finite > 0, "{check:?}");
 }
 
@@ -88,10 +92,10 @@ fn look_ups_beyond_what_is_served_fail() {
 fn stored_halves_tighten_the_tolerance() {
     let Some(gpu) = gpu("stored halves") else { return };
     let mut set = full_set().clone();
-    let check = |set: &TableSet| check_specimen(gpu, set, &[sphere(32)]).unwrap().remove(0);
+    let check = |set: &TableSet| check_specimen(gpu, Surface::without_pigment(set), &[sphere(32)]).unwrap().remove(0);
     let float = check(&set);
     for table in &mut set.tables {
-        let scale = diffraction_atlas::tables::storage::half_scale(diffraction_atlas::render::gpu_layout::peak(table));
+        let scale = diffraction_brdf::storage::half_scale(diffraction_brdf::shader::peak(table));
         table.mapv_inplace(|value| f16::from_f32(value / scale).to_f32() * scale);
     }
     let half = check(&set);

@@ -1,8 +1,9 @@
 //! The check fails when anything of what is uploaded is wrong.
 
-use diffraction_atlas::render::gpu_layout::{TableImage, table_image};
 use diffraction_atlas::render::gpu_tables::upload;
 use diffraction_atlas::stages::gpu_check::{GpuSceneCheck, check_uploaded};
+use diffraction_brdf::shader::{TableImage, table_image};
+use diffraction_build::optics::pigment::Surface;
 use half::f16;
 
 use crate::sets::{full_set, gpu, served_set, sphere};
@@ -11,9 +12,9 @@ use crate::sets::{full_set, gpu, served_set, sphere};
 fn check_with(test: &str, tamper: impl FnOnce(&mut TableImage)) -> Option<GpuSceneCheck> {
     let gpu = gpu(test)?;
     let set = full_set();
-    let mut image = table_image(set).unwrap();
+    let mut image = table_image(set, None).unwrap();
     tamper(&mut image);
-    Some(check_uploaded(gpu, &upload(gpu, &image).unwrap(), set, &sphere(48)).unwrap())
+    Some(check_uploaded(gpu, &upload(gpu, &image).unwrap(), Surface::without_pigment(set), &sphere(48)).unwrap())
 }
 
 fn must_fail(what: &str, tamper: impl FnOnce(&mut TableImage)) {
@@ -87,9 +88,9 @@ fn a_wrong_range_or_window() {
     let set = served_set(&scene);
     let Some(gpu) = gpu("range") else { return };
     let check = |tamper: &dyn Fn(&mut TableImage)| {
-        let mut image = table_image(&set).unwrap();
+        let mut image = table_image(&set, None).unwrap();
         tamper(&mut image);
-        check_uploaded(gpu, &upload(gpu, &image).unwrap(), &set, &scene).unwrap()
+        check_uploaded(gpu, &upload(gpu, &image).unwrap(), Surface::without_pigment(&set), &scene).unwrap()
     };
     assert!(check(&|_| ()).passed);
     let range = |image: &mut TableImage, change: &dyn Fn([f16; 4]) -> [f16; 4]| {

@@ -1,16 +1,17 @@
 //! The frame of an interactive program against the CPU's picture, and failures of the device.
 
-use diffraction_atlas::ground::colour::xyz_to_linear_srgb;
 use diffraction_atlas::render::gpu::Gpu;
 use diffraction_atlas::render::gpu_bound::bound_image;
 use diffraction_atlas::render::gpu_frame::{Frame, FramePlan, copy_gb_per_s, time_frames};
-use diffraction_atlas::render::gpu_layout::table_image;
 use diffraction_atlas::render::gpu_tables::{shade, upload};
 use diffraction_atlas::scene::animation::{Axis, Turn};
 use diffraction_atlas::scene::gbuffer::{GBuffer, gbuffer};
 use diffraction_atlas::scene::model::{Scene, Shape};
 use diffraction_atlas::scene::samples::{pixel_range, samples};
-use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::shader::table_image;
+use diffraction_build::ground::colour::xyz_to_linear_srgb;
+use diffraction_build::optics::pigment::Surface;
 
 use crate::sets::{full_set, gpu, scenes, sphere};
 
@@ -26,12 +27,12 @@ const DIRECTION_ERROR: f64 = 6.0 / (1 << 24) as f64;
 fn frame_error(scene: &Scene, buffer: &GBuffer) -> Option<f64> {
     let gpu = gpu("frame")?;
     let (set, side, exposure) = (full_set(), scene.size_px, 0.5);
-    let tables = upload(gpu, &table_image(set).unwrap()).unwrap();
+    let tables = upload(gpu, &table_image(set, None).unwrap()).unwrap();
     let frame = Frame::new(gpu, &tables, buffer, exposure).unwrap().draw().unwrap();
     let samples = samples(scene).unwrap();
     let expected =
         diffraction_atlas::render::cpu::shade(&samples, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo));
-    let bound = bound_image(set, &samples);
+    let bound = bound_image(Surface::without_pigment(set), &samples);
     let (mut worst, mut lit) = (0.0f64, 0);
     for (row, column) in (0..side).flat_map(|row| (0..side).map(move |column| (row, column))) {
         let xyz = [0, 1, 2].map(|c| f64::from(exposure) * f64::from(expected[[row, column, c]]));
@@ -75,7 +76,7 @@ fn frames_show_what_the_pictures_show() {
 #[test]
 fn frame_times_are_measured() {
     let Some(gpu) = gpu("frame time") else { return };
-    let tables = upload(gpu, &table_image(full_set()).unwrap()).unwrap();
+    let tables = upload(gpu, &table_image(full_set(), None).unwrap()).unwrap();
     let [small, large] = [32, 256].map(|side| Frame::new(gpu, &tables, &gbuffer(&sphere(side)).unwrap(), 1.0).unwrap());
     let plan = FramePlan { warm_up: 2, batches: 5, batch: 4 };
     let [of_small, of_large] = time_frames([&small, &large], plan).unwrap();
@@ -102,7 +103,7 @@ fn copying_has_a_bandwidth() {
 #[test]
 fn frames_that_not_every_gpu_can_hold_are_refused() {
     let Some(gpu) = gpu("refused frames") else { return };
-    let tables = upload(gpu, &table_image(full_set()).unwrap()).unwrap();
+    let tables = upload(gpu, &table_image(full_set(), None).unwrap()).unwrap();
     let scene = Scene { pixel_samples: 300, ..sphere(16) };
     let error = Frame::new(gpu, &tables, &gbuffer(&scene).unwrap(), 1.0).unwrap_err().to_string();
     assert!(error.contains("300 textures") && error.contains("lower its size_px"), "{error}");
@@ -114,7 +115,7 @@ fn a_lost_device_is_an_error_in_every_later_call() {
         return;
     }
     let gpu = Gpu::require().unwrap();
-    let image = table_image(full_set()).unwrap();
+    let image = table_image(full_set(), None).unwrap();
     let tables = upload(&gpu, &image).unwrap();
     let samples = samples(&scenes()[0]).unwrap();
     shade(&gpu, &tables, &samples).unwrap();
@@ -127,11 +128,11 @@ fn a_lost_device_is_an_error_in_every_later_call() {
 #[test]
 fn what_the_driver_rejects_is_an_error() {
     let Some(gpu) = gpu("rejected upload") else { return };
-    let mut image = table_image(full_set()).unwrap();
+    let mut image = table_image(full_set(), None).unwrap();
     image.tables.size = [20_000; 2];
     image.tables.texels.clear();
     let error = upload(gpu, &image).unwrap_err().to_string();
     assert!(error.contains("cannot upload the tables") && error.contains("20000"), "{error}");
     // And the device goes on.
-    upload(gpu, &table_image(full_set()).unwrap()).unwrap();
+    upload(gpu, &table_image(full_set(), None).unwrap()).unwrap();
 }

@@ -4,10 +4,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-use diffraction_atlas::ground::exr_image::{Precision, read_rgb, write_rgb};
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::height::synthesize::{Structure, synthesize};
-use diffraction_atlas::height::write::write_scan_tiff;
 use diffraction_atlas::manifest::{self, convert::run_config};
 use diffraction_atlas::render::cpu;
 use diffraction_atlas::render::gpu::Gpu;
@@ -16,7 +12,11 @@ use diffraction_atlas::stages::config::RunConfig;
 use diffraction_atlas::stages::gpu_results::GpuRow;
 use diffraction_atlas::stages::gpu_stage::{GpuStage, check_files};
 use diffraction_atlas::stages::specimen;
-use diffraction_atlas::tables::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::exr_image::{Precision, read_rgb, write_rgb};
+use diffraction_build::height::HeightField;
+use diffraction_build::height::synthesize::{Structure, synthesize};
+use diffraction_build::height::write::write_scan_tiff;
 use serde_json::json;
 
 use crate::sets::gpu;

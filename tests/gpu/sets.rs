@@ -2,14 +2,14 @@
 
 use std::sync::OnceLock;
 
-use diffraction_atlas::ground::spectrum::Illuminant;
-use diffraction_atlas::height::HeightField;
-use diffraction_atlas::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_atlas::render::gpu::Gpu;
 use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::serve::{Source, domain_of, plan_without};
-use diffraction_atlas::tables::build::{build, build_planned};
-use diffraction_atlas::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::tables::build::{build, build_planned};
+use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 use ndarray::Array2;
 
 /// The adapter, or `None` with a loud line.
@@ -33,9 +33,9 @@ fn surface() -> HeightField {
     HeightField { heights_nm: heights_nm - 0.5 * (middle.0 + middle.1), pitch_nm: [100.0, 100.0] }
 }
 
-/// A set over that surface: `Windows::Centre` has a cross term, `Windows::Grid` none.
-pub fn build_set(basis: Basis, windows: Windows, material: Material, shadowing: bool) -> TableSet {
-    let optics = OpticsConfig {
+/// The optics of the sets.
+pub fn optics(windows: Windows, material: Material, shadowing: bool) -> OpticsConfig {
+    OpticsConfig {
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 1_500.0,
@@ -43,7 +43,15 @@ pub fn build_set(basis: Basis, windows: Windows, material: Material, shadowing: 
         windows,
         material,
         shadowing,
-    };
+    }
+}
+
+/// What the full set reflects as.
+const FULL_MATERIAL: Material = Material::Conductor { n: 0.9, k: 6.2 };
+
+/// A set over that surface: `Windows::Centre` has a cross term, `Windows::Grid` none.
+pub fn build_set(basis: Basis, windows: Windows, material: Material, shadowing: bool) -> TableSet {
+    let optics = optics(windows, material, shadowing);
     let config = TablesConfig {
         basis,
         tolerance: 1e-2,
@@ -61,12 +69,12 @@ pub fn build_set(basis: Basis, windows: Windows, material: Material, shadowing: 
 /// A set with everything: cross term, conductor, shadowing.
 pub fn full_set() -> &'static TableSet {
     static SET: OnceLock<TableSet> = OnceLock::new();
-    SET.get_or_init(|| build_set(Basis::Chebyshev, Windows::Centre, Material::Conductor { n: 0.9, k: 6.2 }, true))
+    SET.get_or_init(|| build_set(Basis::Chebyshev, Windows::Centre, FULL_MATERIAL, true))
 }
 
 /// The same surface's tables for one scene alone, lobe and cross term included.
 pub fn served_set(scene: &Scene) -> TableSet {
-    let full = full_set();
+    let optics = optics(Windows::Centre, FULL_MATERIAL, true);
     let config = TablesConfig {
         basis: Basis::Chebyshev,
         tolerance: 1e-2,
@@ -78,10 +86,10 @@ pub fn served_set(scene: &Scene) -> TableSet {
         memory_mib: 256,
     };
     let fields = [surface()];
-    let source = Source { fields: &fields, optics: &full.optics, tables: &config };
+    let source = Source { fields: &fields, optics: &optics, tables: &config };
     let domain = domain_of(&source, &[scene]).expect("the scene renders");
     let plan = plan_without(None, &source, &domain).expect("the build fits");
-    build_planned(&fields, &full.optics, &config, &plan, None, &|_| ()).expect("the set builds").0
+    build_planned(&fields, &optics, &config, &plan, None, &|_| ()).expect("the set builds").0
 }
 
 /// A sphere under a lamp and the sun.

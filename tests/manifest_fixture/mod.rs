@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use diffraction_atlas::ground::error::Result;
-use diffraction_atlas::ground::exr_image::{Precision, write_rgb};
 use diffraction_atlas::manifest::{self, Manifest};
+use diffraction_brdf::error::Result;
+use diffraction_brdf::exr_image::{Precision, write_rgb};
 use ndarray::Array3;
 
 /// A good manifest. Tables of faults count its lines.

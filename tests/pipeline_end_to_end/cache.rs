@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use diffraction_atlas::stages::atlas::TIMED_FILES;
+use diffraction_brdf::atlas::TIMED_FILES;
 use serde_json::Value;
 
 use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, WAVE, contents, usual};

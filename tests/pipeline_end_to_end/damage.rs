@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use diffraction_atlas::stages::atlas;
+use diffraction_brdf::atlas;
 
 use crate::place::{Place, contents, usual};
 

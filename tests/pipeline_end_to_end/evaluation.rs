@@ -1,6 +1,6 @@
 //! `eval`: tables and reference, directions and their faults.
 
-use diffraction_atlas::ground::direction::from_angles_deg;
+use diffraction_brdf::direction::from_angles_deg;
 use serde_json::Value;
 
 use crate::place::{HEAD, LASERS, Place, ROUGH, WAVE, usual};

@@ -4,12 +4,12 @@ use std::fs;
 use std::io::{Error as IoError, ErrorKind};
 use std::path::Path;
 
-use diffraction_atlas::ground::error::Error;
-use diffraction_atlas::height::HeightField;
 use diffraction_atlas::manifest::{self, convert::run_config};
 use diffraction_atlas::stages::pipeline::{self, Helpers};
 use diffraction_atlas::stages::progress::Silent;
 use diffraction_atlas::stages::results::{HeightMapFile, SpectrumFile, Statistics};
+use diffraction_brdf::error::Error;
+use diffraction_build::height::HeightField;
 
 use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, WAVE, contents, usual};
 
@@ -90,7 +90,7 @@ fn illustrate_until_full(
     _: &Statistics,
     folder: &Path,
     _: &str,
-) -> diffraction_atlas::ground::error::Result<(HeightMapFile, SpectrumFile)> {
+) -> diffraction_brdf::error::Result<(HeightMapFile, SpectrumFile)> {
     if folder.ends_with("wave") {
         return Err(Error::disk(&folder.join("heights.png"), "write", IoError::from(ErrorKind::StorageFull)));
     }

@@ -4,7 +4,7 @@ use std::fs;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
-use diffraction_atlas::stages::atlas;
+use diffraction_brdf::atlas;
 
 use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, WAVE, contents};
 

@@ -1,6 +1,6 @@
 //! Scenes that several specimens share.
 
-use diffraction_atlas::ground::exr_image::read_rgb;
+use diffraction_brdf::exr_image::read_rgb;
 use ndarray::Axis;
 
 use crate::place::{HEAD, LASERS, Place, ROUGH, WAVE};

@@ -1,6 +1,6 @@
 //! Animations and environments in a run: files, frames, report, inputs.
 
-use diffraction_atlas::ground::exr_image::{Precision, write_rgb};
+use diffraction_brdf::exr_image::{Precision, write_rgb};
 use ndarray::Array3;
 
 use crate::place::{HEAD, LASERS, Place, WAVE, contents};

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
-use diffraction_atlas::ground::files;
-use diffraction_atlas::height::synthesize::{Structure, synthesize};
-use diffraction_atlas::height::write::write_scan_tiff;
+use diffraction_brdf::files;
+use diffraction_build::height::synthesize::{Structure, synthesize};
+use diffraction_build::height::write::write_scan_tiff;
 use serde_json::Value;
 
 /// How a call ended.

@@ -1,7 +1,7 @@
 //! Scans from the command line: generated, looked at, and saved.
 
-use diffraction_atlas::height::read::{ReadConfig, read_scan};
-use diffraction_atlas::height::synthesize::{Structure, synthesize};
+use diffraction_build::height::read::{ReadConfig, read_scan};
+use diffraction_build::height::synthesize::{Structure, synthesize};
 use tiff::encoder::{TiffEncoder, colortype::Gray16};
 
 use crate::place::{HEAD, LASERS, Place, rough};

@@ -1,6 +1,6 @@
 //! Tables that serve scenes: what is written, what is left out, and what refuses to answer.
 
-use diffraction_atlas::ground::exr_image::read_rgb;
+use diffraction_brdf::exr_image::read_rgb;
 
 use crate::evaluation::directions;
 use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, WAVE};

@@ -1,6 +1,6 @@
 //! Optics, tables and scans other than the usual ones, each held against what it must come to.
 
-use diffraction_atlas::ground::exr_image::{check_file, read_rgb};
+use diffraction_brdf::exr_image::{check_file, read_rgb};
 use serde_json::Value;
 
 use crate::evaluation::{COLUMNS, directions, values};
@@ -168,7 +168,7 @@ fn the_published_series_agrees_where_it_can_and_refuses_where_it_cannot() {
 name = "deep"
 scans = ["deep.tif"]
 "#;
-    let wave = diffraction_atlas::height::synthesize::Structure::Sinusoid {
+    let wave = diffraction_build::height::synthesize::Structure::Sinusoid {
         period_nm: 960.0,
         amplitude_nm: 1500.0,
         direction_deg: 0.0,
@@ -183,13 +183,13 @@ scans = ["deep.tif"]
 fn a_tiled_scan_without_seams_is_the_same_wherever_it_is_cut() {
     // Averaged over all window positions, a periodic scan has no first column.
     let place = Place::with_scans();
-    let whole = diffraction_atlas::height::read::read_scan(&place.path("rough.tif"), &Default::default()).unwrap();
+    let whole = diffraction_build::height::read::read_scan(&place.path("rough.tif"), &Default::default()).unwrap();
     let mut turned = whole.field.clone();
     let (rows, columns) = turned.heights_nm.dim();
     turned.heights_nm = ndarray::Array2::from_shape_fn((rows, columns), |(r, c)| {
         whole.field.heights_nm[[(r + 9) % rows, (c + 31) % columns]]
     });
-    diffraction_atlas::height::write::write_scan_tiff(&place.path("turned.tif"), &turned).unwrap();
+    diffraction_build::height::write::write_scan_tiff(&place.path("turned.tif"), &turned).unwrap();
     place.write("d.csv", &directions(20));
     let specimen =
         |name: &str| format!("[[specimen]]\nname = \"{name}\"\nscans = [\"{name}.tif\"]\nlevel = \"none\"\n");

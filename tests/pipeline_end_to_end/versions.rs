@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use diffraction_atlas::stages::atlas::{self, TIMED_FILES};
+use diffraction_brdf::atlas::{self, TIMED_FILES};
 
 use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, contents, usual};
 

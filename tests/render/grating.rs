@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use diffraction_atlas::ground::direction::{Vec3, Xyz, geometry_factor, wave_vector_change};
+use diffraction_brdf::direction::{Vec3, Xyz, geometry_factor, wave_vector_change};
 
 /// A sinusoid of amplitude `amplitude_nm` along x whose orders are Gaussian spots in (u, v).
 pub struct Grating {

@@ -4,10 +4,8 @@ use std::f64::consts::{FRAC_1_PI, PI, TAU};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use diffraction_atlas::ground::colour::to_srgb8;
-use diffraction_atlas::ground::direction::{Vec3, Xyz, dot, normalise};
-use diffraction_atlas::ground::png_image::write_png;
 use diffraction_atlas::render::cpu::render;
+use diffraction_atlas::render::png_image::write_png;
 use diffraction_atlas::scene::animation::{Axis, Turn, turned};
 use diffraction_atlas::scene::camera::{Camera, Field};
 use diffraction_atlas::scene::mesh::{MeshShape, Model, share};
@@ -15,6 +13,8 @@ use diffraction_atlas::scene::model::{Scene, Shape};
 use diffraction_atlas::scene::samples::{ShadingSamples, pixel_centre, pixel_range, samples};
 use diffraction_atlas::scene::sphere;
 use diffraction_atlas::scene::tangents::{RawMesh, build};
+use diffraction_brdf::direction::{Vec3, Xyz, dot, normalise};
+use diffraction_build::ground::colour::to_srgb8;
 use ndarray::Array3;
 
 use super::scene;

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use crate::cli::output::{self, Outcome};
-use crate::ground::error::Result;
 use crate::manifest;
 use crate::stages::cache;
+use diffraction_brdf::error::Result;
 
 /// Arguments of `cache`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]

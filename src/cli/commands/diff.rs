@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
-use crate::ground::error::Result;
 use crate::stages::diff::diff;
+use diffraction_brdf::error::Result;
 
 /// Arguments of `diff`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]

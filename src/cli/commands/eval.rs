@@ -7,15 +7,16 @@ use rayon::prelude::*;
 use crate::cli::Global;
 use crate::cli::directions;
 use crate::cli::output::{self, Outcome};
-use crate::ground::direction::{Vec3, Xyz};
-use crate::ground::error::{Error, Result};
-use crate::ground::files;
 use crate::manifest::{self, convert::specimen_config};
-use crate::optics::reference;
 use crate::stages::ingest::ingest;
-use crate::stages::{atlas, specimen};
-use crate::tables::evaluate::{Interpolation, brdf_xyz, serves};
-use crate::tables::plan::usable_radius;
+use crate::stages::specimen;
+use diffraction_brdf::atlas;
+use diffraction_brdf::direction::{Vec3, Xyz};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, serves};
+use diffraction_brdf::files;
+use diffraction_build::optics::reference;
+use diffraction_build::tables::plan::usable_radius;
 
 /// Arguments of `eval`.
 #[derive(Debug, Clone, PartialEq, clap::Args)]

@@ -4,13 +4,15 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
-use crate::ground::error::{Error, Result};
-use crate::ground::files;
 use crate::stages::shader_data::write_shader_data;
 use crate::stages::shader_export::{README, ShaderLanguage, shader};
-use crate::stages::{atlas, specimen};
-use crate::tables::model::Storage;
-use crate::tables::storage::write_tables;
+use crate::stages::specimen;
+use diffraction_brdf::atlas;
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::files;
+use diffraction_brdf::storage::write_tables;
+use diffraction_build::optics::pigment::Surface;
+use diffraction_build::tables::model::Storage;
 
 /// Arguments of `export`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
@@ -57,7 +59,10 @@ pub fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
         fresh_folder(&to)?;
         match args.form {
             Form::FloatTables => export_float(from, &to)?,
-            Form::Shaders => write_shader_data(&to, &specimen::load(from)?.1)?,
+            Form::Shaders => {
+                let (file, tables) = specimen::load(from)?;
+                write_shader_data(&to, Surface { tables: &tables, pigment: file.pigment.as_ref() })?;
+            }
         }
     }
     output::print(&format!("exported {} to {}\n", specimens.len(), args.out.display()))?;

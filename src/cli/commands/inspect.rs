@@ -7,13 +7,14 @@ use serde::Serialize;
 use crate::cli::Global;
 use crate::cli::lengths::PitchNm;
 use crate::cli::output::{self, Outcome};
-use crate::ground::error::Result;
-use crate::height::prepare::{Level, PrepareConfig, prepare};
-use crate::height::read::{CallerWords, HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
-use crate::height::statistics::{Statistics, seam_warning, statistics};
-use crate::height::write::write_scan_tiff;
-use crate::stages::{atlas, specimen};
-use crate::tables::model::{Basis, Storage};
+use crate::stages::specimen;
+use diffraction_brdf::atlas;
+use diffraction_brdf::error::Result;
+use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
+use diffraction_build::height::read::{CallerWords, HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
+use diffraction_build::height::statistics::{Statistics, seam_warning, statistics};
+use diffraction_build::height::write::write_scan_tiff;
+use diffraction_build::tables::model::{Basis, Storage};
 
 /// Arguments of `inspect`.
 #[derive(Debug, Clone, PartialEq, clap::Args)]

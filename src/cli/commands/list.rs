@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
-use crate::ground::error::{Error, Result};
+use diffraction_brdf::error::{Error, Result};
 
 /// Arguments of `list`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]

@@ -6,7 +6,6 @@ use serde::Serialize;
 
 use crate::cli::Global;
 use crate::cli::output::{self, Outcome, bytes_in_words};
-use crate::ground::error::Result;
 use crate::manifest::{self, convert::run_config};
 use crate::scene::model::Scene;
 use crate::scene::samples::ShadingSamples;
@@ -16,9 +15,10 @@ use crate::stages::ingest::ingest;
 use crate::stages::measured;
 use crate::stages::scenes::reference_samples;
 use crate::stages::serve::{self, Budget, Cost, Source};
-use crate::tables::build;
-use crate::tables::forecast::{Forecast, forecast_of};
-use crate::tables::model::Storage;
+use diffraction_brdf::error::Result;
+use diffraction_build::tables::build;
+use diffraction_build::tables::forecast::{Forecast, forecast_of};
+use diffraction_build::tables::model::Storage;
 
 /// Arguments of `plan`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]

@@ -6,15 +6,15 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
-use crate::ground::error::Result;
-use crate::ground::png_image::write_png;
-use crate::height::HeightField;
 use crate::manifest::{self, convert::run_config};
+use crate::render::png_image::write_png;
 use crate::report::{self, pictures};
 use crate::stages::config::RunConfig;
 use crate::stages::pipeline::{self, Helpers};
 use crate::stages::publish::Published;
 use crate::stages::results::{Failure, HeightMapFile, SpectrumFile, Statistics};
+use diffraction_brdf::error::Result;
+use diffraction_build::height::HeightField;
 
 /// Arguments of `run`; those of the program called without a command are the defaults.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]

@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
-use crate::ground::error::Result;
 use crate::manifest::{self, convert::run_config, convert::specimen_config};
 use crate::report::study_page::{PAGE, write_study};
 use crate::scene::model::Scene;
 use crate::stages::ingest::ingest;
 use crate::stages::stability::{StabilityCase, Verdict, run_stability};
 use crate::stages::study::{StudyConfig, StudySpecimen, run_study};
+use diffraction_brdf::error::Result;
 
 /// Arguments of `study`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
@@ -38,7 +38,7 @@ pub struct StudyArgs {
 pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
     if let Some(unknown) = args.specimen.iter().find(|name| manifest.specimens.iter().all(|s| s.name != **name)) {
-        return Err(crate::ground::error::Error::Call(format!(
+        return Err(diffraction_brdf::error::Error::Call(format!(
             "{}: no specimen is called `{unknown}`",
             args.manifest.display()
         )));

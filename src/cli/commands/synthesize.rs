@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use crate::cli::Global;
 use crate::cli::lengths::{PitchNm, SizePx, finite, positive, share};
 use crate::cli::output::{self, Outcome};
-use crate::ground::error::Result;
-use crate::height::HeightField;
-use crate::height::synthesize::{Structure, synthesize};
-use crate::height::write::write_scan_tiff;
+use diffraction_brdf::error::Result;
+use diffraction_build::height::HeightField;
+use diffraction_build::height::synthesize::{Structure, synthesize};
+use diffraction_build::height::write::write_scan_tiff;
 
 /// Arguments of `synthesize`.
 #[derive(Debug, Clone, PartialEq, clap::Args)]

@@ -6,25 +6,27 @@ use serde::Serialize;
 
 use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
-use crate::ground::error::{Error, Result};
-use crate::ground::sampling::{self, Region};
-use crate::ground::{files, metrics};
-use crate::height::read::Provenance;
 use crate::manifest::convert::{run_config, specimen_config};
 use crate::manifest::{self, Manifest};
-use crate::optics::spectral;
 use crate::scene::model::Scene;
 use crate::scene::samples::samples;
-use crate::stages::atlas::{self, AtlasIndex};
 use crate::stages::error_directions::{Candidates, DRAWN, ErrorDirections};
 use crate::stages::ingest::ingest;
 use crate::stages::results::ErrorRow;
 use crate::stages::serve;
-use crate::stages::specimen::{self, CheckValue, SpecimenFile};
+use crate::stages::specimen::{self, SpecimenFile};
 use crate::stages::verify::{self, VerifyReport};
-use crate::tables::build;
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::{TableSet, TablesConfig};
+use diffraction_brdf::atlas::{self, AtlasIndex};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::files;
+use diffraction_brdf::specimen::CheckValue;
+use diffraction_build::ground::metrics;
+use diffraction_build::ground::sampling::{self, Region};
+use diffraction_build::height::read::Provenance;
+use diffraction_build::optics::spectral;
+use diffraction_build::tables::build;
+use diffraction_build::tables::model::{TableSet, TablesConfig};
 
 /// Arguments of `verify`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]

@@ -5,10 +5,10 @@ use std::path::Path;
 use super::gltf_arrays::{Source, buffers, indices, vectors};
 use super::gltf_document::{Document, Node, Primitive};
 use super::{COORDINATE_MAX, Growing, NO_MATERIAL, Reading, bad, usable};
-use crate::ground::direction::{Vec3, dot};
-use crate::ground::error::Result;
 use crate::scene::frame::{add_scaled, cross};
 use crate::scene::tangents::RawMesh;
+use diffraction_brdf::direction::{Vec3, dot};
+use diffraction_brdf::error::Result;
 
 /// Deepest tree of nodes.
 const DEPTH_MAX: usize = 128;

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use super::gltf_document::{Accessor, Document};
 use super::{COORDINATE_MAX, Reading, TRIANGLES_MAX, bad, too_many, usable};
-use crate::ground::error::Result;
-use crate::ground::files;
+use diffraction_brdf::error::Result;
+use diffraction_brdf::files;
 
 /// Most elements of one array: three indices for every triangle.
 const ELEMENTS_MAX: usize = 3 * TRIANGLES_MAX;

@@ -4,9 +4,9 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use super::{COORDINATE_MAX, Growing, NO_MATERIAL, TRIANGLES_MAX, bad, too_many, usable};
-use crate::ground::direction::{Vec3, dot};
-use crate::ground::error::{Error, Result};
 use crate::scene::tangents::RawMesh;
+use diffraction_brdf::direction::{Vec3, dot};
+use diffraction_brdf::error::{Error, Result};
 
 /// What a file has listed so far.
 #[derive(Default)]

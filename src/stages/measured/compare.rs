@@ -6,7 +6,7 @@ use super::figures::{CurveResult, MeasuredColumn, MeasuredResult, PeakPair};
 use super::model::Modelled;
 use super::peaks;
 use super::read::{Column, Kind, Measurement};
-use crate::ground::metrics::relative_l2;
+use diffraction_build::ground::metrics::relative_l2;
 
 /// Fewest samples that make a curve.
 const CURVE_MIN: usize = 5;

@@ -5,16 +5,15 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 use rayon::prelude::*;
 
 use super::read::Measurement;
-use crate::ground::direction::{Vec3, from_angles_deg, wave_vector_change};
-use crate::ground::error::{Error, Result};
-use crate::height::HeightField;
-use crate::optics::config::OpticsConfig;
-use crate::optics::lines::{Buffers, Part, Point};
-use crate::optics::reference::prefactor;
-use crate::optics::spectra::{self, Spectra, SpectraConfig};
-use crate::optics::window::placements;
 use crate::scene::light::{direction_to, sunflower};
 use crate::scene::model::Light;
+use diffraction_brdf::direction::{Vec3, from_angles_deg, wave_vector_change};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::lines::{Buffers, Part, Point};
+use diffraction_build::optics::spectra::{self, Spectra, SpectraConfig};
+use diffraction_build::optics::window::placements;
 
 /// Amplitude error of the interpolation in depth, relative to the window's whole: weak orders keep their
 /// digits.
@@ -98,7 +97,7 @@ fn scatter(spectra: &Spectra, optics: &OpticsConfig, row: &RowSamples) -> f64 {
     let mut buffers = Buffers::default();
     let mut sum = 0.0;
     for &wo in &row.wo {
-        let front = prefactor(optics, row.wi, wo) * wo[2];
+        let front = optics.front_factor().value(row.wi, wo) * wo[2];
         if front == 0.0 {
             continue;
         }

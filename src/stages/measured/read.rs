@@ -5,9 +5,9 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::MeasuredConfig;
-use crate::ground::csv::{self, Cell};
-use crate::ground::error::{Error, Result};
-use crate::ground::files;
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::files;
+use diffraction_build::ground::csv::{self, Cell};
 
 /// Largest file that is read.
 const BYTES_MAX: u64 = 64 << 20;

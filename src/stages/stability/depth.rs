@@ -9,11 +9,11 @@ use super::series;
 use super::support::{
     BOUND, Comparison, HALF_AS_MANY, TOLERANCE, case, config, laser, on_texels, optics, refused, relief, scaled, tables,
 };
-use crate::ground::chebyshev::{Interpolant, nodes_for_exponential};
-use crate::tables::forecast;
-use crate::tables::model::{Basis, TablesConfig};
-use crate::tables::plan::nodes_bound;
-use crate::tables::taylor;
+use diffraction_brdf::chebyshev::{Interpolant, nodes_for_exponential};
+use diffraction_build::tables::forecast;
+use diffraction_build::tables::model::{Basis, TablesConfig};
+use diffraction_build::tables::plan::nodes_bound;
+use diffraction_build::tables::taylor;
 
 /// Peak-to-valley depths in nm.
 const DEPTHS_NM: [f64; 7] = [1.0, 100.0, 375.0, 1_500.0, 3_000.0, 6_000.0, 20_000.0];
@@ -60,7 +60,7 @@ fn depth(depth_nm: f64) -> (DepthRow, StabilityCase) {
     let none = f64::INFINITY;
     let row = DepthRow { depth_nm, tables: 0, transforms, error: none, four_tables: none, half: none };
     let Ok(set) = tables(&field, &optics, &config(Basis::Chebyshev)) else { return (row, refused(&name)) };
-    let found = Comparison::new(&set, &field, on_texels(&set, [0.05, 1.0]));
+    let found = Comparison::new(&set, &field, &optics, on_texels(&set, [0.05, 1.0]));
     let (error, four_tables, half) = (found.error(), found.with_tables(4), found.half());
     let row = DepthRow { tables: set.tables.len(), error, four_tables, half, ..row };
     let note = format!("{} tables; 95 % error of Y, tolerance {TOLERANCE} each for basis and wavelengths", row.tables);

@@ -6,14 +6,14 @@ use super::StabilityCase;
 use super::support::{
     BOUND, Comparison, HALF_AS_MANY, Pair, case, config, on_texels, optics, pair_of, refused, relief, tables,
 };
-use crate::ground::direction::{Vec3, from_angles_deg, geometry_factor, wave_vector_change};
-use crate::ground::sampling::{Region, direction_pairs};
-use crate::height::HeightField;
-use crate::optics::config::{Material, OpticsConfig};
-use crate::optics::fresnel::reflectance;
-use crate::optics::reference::prefactor;
-use crate::tables::evaluate::{Interpolation, brdf_xyz, lobe_window_power, window_power};
-use crate::tables::model::{Basis, TableSet};
+use diffraction_brdf::direction::{Vec3, from_angles_deg, geometry_factor, wave_vector_change};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, lobe_window_power, window_power};
+use diffraction_brdf::front_factor::FrontFactor;
+use diffraction_brdf::material::reflectance;
+use diffraction_build::ground::sampling::{Region, direction_pairs};
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::Material;
+use diffraction_build::tables::model::{Basis, TableSet};
 
 /// Shares of the reach in `w`: both directions from 60° to 89.99°.
 const T: [f64; 8] = [0.5, 0.2, 0.1, 3e-2, 1e-2, 3e-3, 1e-3, 1.7e-4];
@@ -62,7 +62,7 @@ fn outside(set: &TableSet, t: f64) -> Vec<Pair> {
 
 /// `w` towards 0: the diffuse part is stored divided by `w²`, so nothing of it is divided by a small number.
 fn grazing(set: &TableSet, field: &HeightField, t: f64) -> (GrazingRow, StabilityCase) {
-    let found = Comparison::new(set, field, outside(set, t));
+    let found = Comparison::new(set, field, &optics(800.0), outside(set, t));
     let row = GrazingRow { t, divided: found.error(), whole: found.whole(2) };
     let note = "95 % error of Y on texels, basis and wavelengths each within the tolerance";
     let kept = case(&format!("w towards 0, t = {t}"), note, row.divided, BOUND).half(found.half());
@@ -85,7 +85,7 @@ fn normal(set: &TableSet, field: &HeightField) -> StabilityCase {
         .filter(|[x, y]| (inner..0.99).contains(&x.hypot(*y)))
         .map(|[x, y]| ([0.0, 0.0, 1.0], [x, y, (1.0 - x * x - y * y).sqrt()]))
         .collect();
-    let found = Comparison::new(set, field, pairs);
+    let found = Comparison::new(set, field, &optics(800.0), pairs);
     case("normal incidence", "95 % error of Y, viewer on texels", found.error(), BOUND)
         .guarded("the sign of (u, v)", found.misread(&|[u, v, w]| [-u, -v, w]))
 }
@@ -95,7 +95,7 @@ fn normal(set: &TableSet, field: &HeightField) -> StabilityCase {
 /// no polynomial holds.
 fn lobe(set: &TableSet, field: &HeightField) -> StabilityCase {
     let pairs: Vec<Pair> = [2.0, 1.9, 1.4, 0.7, 0.2, 0.02].map(|w| pair_of(0.0, 0.0, w)).to_vec();
-    let found = Comparison::new(set, field, pairs);
+    let found = Comparison::new(set, field, &optics(800.0), pairs);
     case("exact mirror direction", "95 % error of Y, 0° to 89.4°", found.error(), BOUND)
         .guarded("a table of its own for the lobe; polynomials", found.whole(0))
 }
@@ -106,14 +106,14 @@ fn lobe_between_texels(set: &TableSet, field: &HeightField) -> StabilityCase {
     let texel = 4.0 / (set.size() - 1) as f64;
     let pairs: Vec<Pair> =
         [0.25, 0.5].iter().flat_map(|&s| [2.0, 1.5, 1.0].map(|w| pair_of(s * texel, 0.0, w))).collect();
-    let found = Comparison::new(set, field, pairs);
+    let found = Comparison::new(set, field, &optics(800.0), pairs);
     let on_grid = found.error_of(&|wi, wo| {
         let [u, _, w] = wave_vector_change(wi, wo);
         let [left, right] = [0.0, -texel].map(|u| lobe_window_power(set, Interpolation::Cubic, [u, 0.0, w])[1]);
         let share = u.abs() / texel;
         let rest = window_power(set, Interpolation::Cubic, [u, 0.0, w])[1]
             - lobe_window_power(set, Interpolation::Cubic, [u, 0.0, w])[1];
-        prefactor(&set.optics, wi, wo) * (rest + (1.0 - share) * left + share * right)
+        set.front_factor.value(wi, wo) * (rest + (1.0 - share) * left + share * right)
     });
     // The lobe carries the light there; what the tables add between their own texels is a few per cent of it.
     case("mirror lobe between texels", "95 % error of Y", found.error(), 5.0 * BOUND)
@@ -127,12 +127,12 @@ fn grazing_mirror(set: &TableSet, field: &HeightField) -> StabilityCase {
     let pairs: Vec<Pair> =
         [85.0, 88.0, 89.9].map(|theta| (from_angles_deg(theta, 20.0), from_angles_deg(theta, 200.0))).to_vec();
     let steps = set.lobe.as_ref().map_or(1, |lobe| lobe.coherent.dim().0 - 1) as f64;
-    let found = Comparison::new(set, field, pairs);
+    let found = Comparison::new(set, field, &optics(800.0), pairs);
     let of_quotients = found.error_of(&|wi, wo| {
         let at = 0.5 * wave_vector_change(wi, wo)[2].abs() * steps;
         let row = |row: f64| lobe_window_power(set, Interpolation::Bilinear, [0.0, 0.0, 2.0 * row / steps])[1];
         let share = at - at.floor();
-        prefactor(&set.optics, wi, wo) * ((1.0 - share) * row(at.floor()) + share * row(at.floor() + 1.0))
+        set.front_factor.value(wi, wo) * ((1.0 - share) * row(at.floor()) + share * row(at.floor() + 1.0))
     });
     case("grazing mirror, 85 to 89.9 degrees", "95 % error of Y", found.error(), BOUND)
         .guarded("division by w² after the look-up", of_quotients)
@@ -158,7 +158,7 @@ fn below(set: &TableSet) -> StabilityCase {
 /// between them, which is theirs in common; at the light's own angle of incidence it is not.
 fn reciprocity(set: &TableSet) -> StabilityCase {
     let material = Material::Dielectric { n: 1.56 };
-    let set = &TableSet { optics: OpticsConfig { material, ..set.optics.clone() }, ..set.clone() };
+    let set = &TableSet { front_factor: FrontFactor { material, ..set.front_factor }, ..set.clone() };
     let pairs = direction_pairs(Region::Hemisphere, 60);
     let worst = |value: &dyn Fn(Vec3, Vec3) -> f64| {
         let differences = pairs.iter().map(|&(wi, wo)| {
@@ -180,7 +180,7 @@ fn reciprocity(set: &TableSet) -> StabilityCase {
 /// Light returned to its source, up to 80°: on texels, as `q = -2 wi` for `t = 1`, beyond the last node. Guard: as many
 /// tables as the depth asks for; two only, and the end of their range is a guess.
 fn retro(set: &TableSet, field: &HeightField) -> StabilityCase {
-    let found = Comparison::new(set, field, on_texels(set, [1.0, 1.0]));
+    let found = Comparison::new(set, field, &optics(800.0), on_texels(set, [1.0, 1.0]));
     case("exact retro-reflection", "95 % error of Y, t = 1 on texels", found.error(), BOUND)
         .guarded("as many tables as the depth asks for; two", found.with_tables(2))
 }

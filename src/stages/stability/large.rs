@@ -7,8 +7,8 @@ use rustfft::num_complex::Complex;
 
 use super::StabilityCase;
 use super::support::{BOUND, Comparison, case, config, laser, on_row, on_texels, refused, relief, tables};
-use crate::height::HeightField;
-use crate::tables::model::{Basis, TablesConfig};
+use diffraction_build::height::HeightField;
+use diffraction_build::tables::model::{Basis, TablesConfig};
 
 /// Wavelength of the laser in nm.
 const GREEN_NM: f64 = 532.0;
@@ -34,7 +34,7 @@ pub fn scan_of_8192() -> StabilityCase {
         return refused(name);
     };
     drop(field);
-    let found = Comparison::new(&set, &row, on_row(&set, [0.1, 1.0]));
+    let found = Comparison::new(&set, &row, &laser(GREEN_NM, 1_500.0), on_row(&set, [0.1, 1.0]));
     case(name, "95 % error of Y on the row of texels that has light", found.error(), BOUND)
         .guarded("sums of rows in doubles; one float, mirror direction", float_sum(&row))
 }
@@ -62,6 +62,6 @@ pub fn table_of_4001() -> StabilityCase {
     let Ok(set) = tables(&field, &laser(GREEN_NM, 800.0), &config) else {
         return refused(name);
     };
-    let found = Comparison::new(&set, &field, on_texels(&set, [0.05, 1.0]));
+    let found = Comparison::new(&set, &field, &laser(GREEN_NM, 800.0), on_texels(&set, [0.05, 1.0]));
     case(name, "95 % error of Y on texels", found.error(), BOUND).guarded("tables of the power over w²", found.whole(2))
 }

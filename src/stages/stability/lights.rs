@@ -2,10 +2,10 @@
 
 use super::StabilityCase;
 use super::support::{TakenOut, compared, config, laser, optics, relief};
-use crate::ground::spectrum::Illuminant;
-use crate::height::HeightField;
-use crate::optics::config::OpticsConfig;
-use crate::tables::model::{Basis, TablesConfig};
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::tables::model::{Basis, TablesConfig};
 
 /// Wavelength step in nm of published tables.
 const PUBLISHED_STEP_NM: f64 = 5.0;

@@ -7,12 +7,12 @@ use rustfft::num_complex::Complex;
 use serde::{Deserialize, Serialize};
 
 use super::support::{WAVE_SIGMA_NM, relief};
-use crate::ground::metrics::relative_error_quantiles;
-use crate::height::HeightField;
-use crate::optics::powers::{PowersConfig, transform_powers};
-use crate::optics::spectra::bandwidth_nm;
-use crate::optics::window::Placement;
-use crate::tables::taylor::forecast;
+use diffraction_build::ground::metrics::relative_error_quantiles;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::powers::{PowersConfig, transform_powers};
+use diffraction_build::optics::spectra::bandwidth_nm;
+use diffraction_build::optics::window::Placement;
+use diffraction_build::tables::taylor::forecast;
 
 /// Peak-to-valley depths in nm.
 const DEPTHS_NM: [f64; 12] =

@@ -9,15 +9,15 @@ use super::support::{
     BOUND, Comparison, HALF_AS_MANY, TakenOut, case, compared, config, laser, on_row, optics, pair_of, refused, relief,
     scaled, tables,
 };
-use crate::ground::direction::{from_angles_deg, wave_vector_change};
-use crate::height::HeightField;
-use crate::optics::kernel::Kernel;
-use crate::optics::reference;
-use crate::optics::spectra::bandwidth_nm;
-use crate::tables::build::grid;
-use crate::tables::evaluate::{Interpolation, window_power};
-use crate::tables::model::{Basis, TableSet, TablesConfig};
-use crate::tables::plan::lobe_width;
+use diffraction_brdf::direction::{from_angles_deg, wave_vector_change};
+use diffraction_brdf::evaluate::{Interpolation, window_power};
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::kernel::Kernel;
+use diffraction_build::optics::reference;
+use diffraction_build::optics::spectra::bandwidth_nm;
+use diffraction_build::tables::build::grid;
+use diffraction_build::tables::model::{Basis, TableSet, TablesConfig};
+use diffraction_build::tables::plan::lobe_width;
 
 pub fn cases() -> Vec<StabilityCase> {
     let single =
@@ -82,7 +82,7 @@ fn stretched(field: &HeightField) -> HeightField {
 fn pitches() -> Vec<StabilityCase> {
     let pitched = |name: &str, field: &HeightField, optics| {
         let other = stretched(field);
-        let without = |found: &Comparison| found.other(&other, &found.set.optics, &config(Basis::Chebyshev));
+        let without = |found: &Comparison| found.other(&other, &found.optics, &config(Basis::Chebyshev));
         compared(name, field, optics, TakenOut { what: PITCH, without: &without })
     };
     let row = relief([4_096, 1], [1.0, 4_096.0], 100.0);
@@ -187,7 +187,7 @@ fn flat() -> StabilityCase {
     let field = HeightField { heights_nm: Array2::zeros((16, 1)), pitch_nm: [125.0, 400.0] };
     let Ok(set) = tables(&field, &optics(800.0), &config(Basis::Chebyshev)) else { return refused(name) };
     let diffuse: f32 = set.tables.iter().flat_map(|t| t.iter()).map(|v| v.abs()).sum();
-    let mirror = Comparison::new(&set, &field, [2.0, 1.5, 1.0].map(|w| pair_of(0.0, 0.0, w)).to_vec());
+    let mirror = Comparison::new(&set, &field, &optics(800.0), [2.0, 1.5, 1.0].map(|w| pair_of(0.0, 0.0, w)).to_vec());
     let note = "diffuse part (exactly 0) and error of the lobe's peak";
     case(name, note, f64::from(diffuse) + mirror.error(), BOUND)
         .guarded("the mean phasor apart; polynomials through its lobe", mirror.whole(0))
@@ -206,14 +206,14 @@ fn line() -> StabilityCase {
     on_one_row("a relief of N x 1 samples", &field, "one line along an axis of one sample; its aliases", &|found| {
         found.error_of(&|wi, wo| {
             let power = window_power(found.set, Interpolation::Cubic, wave_vector_change(wi, wo))[1];
-            reference::prefactor(&found.set.optics, wi, wo) * power * repeated
+            found.set.front_factor.value(wi, wo) * power * repeated
         })
     })
 }
 
 fn on_one_row(name: &str, field: &HeightField, guard: &str, without: &dyn Fn(&Comparison) -> f64) -> StabilityCase {
     let Ok(set) = tables(field, &optics(ROW_SIGMA_NM), &config(Basis::Chebyshev)) else { return refused(name) };
-    let found = Comparison::new(&set, field, on_row(&set, [0.1, 1.0]));
+    let found = Comparison::new(&set, field, &optics(ROW_SIGMA_NM), on_row(&set, [0.1, 1.0]));
     let note = "95 % error of Y on the row of texels that has light";
     case(name, note, found.error(), BOUND).guarded(guard, without(&found))
 }
@@ -243,7 +243,7 @@ fn smallest_table() -> StabilityCase {
     let Ok(set) = tables(&relief([32, 32], [125.0; 2], 200.0), &optics(800.0), &config) else { return refused(name) };
     let texels = set.tables.iter().flat_map(|table| table.lanes(ndarray::Axis(2)).into_iter().collect::<Vec<_>>());
     let not_finite = texels.filter(|xyz| xyz.iter().any(|value| !value.is_finite())).count();
-    let grid = grid(&set.optics, &config);
+    let grid = grid(&optics(800.0), &config);
     let reaches = (0..9).map(|index| (4.0 - grid.u(index % 3).powi(2) - grid.v(index / 3).powi(2)).sqrt());
     case(name, "texels that are no number", not_finite as f64, 0.0)
         .guarded("the reach of w ends at 0", reaches.filter(|reach| reach.is_nan()).count() as f64)

@@ -3,8 +3,8 @@
 use super::StabilityCase;
 use super::support::{case, config, on_texels, optics, pair_of, refused, relief, tables};
 use crate::stages::study::stored;
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::{Basis, Storage, TableSet};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_build::tables::model::{Basis, Storage, TableSet};
 
 /// Threads of the second build, and parts of the sum that has no fixed order.
 const THREADS: usize = 3;

@@ -3,22 +3,22 @@
 use ndarray::Array2;
 
 use super::{Guard, StabilityCase};
-use crate::ground::chebyshev::{gauss_nodes, interpolation_weights, shifted_values};
-use crate::ground::direction::{Vec3, wave_vector_change};
-use crate::ground::error::Result;
-use crate::ground::metrics::relative_error_quantiles;
-use crate::ground::sampling::four;
-use crate::ground::spectrum::{Illuminant, Line};
-use crate::height::HeightField;
-use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
-use crate::optics::reference::{brdf_xyz_batch, prefactor};
 pub use crate::stages::study::pair_of;
 use crate::stages::study::stored;
-use crate::tables::build::build;
-use crate::tables::evaluate::{Interpolation, brdf_xyz, window_power};
-use crate::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
-use crate::tables::plan::w_reach;
-use crate::tables::storage::half_scale;
+use diffraction_brdf::chebyshev::{gauss_nodes, interpolation_weights, shifted_values};
+use diffraction_brdf::direction::max_abs_w;
+use diffraction_brdf::direction::{Vec3, wave_vector_change};
+use diffraction_brdf::error::Result;
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, window_power};
+use diffraction_brdf::storage::half_scale;
+use diffraction_build::ground::metrics::relative_error_quantiles;
+use diffraction_build::ground::sampling::four;
+use diffraction_build::ground::spectrum::{Illuminant, Line};
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::reference::brdf_xyz_batch;
+use diffraction_build::tables::build::build;
+use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 
 /// Tolerance of every build of the suite.
 pub const TOLERANCE: f64 = 1e-2;
@@ -129,16 +129,17 @@ pub fn on_row(set: &TableSet, t_range: [f64; 2]) -> Vec<Pair> {
 pub struct Comparison<'a> {
     pub set: &'a TableSet,
     pub field: &'a HeightField,
+    pub optics: OpticsConfig,
     pub pairs: Vec<Pair>,
     /// Y of the direct sum; not a number where it cannot be summed.
     exact: Vec<f64>,
 }
 
 impl<'a> Comparison<'a> {
-    pub fn new(set: &'a TableSet, field: &'a HeightField, pairs: Vec<Pair>) -> Self {
-        let reference = brdf_xyz_batch(std::slice::from_ref(field), &set.optics, &pairs);
+    pub fn new(set: &'a TableSet, field: &'a HeightField, optics: &OpticsConfig, pairs: Vec<Pair>) -> Self {
+        let reference = brdf_xyz_batch(std::slice::from_ref(field), optics, &pairs);
         let exact = reference.map_or(vec![f64::NAN; pairs.len()], |xyz| xyz.iter().map(|xyz| xyz[1]).collect());
-        Self { set, field, pairs, exact }
+        Self { set, field, optics: optics.clone(), pairs, exact }
     }
 
     /// 95th percentile of the relative error of Y above 1 % of the mean. NaN anywhere makes it NaN; nothing to
@@ -163,7 +164,7 @@ impl<'a> Comparison<'a> {
     pub fn misread(&self, elsewhere: &dyn Fn(Vec3) -> Vec3) -> f64 {
         self.error_of(&|wi, wo| {
             let q = elsewhere(wave_vector_change(wi, wo));
-            prefactor(&self.set.optics, wi, wo) * window_power(self.set, Interpolation::Cubic, q)[1]
+            self.set.front_factor.value(wi, wo) * window_power(self.set, Interpolation::Cubic, q)[1]
         })
     }
 
@@ -174,13 +175,13 @@ impl<'a> Comparison<'a> {
         let nodes = gauss_nodes(count, 0.0, 1.0);
         self.error_of(&|wi, wo| {
             let [u, v, w] = wave_vector_change(wi, wo);
-            let reach = w_reach(u.hypot(v));
+            let reach = max_abs_w(u.hypot(v));
             let weights = interpolation_weights(count, 0.0, 1.0, (w.abs() / reach).min(1.0));
             let terms = nodes.iter().zip(&weights).map(|(t, weight)| {
                 let w = t * reach;
                 weight * w.powi(power) * window_power(self.set, Interpolation::Cubic, [u, v, w])[1]
             });
-            prefactor(&self.set.optics, wi, wo) * terms.sum::<f64>() / w.abs().powi(power)
+            self.set.front_factor.value(wi, wo) * terms.sum::<f64>() / w.abs().powi(power)
         })
     }
 
@@ -194,7 +195,7 @@ impl<'a> Comparison<'a> {
 
     /// [`Self::error`] with this many tables.
     pub fn with_tables(&self, count: usize) -> f64 {
-        self.other(self.field, &self.set.optics, &TablesConfig { count: Some(count), ..config(Basis::Chebyshev) })
+        self.other(self.field, &self.optics, &TablesConfig { count: Some(count), ..config(Basis::Chebyshev) })
     }
 
     /// [`Self::error`] with half as many tables.
@@ -222,13 +223,13 @@ fn half_share(set: &TableSet, pairs: &[Pair]) -> f64 {
     let share = |&(wi, wo): &Pair| {
         let q = wave_vector_change(wi, wo);
         let [row, column] = [(2.0 - q[1]) / 4.0 * last, (q[0] + 2.0) / 4.0 * last].map(|x| x.round() as usize);
-        let t = (q[2].abs() / w_reach(q[0].hypot(q[1])).max(f64::MIN_POSITIVE)).min(1.0);
+        let t = (q[2].abs() / max_abs_w(q[0].hypot(q[1])).max(f64::MIN_POSITIVE)).min(1.0);
         let basis = shifted_values(set.tables.len(), t);
         let moved = set.tables.iter().zip(&scales).zip(&basis).map(|((table, scale), basis)| {
             basis.abs() * (2f64.powi(-11) * f64::from(table[[row, column, 1]].abs()) + 2f64.powi(-25) * scale)
         });
         // The texel's position is found to 2^-50; a neighbour enters with that weight.
-        let allowed = prefactor(&set.optics, wi, wo) * moved.sum::<f64>() * (1.0 + 1e-6);
+        let allowed = set.front_factor.value(wi, wo) * moved.sum::<f64>() * (1.0 + 1e-6);
         let [exact, found] = [set, &halves].map(|set| brdf_xyz(set, Interpolation::Cubic, wi, wo)[1]);
         let off = (found - exact).abs();
         if off.is_nan() {
@@ -251,7 +252,7 @@ pub struct TakenOut<'a> {
 /// A case that builds tables and compares them on texels; a refusal counts as broken.
 pub fn compared(name: &str, field: &HeightField, optics: &OpticsConfig, taken_out: TakenOut) -> StabilityCase {
     let Ok(set) = tables(field, optics, &config(Basis::Chebyshev)) else { return refused(name) };
-    let found = Comparison::new(&set, field, on_texels(&set, [0.05, 1.0]));
+    let found = Comparison::new(&set, field, optics, on_texels(&set, [0.05, 1.0]));
     case(name, "95 % error of Y on texels", found.error(), BOUND)
         .half(found.half())
         .guarded(taken_out.what, (taken_out.without)(&found))

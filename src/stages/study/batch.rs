@@ -8,12 +8,13 @@ use half::slice::HalfFloatSliceExt;
 use ndarray::Array3;
 use rayon::prelude::*;
 
-use crate::ground::direction::{Vec3, Xyz, dot, v_cavity_shadowing, wave_vector_change};
-use crate::optics::config::{Material, OpticsConfig};
-use crate::optics::fresnel::reflectance;
-use crate::tables::evaluate::{Interpolation, lobe_window_power};
-use crate::tables::model::{Basis, Storage, TableSet};
-use crate::tables::storage::{half_scale, round_to_half};
+use diffraction_brdf::direction::{Vec3, Xyz, dot, v_cavity_shadowing, wave_vector_change};
+use diffraction_brdf::evaluate::{Interpolation, lobe_window_power};
+use diffraction_brdf::front_factor::FrontFactor;
+use diffraction_brdf::material::reflectance;
+use diffraction_brdf::storage::{half_scale, round_to_half};
+use diffraction_build::optics::config::Material;
+use diffraction_build::tables::model::{Basis, Storage, TableSet};
 
 /// A pair of directions, to the light and to the viewer.
 pub type Pair = (Vec3, Vec3);
@@ -46,7 +47,7 @@ pub struct PackedTables {
     texels: Texels,
     /// Factor of each table; a power of two for halves, 1 for floats.
     scales: Vec<f32>,
-    optics: OpticsConfig,
+    front_factor: FrontFactor,
     /// The lobe alone, without tables: small, and looked up only near the mirror direction.
     lobe: TableSet,
     lobe_radius2: f64,
@@ -77,7 +78,7 @@ impl PackedTables {
             count,
             texels,
             scales,
-            optics: set.optics.clone(),
+            front_factor: set.front_factor,
             // The cross term's square reaches to its corners.
             lobe_radius2: lobe.lobe.as_ref().map_or(0.0, |lobe| 2.0 * lobe.radius_max.powi(2)),
             lobe,
@@ -119,9 +120,9 @@ impl PackedTables {
     /// has none.
     fn front(&self, wi: Vec3, wo: Vec3, q: Vec3) -> f64 {
         let q2 = dot(q, q);
-        let shadowing = if self.optics.shadowing { v_cavity_shadowing(wi, wo) } else { 1.0 };
+        let shadowing = if self.front_factor.shadowing { v_cavity_shadowing(wi, wo) } else { 1.0 };
         let cos = (0.5 * q2.sqrt()).min(1.0);
-        let reflectance = match self.optics.material {
+        let reflectance = match self.front_factor.material {
             Material::Ideal => 1.0,
             Material::Dielectric { n } => {
                 let cos_t = (1.0 - (1.0 - cos * cos) / (n * n)).sqrt();
@@ -244,9 +245,8 @@ fn without_tables(set: &TableSet, storage: Storage) -> TableSet {
         tables: Vec::new(),
         lobe,
         prefilter_width: set.prefilter_width,
-        optics: set.optics.clone(),
+        front_factor: set.front_factor,
         served: None,
-        pigment: None,
         usable_radius: set.usable_radius,
     }
 }
@@ -254,12 +254,9 @@ fn without_tables(set: &TableSet, storage: Storage) -> TableSet {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::sampling::{Region, direction_pairs};
-    use crate::ground::spectrum::Illuminant;
-    use crate::optics::config::{Edge, Windows};
-    use crate::optics::reference::prefactor;
-    use crate::tables::evaluate::brdf_xyz;
-    use crate::tables::model::Lobe;
+    use diffraction_brdf::evaluate::brdf_xyz;
+    use diffraction_build::ground::sampling::{Region, direction_pairs};
+    use diffraction_build::tables::model::Lobe;
 
     fn set(basis: Basis) -> TableSet {
         let number =
@@ -274,17 +271,8 @@ mod tests {
                 cross: vec![Array3::from_shape_fn((7, 7, 3), number(2))],
             }),
             prefilter_width: 0.0,
-            optics: OpticsConfig {
-                illuminant: Illuminant::E,
-                wavelength_nm: [380.0, 780.0],
-                sigma_nm: 1_000.0,
-                edge: Edge::Tile,
-                windows: Windows::Centre,
-                material: Material::Dielectric { n: 1.5 },
-                shadowing: false,
-            },
+            front_factor: FrontFactor { material: Material::Dielectric { n: 1.5 }, shadowing: false },
             served: None,
-            pigment: None,
             usable_radius: 2.0,
         }
     }
@@ -305,7 +293,7 @@ mod tests {
                         // magnitudes: four tables of at most 1.3, over w² in powers of w. A position carries 2^-24 of
                         // 8 texels, over which values change by up to their own size.
                         let w2 = (wi[2] + wo[2]).powi(2).min(1.0);
-                        let magnitude = prefactor(&set.optics, wi, wo) * 4.0 * 1.3 * 4.0 / w2;
+                        let magnitude = set.front_factor.value(wi, wo) * 4.0 * 1.3 * 4.0 / w2;
                         assert!((found[1] - one).abs() <= 2e-6 * magnitude, "{basis:?} {} {one}", found[1]);
                     }
                     // A single wrong texel shows.

@@ -16,16 +16,16 @@ use super::methods::Context;
 use super::sample::{floor_per_sr, luminances};
 use super::texels::Texels;
 use super::{Refusal, StudyConfig, StudySpecimen};
-use crate::ground::direction::Xyz;
-use crate::ground::error::{Error, Result};
-use crate::ground::files;
-use crate::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
-use crate::ground::sampling::{Region, direction_pairs};
-use crate::tables::build;
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
-use crate::tables::rounding::to_tolerance;
-use crate::tables::storage::write_tables;
+use diffraction_brdf::direction::Xyz;
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::files;
+use diffraction_brdf::storage::write_tables;
+use diffraction_build::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
+use diffraction_build::ground::sampling::{Region, direction_pairs};
+use diffraction_build::tables::build;
+use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+use diffraction_build::tables::rounding::to_tolerance;
 
 /// Errors at which the methods are compared.
 const TARGETS: [f64; 4] = [3e-2, 1e-2, 3e-3, 1e-3];
@@ -153,9 +153,8 @@ impl Candidate<'_> {
             tables: set.tables[..*tables].to_vec(),
             lobe: set.lobe.clone(),
             prefilter_width: set.prefilter_width,
-            optics: set.optics.clone(),
+            front_factor: set.front_factor,
             served: None,
-            pigment: None,
             usable_radius: set.usable_radius,
         }
     }
@@ -197,10 +196,10 @@ pub fn rows(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refu
     let drawn = direction_pairs(Region::Hemisphere, DRAWN);
     let steep_pairs: Vec<Pair> = drawn.iter().copied().filter(steep).collect();
     let bright = |(wi, wo): &Pair| brdf_xyz(finest, Interpolation::Cubic, *wi, *wo)[1];
-    let floor = floor_per_sr(&specimen.optics, &drawn.iter().map(bright).collect::<Vec<_>>());
+    let floor = floor_per_sr(specimen.optics.material, &drawn.iter().map(bright).collect::<Vec<_>>());
     let mut texels = Vec::new();
     for pairs in [drawn, steep_pairs] {
-        let texels_of = Texels::of(finest, plan.filter, &pairs, floor);
+        let texels_of = Texels::of(finest, &specimen.optics, plan.filter, &pairs, floor);
         let reference = texels_of.reference(&specimen.fields, &specimen.optics, &plan)?;
         texels.push((texels_of.centres, reference));
     }

@@ -1,13 +1,13 @@
 //! Evaluation time on a GPU: frames of a ball drawn from the tables, per pair of directions.
 
-use crate::ground::error::Result;
 use crate::render::gpu::Gpu;
 use crate::render::gpu_frame::{Frame, FramePlan, time_frames};
-use crate::render::gpu_layout::table_image;
 use crate::render::gpu_tables::upload;
 use crate::scene::gbuffer::{GBuffer, gbuffer};
 use crate::scene::model::{Light, Scene, Shape};
-use crate::tables::model::TableSet;
+use diffraction_brdf::error::Result;
+use diffraction_brdf::shader::table_image;
+use diffraction_build::tables::model::TableSet;
 
 /// Side of the frame, and lights per pixel: some 20 000 pairs of directions.
 const SIDE_PX: usize = 96;
@@ -44,7 +44,7 @@ impl GpuClock {
     /// # Errors
     /// `Error::Gpu`; `Error::Limit` for more tables than a texture has layers.
     pub fn seconds_per_direction(&self, set: &TableSet) -> Result<f64> {
-        let tables = upload(&self.gpu, &table_image(set)?)?;
+        let tables = upload(&self.gpu, &table_image(set, None)?)?;
         let frame = Frame::new(&self.gpu, &tables, &self.surfaces, 1.0)?;
         let [time] = time_frames([&frame], FramePlan::suited_to(&self.gpu))?;
         Ok(time.median_ms * 1e-3 / time.evaluations.max(1) as f64)

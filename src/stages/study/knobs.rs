@@ -4,15 +4,15 @@ use super::batch::{Pair, stored};
 use super::methods::Context;
 use super::sample::luminances;
 use super::{KnobRow, StudyConfig};
-use crate::ground::direction::Xyz;
-use crate::ground::error::Result;
-use crate::height::HeightField;
-use crate::optics::config::{OpticsConfig, Windows};
-use crate::optics::spectral::brdf_xyz_batch;
-use crate::optics::window::FADE_SIGMAS;
-use crate::tables::build::{build, plan};
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::{Basis, Storage, TableSet, TablesConfig};
+use diffraction_brdf::direction::Xyz;
+use diffraction_brdf::error::Result;
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{OpticsConfig, Windows};
+use diffraction_build::optics::spectral::brdf_xyz_batch;
+use diffraction_build::optics::window::FADE_SIGMAS;
+use diffraction_build::tables::build::{build, plan};
+use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
 use ndarray::Array2;
 
 /// Windows along each axis whose mean is compared; the last that fits is what the others are held against.

@@ -10,22 +10,22 @@ use super::pictures::Pictures;
 use super::sample::Sample;
 use super::timing::Clock;
 use super::{MethodRow, Refusal, RegionErrors, StudyConfig};
-use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
-use crate::ground::error::Result;
-use crate::ground::sampling::{Region, direction_pairs, plane};
-use crate::height::HeightField;
-use crate::optics::config::OpticsConfig;
-use crate::optics::reference::FULL_STEP;
-use crate::optics::spectra::{Spectra, transform};
-use crate::optics::spectral::add_window;
 use crate::stages::progress::Progress;
-use crate::tables::baselines::regular::RegularSurface;
-use crate::tables::baselines::rough::RoughSurface;
-use crate::tables::baselines::statistics::SurfaceStatistics;
-use crate::tables::baselines::{self, harmonics};
-use crate::tables::build;
-use crate::tables::evaluate::{self, Interpolation};
-use crate::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
+use diffraction_brdf::error::Result;
+use diffraction_brdf::evaluate::{self, Interpolation};
+use diffraction_build::ground::sampling::{Region, direction_pairs, plane};
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::reference::FULL_STEP;
+use diffraction_build::optics::spectra::{Spectra, transform};
+use diffraction_build::optics::spectral::add_window;
+use diffraction_build::tables::baselines::regular::RegularSurface;
+use diffraction_build::tables::baselines::rough::RoughSurface;
+use diffraction_build::tables::baselines::statistics::SurfaceStatistics;
+use diffraction_build::tables::baselines::{self, harmonics};
+use diffraction_build::tables::build;
+use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 
 /// Radii and azimuths of the power sum.
 const POWER_GRID: [usize; 2] = [96, 128];
@@ -272,7 +272,8 @@ impl Context<'_> {
     /// `∫ Y cos_o dω_o` at normal incidence over the disc the scans answer for: midpoint rule over azimuths and
     /// warped radii, dense at the lobe.
     fn power_sum(&self, batch: Batch) -> f64 {
-        let limits = self.fields.iter().map(|f| crate::tables::plan::usable_radius(self.optics, f.pitch_nm));
+        let limits =
+            self.fields.iter().map(|f| diffraction_build::tables::plan::usable_radius(self.optics, f.pitch_nm));
         let rim = limits.fold(0.999, f64::min);
         let [radii, azimuths] = POWER_GRID;
         let (mut pairs, mut areas) = (Vec::new(), Vec::new());

@@ -4,16 +4,16 @@ use ndarray::Array3;
 
 use super::batch::{Batch, Pair, on_all_threads};
 use super::{Picture, SceneColour, StudySpecimen};
-use crate::ground::colour::to_srgb8;
-use crate::ground::direction::Xyz;
-use crate::ground::error::Result;
-use crate::ground::metrics::ciede2000;
-use crate::optics::config::OpticsConfig;
-use crate::optics::reference::PICTURE_STEP;
-use crate::optics::spectra::Spectra;
-use crate::optics::spectral::add_window;
 use crate::scene::model::{Scene, exposure_factor};
 use crate::scene::samples::{ShadingSamples, pixel_range, samples_of, samples_per_pixel};
+use diffraction_brdf::direction::Xyz;
+use diffraction_brdf::error::Result;
+use diffraction_build::ground::colour::to_srgb8;
+use diffraction_build::ground::metrics::ciede2000;
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::reference::PICTURE_STEP;
+use diffraction_build::optics::spectra::Spectra;
+use diffraction_build::optics::spectral::add_window;
 
 /// Most samples of a light or pixel: more pixels tell more about colours than smoother ones.
 const LIGHT_SAMPLES_MAX: usize = 4;

@@ -2,16 +2,16 @@
 
 use super::RegionErrors;
 use super::batch::{Batch, Pair, on_all_threads};
-use crate::ground::direction::wave_vector_change;
-use crate::ground::error::Result;
-use crate::ground::metrics::{ErrorQuantiles, relative_error_quantiles, relative_l2};
-use crate::ground::sampling::{Region, direction_pairs};
-use crate::height::HeightField;
-use crate::optics::config::OpticsConfig;
-use crate::optics::reference::brdf_xyz_batch;
 pub use crate::stages::error_directions::floor_per_sr;
 use crate::stages::progress::Progress;
-use crate::tables::plan::usable_radius;
+use diffraction_brdf::direction::wave_vector_change;
+use diffraction_brdf::error::Result;
+use diffraction_build::ground::metrics::{ErrorQuantiles, relative_error_quantiles, relative_l2};
+use diffraction_build::ground::sampling::{Region, direction_pairs};
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::reference::brdf_xyz_batch;
+use diffraction_build::tables::plan::usable_radius;
 
 /// Directions summed between two words of progress.
 const PART: usize = 16;
@@ -70,7 +70,7 @@ impl Sample {
         let count = on_texels.pairs.len() + regions.iter().map(|(_, found)| found.pairs.len()).sum::<usize>();
         Ok(Self {
             reference_s: started.elapsed().as_secs_f64() / count.max(1) as f64,
-            floor_per_sr: floor_per_sr(optics, &regions[0].1.luminance),
+            floor_per_sr: floor_per_sr(optics.material, &regions[0].1.luminance),
             regions,
             on_texels,
         })

@@ -2,18 +2,18 @@
 
 use super::batch::Pair;
 use super::sample::{moved_to_texels, pair_of};
-use crate::ground::direction::{Vec3, Xyz, wave_vector_change};
-use crate::ground::error::Result;
-use crate::height::HeightField;
-use crate::optics::config::OpticsConfig;
-use crate::optics::reference::{FULL_STEP, prefactor};
-use crate::optics::spectra::transform;
-use crate::optics::spectral::add_window;
-use crate::tables::accumulate::BoxFilter;
-use crate::tables::build::BuildPlan;
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::TableSet;
-use crate::tables::plan::lobe_width;
+use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
+use diffraction_brdf::error::Result;
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::reference::FULL_STEP;
+use diffraction_build::optics::spectra::transform;
+use diffraction_build::optics::spectral::add_window;
+use diffraction_build::tables::accumulate::BoxFilter;
+use diffraction_build::tables::build::BuildPlan;
+use diffraction_build::tables::model::TableSet;
+use diffraction_build::tables::plan::lobe_width;
 
 /// Most texels.
 const TEXELS: usize = 128;
@@ -31,9 +31,9 @@ pub struct Texels {
 impl Texels {
     /// At most 128 texels nearest to where directions meet the tables, where these are brighter than the floor: outside the lobe, which has a table of its own, and where the
     /// whole box lies in the disc.
-    pub fn of(set: &TableSet, filter: BoxFilter, near: &[Pair], floor_per_sr: f64) -> Self {
+    pub fn of(set: &TableSet, optics: &OpticsConfig, filter: BoxFilter, near: &[Pair], floor_per_sr: f64) -> Self {
         let width = filter.width;
-        let nodes = if width > 0.0 { gauss_legendre(box_nodes(set, width)) } else { vec![(0.0, 1.0)] };
+        let nodes = if width > 0.0 { gauss_legendre(box_nodes(optics, width)) } else { vec![(0.0, 1.0)] };
         let inner = set.lobe.as_ref().map_or(0.0, |lobe| lobe.radius_max) + width;
         let offset = |(x, _): (f64, f64)| 0.5 * width * x;
         let lit = |wi: Vec3, wo: Vec3| brdf_xyz(set, Interpolation::Cubic, wi, wo)[1] > floor_per_sr;
@@ -63,8 +63,9 @@ impl Texels {
         let parts = self.pairs.chunks(nodes).zip(exact.chunks(nodes));
         let mean = |(&(wi, wo), (pairs, exact)): (&Pair, (&[Pair], &[Xyz]))| {
             // Geometry and reflectance are outside the mean.
-            let powers = pairs.iter().zip(exact).map(|(&(wi, wo), xyz)| xyz[1] / prefactor(optics, wi, wo));
-            prefactor(optics, wi, wo) * powers.zip(&self.weights).map(|(power, weight)| weight * power).sum::<f64>()
+            let powers = pairs.iter().zip(exact).map(|(&(wi, wo), xyz)| xyz[1] / optics.front_factor().value(wi, wo));
+            optics.front_factor().value(wi, wo)
+                * powers.zip(&self.weights).map(|(power, weight)| weight * power).sum::<f64>()
         };
         self.centres.iter().zip(parts).map(mean).collect()
     }
@@ -85,9 +86,9 @@ impl Texels {
 /// Nodes along a square's side for lobes of the shortest wavelength: Gauss-Legendre with `n` nodes is exact up to the
 /// degree `2n - 1`; a Gaussian seen over `r` standard deviations leaves `(r/2)^2n / (2n)!` and less: 1e-8 for r = 1.5
 /// and five nodes, of which every further standard deviation takes two more.
-fn box_nodes(set: &TableSet, width: f64) -> usize {
-    let low_nm = set.optics.illuminant.reach_nm(set.optics.wavelength_nm)[0];
-    4 + (2.0 * width / lobe_width(set.optics.sigma_nm, low_nm)).ceil() as usize
+fn box_nodes(optics: &OpticsConfig, width: f64) -> usize {
+    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    4 + (2.0 * width / lobe_width(optics.sigma_nm, low_nm)).ceil() as usize
 }
 
 /// Nodes on [-1, 1] and weights with the sum 1, by Newton's method on the Legendre polynomial.

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use super::batch::{Batch, Pair, on_all_threads};
-use crate::ground::error::{Error, Result};
+use diffraction_brdf::error::{Error, Result};
 
 /// Fewest seconds of a pass whose time is taken, where there are directions enough.
 const PASS_S: f64 = 0.02;
@@ -62,8 +62,8 @@ fn best_per_direction(batch: Batch, pairs: &[Pair]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::direction::Xyz;
-    use crate::ground::sampling::{Region, direction_pairs};
+    use diffraction_brdf::direction::Xyz;
+    use diffraction_build::ground::sampling::{Region, direction_pairs};
 
     #[test]
     fn a_known_wait_is_measured() {

@@ -9,17 +9,18 @@ use serde::{Deserialize, Serialize};
 use super::batch::{PackedTables, stored};
 use super::texels::Texels;
 use super::{StudyConfig, StudySpecimen};
-use crate::ground::error::Result;
-use crate::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
-use crate::ground::sampling::{Region, direction_pairs};
-use crate::optics::config::OpticsConfig;
 use crate::stages::error_directions::ErrorDirections;
 use crate::stages::measure;
-use crate::tables::build;
-use crate::tables::evaluate::{Interpolation, brdf_xyz};
-use crate::tables::model::{Basis, BuildRecord, Prefilter, Rounding, Storage, TablesConfig};
-use crate::tables::plan::resolving_size;
-use crate::tables::rounding::{Chosen, choose};
+use diffraction_brdf::error::Result;
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_build::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
+use diffraction_build::ground::sampling::{Region, direction_pairs};
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::tables::build;
+use diffraction_build::tables::model::{Basis, BuildRecord, Prefilter, Rounding, Storage, TablesConfig};
+use diffraction_build::tables::plan::lobe_radius;
+use diffraction_build::tables::plan::resolving_size;
+use diffraction_build::tables::rounding::{Chosen, choose};
 
 /// Tolerances asked for.
 pub const TOLERANCES: [f64; 3] = [1e-2, 1e-3, 1e-4];
@@ -109,7 +110,7 @@ pub fn row(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<ToleranceR
     let started = std::time::Instant::now();
     let (built, record) = build::build(fields, optics, tables, &|_| ())?;
     let build_s = started.elapsed().as_secs_f64();
-    let Chosen { set, storage, rounding } = choose(&built, tables.storage, tolerance);
+    let Chosen { set, storage, rounding } = choose(&built, tables.storage, tolerance, lobe_radius(optics));
     let read = stored(&set, storage);
     let plan = build::plan(fields, optics, tables)?;
     let directions = ErrorDirections::of_regions(&read);
@@ -127,7 +128,7 @@ pub fn row(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<ToleranceR
         })
     };
     let shares = ["basis", "wavelength step", "storage"].map(|what| found(what).p95);
-    let texels = Texels::of(&built, plan.filter, &direction_pairs(Region::Hemisphere, DRAWN), floor_per_sr);
+    let texels = Texels::of(&built, optics, plan.filter, &direction_pairs(Region::Hemisphere, DRAWN), floor_per_sr);
     let reference = texels.reference(fields, optics, &plan)?;
     let there: Vec<f64> =
         texels.centres.iter().map(|&(wi, wo)| brdf_xyz(&read, Interpolation::Cubic, wi, wo)[1]).collect();

@@ -1,0 +1,160 @@
+//! Evaluating a table set for a pair of directions, as a renderer would.
+
+use ndarray::{Array3, ArrayView3};
+
+use crate::chebyshev;
+use crate::direction::{Vec3, Xyz, normalised_abs_w, wave_vector_change};
+use crate::table_set::{Basis, Lobe, Served, TableSet};
+
+/// How values between texels are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Interpolation {
+    /// Two by two texels, as graphics hardware does.
+    Bilinear,
+    /// Four by four texels, the cubic through each four: for offline use.
+    Cubic,
+}
+
+/// XYZ of the BRDF in 1/sr; zero for directions not above the surface, not a number for those that the tables do not
+/// serve (see [`serves`]).
+pub fn brdf_xyz(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> Xyz {
+    let front = set.front_factor.value(wi, wo);
+    if front == 0.0 {
+        return [0.0; 3];
+    }
+    let value = window_power(set, interpolation, wave_vector_change(wi, wo));
+    value.map(|v| front * v)
+}
+
+/// The BRDF without reflectance, geometry and shadowing at `q = (u, v, w)`, in 1/sr: what the tables hold.
+pub fn window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xyz {
+    let mut sum = diffuse_window_power(set, interpolation, q);
+    let lobe = lobe_window_power(set, interpolation, q);
+    sum.iter_mut().zip(lobe).for_each(|(sum, lobe)| *sum += lobe);
+    sum
+}
+
+/// The tables' part of [`window_power`], without the lobe; not a number where they do not serve.
+pub fn diffuse_window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xyz {
+    let w = q[2].abs();
+    let size = set.size() as f64 - 1.0;
+    let mut at = [(2.0 - q[1]) / 4.0 * size, (q[0] + 2.0) / 4.0 * size];
+    let mut t = normalised_abs_w(q);
+    if let Some(served) = &set.served {
+        at = [at[0] - served.first[0] as f64, at[1] - served.first[1] as f64];
+        match share_of_range(served, interpolation, at, t) {
+            Some(share) => t = share,
+            None => return [f64::NAN; 3],
+        }
+    }
+    let basis = match set.basis {
+        Basis::Chebyshev => chebyshev::shifted_values(set.tables.len(), t),
+        // I_p w^p / w².
+        Basis::Taylor => (0..set.tables.len()).map(|p| w.powi(p as i32 - 2)).collect(),
+    };
+    expansion(&set.tables, &basis, interpolation, at)
+}
+
+/// Whether the tables can answer for a pair of directions: always where they serve every direction, or where one of
+/// the two is not above the surface and there is nothing to look up.
+pub fn serves(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> bool {
+    set.front_factor.value(wi, wo) == 0.0
+        || diffuse_window_power(set, interpolation, wave_vector_change(wi, wo)).iter().all(|value| !value.is_nan())
+}
+
+/// How far `t` may lie outside the range between the texels, as a share of the range: rounding to 32 bits, and filters of
+/// graphics hardware.
+const RANGE_SLACK: f64 = 0.02;
+
+/// Where `t` lies in the range at a position in the served window, 0 to 1; `None` outside of what is served.
+fn share_of_range(served: &Served, interpolation: Interpolation, at: [f64; 2], t: f64) -> Option<f64> {
+    let (rows, columns, _) = served.range.dim();
+    let inside = |x: f64, count: usize| x >= 0.0 && x <= (count - 1) as f64;
+    if !inside(at[0], rows) || !inside(at[1], columns) {
+        return None;
+    }
+    let (row, wy) = stencil(interpolation, at[0], rows);
+    let (column, wx) = stencil(interpolation, at[1], columns);
+    let [mut low, mut high] = [0.0; 2];
+    for (dy, wy) in wy.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+        for (dx, wx) in wx.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+            let texel = |channel| f64::from(served.range[[row + dy, column + dx, channel]]);
+            if texel(2) == 0.0 {
+                return None;
+            }
+            low += wy * wx * texel(0);
+            high += wy * wx * texel(1);
+        }
+    }
+    let share = (t - low) / (high - low);
+    (-RANGE_SLACK..=1.0 + RANGE_SLACK).contains(&share).then_some(share.clamp(0.0, 1.0))
+}
+
+/// The lobe's part of [`window_power`]: zero where the tables contain it.
+pub fn lobe_window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xyz {
+    set.lobe.as_ref().map_or([0.0; 3], |lobe| lobe_value(lobe, interpolation, q))
+}
+
+fn lobe_value(lobe: &Lobe, interpolation: Interpolation, q: Vec3) -> Xyz {
+    let (radius, w, t) = (q[0].hypot(q[1]), q[2].abs(), normalised_abs_w(q));
+    let mut value = [0.0; 3];
+    if radius < lobe.radius_max {
+        let (rows, columns, _) = lobe.coherent.dim();
+        let at = [t * (rows - 1) as f64, radius / lobe.radius_max * (columns - 1) as f64];
+        value = sample(lobe.coherent.view(), interpolation, at).map(|v| v / (w * w));
+    }
+    if !lobe.cross.is_empty() && q[0].abs().max(q[1].abs()) < lobe.radius_max {
+        let size = lobe.cross[0].dim().0 as f64 - 1.0;
+        let at = [q[1], -q[0]].map(|x| (lobe.radius_max - x) / (2.0 * lobe.radius_max) * size);
+        let basis = chebyshev::shifted_values(lobe.cross.len(), t);
+        let cross = expansion(&lobe.cross, &basis, interpolation, at);
+        value.iter_mut().zip(cross).for_each(|(value, cross)| *value += cross / w);
+    }
+    value
+}
+
+/// `Σ basis_n table_n` at a position in texels (row, column).
+fn expansion(tables: &[Array3<f32>], basis: &[f64], interpolation: Interpolation, at: [f64; 2]) -> Xyz {
+    let mut sum = [0.0; 3];
+    for (table, factor) in tables.iter().zip(basis) {
+        let value = sample(table.view(), interpolation, at);
+        sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += factor * value);
+    }
+    sum
+}
+
+/// One table at a position in texels (row, column), clamped to its edges.
+pub fn sample(table: ArrayView3<f32>, interpolation: Interpolation, at: [f64; 2]) -> Xyz {
+    let (rows, columns, _) = table.dim();
+    let (row, wy) = stencil(interpolation, at[0], rows);
+    let (column, wx) = stencil(interpolation, at[1], columns);
+    let mut sum = [0.0; 3];
+    for (dy, wy) in wy.iter().enumerate().take(rows - row) {
+        for (dx, wx) in wx.iter().enumerate().take(columns - column) {
+            for (c, sum) in sum.iter_mut().enumerate() {
+                *sum += wy * wx * f64::from(table[[row + dy, column + dx, c]]);
+            }
+        }
+    }
+    sum
+}
+
+/// First texel and weights along one axis.
+pub fn stencil(interpolation: Interpolation, at: f64, count: usize) -> (usize, [f64; 4]) {
+    let at = at.clamp(0.0, (count - 1) as f64);
+    if interpolation == Interpolation::Bilinear || count < 4 {
+        let first = (at as usize).min(count.saturating_sub(2));
+        let share = at - first as f64;
+        return (first, [1.0 - share, share, 0.0, 0.0]);
+    }
+    let first = (at as usize).saturating_sub(1).min(count - 4);
+    let x = at - first as f64;
+    // Lagrange's cubic through the nodes 0, 1, 2, 3.
+    let weights = [
+        -(x - 1.0) * (x - 2.0) * (x - 3.0) / 6.0,
+        x * (x - 2.0) * (x - 3.0) / 2.0,
+        -x * (x - 1.0) * (x - 3.0) / 2.0,
+        x * (x - 1.0) * (x - 2.0) / 6.0,
+    ];
+    (first, weights)
+}

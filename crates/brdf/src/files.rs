@@ -1,0 +1,228 @@
+//! Whole files on disk: atomic writing, durability, digests, listings of a folder.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use sha2::{Digest, Sha256};
+
+use crate::error::{Error, Result};
+
+/// End of the name of a file that is still being written; it starts with a dot.
+pub const PART_SUFFIX: &str = ".part";
+
+/// All bytes of a file.
+pub fn read(path: &Path) -> Result<Vec<u8>> {
+    fs::read(path).map_err(|e| Error::disk(path, "read", e))
+}
+
+/// All of a UTF-8 text file.
+pub fn read_text(path: &Path) -> Result<String> {
+    String::from_utf8(read(path)?).map_err(|e| {
+        Error::bad_file(path, format!("this is not UTF-8 text: {e}"), "Restore the file from where it was written.")
+    })
+}
+
+/// Replaces a file as a whole: written beside, then renamed, so that nobody ever sees half of it.
+/// Its bytes may still be lost if the power fails; see [`replace_durably`].
+pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
+    replace_with(path, bytes, false)
+}
+
+/// As [`replace`], and on the disk when it returns.
+pub fn replace_durably(path: &Path, bytes: &[u8]) -> Result<()> {
+    replace_with(path, bytes, true)?;
+    sync_folder(parent(path))
+}
+
+fn replace_with(path: &Path, bytes: &[u8], durable: bool) -> Result<()> {
+    let beside = part_path(path);
+    let written = (|| {
+        let mut file = OpenOptions::new().write(true).create_new(true).open(&beside)?;
+        file.write_all(bytes)?;
+        if durable {
+            file.sync_all()?;
+        }
+        fs::rename(&beside, path)
+    })();
+    written.map_err(|e| {
+        // The error of interest is the one at hand; a leftover part file is only untidy.
+        let _ = fs::remove_file(&beside);
+        Error::disk(path, "write", e)
+    })
+}
+
+/// A name in the same folder that no other writer uses, in this process or another.
+fn part_path(path: &Path) -> PathBuf {
+    static COUNTER: AtomicU64 = AtomicU64::new(0);
+    let count = COUNTER.fetch_add(1, Ordering::Relaxed);
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    parent(path).join(format!(".{name}.{}-{count}{PART_SUFFIX}", std::process::id()))
+}
+
+fn parent(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// Creates a folder and those above it.
+pub fn create_folder(path: &Path) -> Result<()> {
+    fs::create_dir_all(path).map_err(|e| Error::disk(path, "create the folder", e))
+}
+
+/// Waits until the bytes of a file are on the disk.
+pub fn sync_file(path: &Path) -> Result<()> {
+    let synced = OpenOptions::new().read(true).write(true).open(path).and_then(|file| file.sync_all());
+    synced.map_err(|e| Error::disk(path, "bring to the disk", e))
+}
+
+/// Waits until the entries of a folder are on the disk, where the system can.
+pub fn sync_folder(path: &Path) -> Result<()> {
+    if cfg!(unix) {
+        let synced = File::open(path).and_then(|folder| folder.sync_all());
+        return synced.map_err(|e| Error::disk(path, "bring to the disk", e));
+    }
+    Ok(())
+}
+
+/// Waits until everything below a folder is on the disk.
+pub fn sync_tree(folder: &Path) -> Result<()> {
+    for (path, kind) in entries(folder)? {
+        if kind.is_dir() {
+            sync_tree(&path)?;
+        } else if kind.is_file() {
+            sync_file(&path)?;
+        }
+    }
+    sync_folder(folder)
+}
+
+/// Paths of all files below a folder, relative to it, `/` between their parts, sorted by bytes.
+/// Anything but plain files and folders is an error: a link would make a digest meaningless.
+pub fn list(folder: &Path) -> Result<Vec<String>> {
+    let mut found = Vec::new();
+    list_into(folder, "", &mut found)?;
+    found.sort_unstable();
+    Ok(found)
+}
+
+fn list_into(folder: &Path, prefix: &str, found: &mut Vec<String>) -> Result<()> {
+    for (path, kind) in entries(folder)? {
+        let Some(name) = path.file_name().and_then(|name| name.to_str()) else {
+            return Err(Error::bad_file(&path, "its name is not UTF-8", "Rename it."));
+        };
+        let relative = format!("{prefix}{name}");
+        if kind.is_dir() {
+            list_into(&path, &format!("{relative}/"), found)?;
+        } else if kind.is_file() {
+            found.push(relative);
+        } else {
+            return Err(Error::bad_file(&path, "this is neither a file nor a folder", "Replace it by a plain file."));
+        }
+    }
+    Ok(())
+}
+
+/// Entries of a folder with their kinds; links are not followed. The order is the system's.
+pub fn entries(folder: &Path) -> Result<Vec<(PathBuf, fs::FileType)>> {
+    let listed = || -> std::io::Result<Vec<_>> {
+        fs::read_dir(folder)?.map(|entry| entry.and_then(|entry| Ok((entry.path(), entry.file_type()?)))).collect()
+    };
+    listed().map_err(|e| Error::disk(folder, "list the folder", e))
+}
+
+/// Whether a path from a file stays below its folder: relative, `/` between plain names.
+pub fn stays_below(relative: &str) -> bool {
+    let plain = |part: &str| !matches!(part, "" | "." | "..") && !part.contains(['\\', ':', '\0']);
+    relative.split('/').all(plain)
+}
+
+/// SHA-256 in lower-case hexadecimal.
+pub fn sha256_hex(bytes: &[u8]) -> String {
+    hex(&Sha256::digest(bytes))
+}
+
+/// Size in bytes and SHA-256 of a file, read in pieces.
+pub fn sha256_file(path: &Path) -> Result<(u64, String)> {
+    let digest = || -> std::io::Result<(u64, String)> {
+        let mut file = File::open(path)?;
+        let mut hasher = Sha256::new();
+        let mut piece = vec![0; 1 << 16];
+        let mut total = 0;
+        loop {
+            let count = file.read(&mut piece)?;
+            if count == 0 {
+                return Ok((total, hex(&hasher.finalize())));
+            }
+            hasher.update(&piece[..count]);
+            total += count as u64;
+        }
+    };
+    digest().map_err(|e| Error::disk(path, "read", e))
+}
+
+fn hex(bytes: &[u8]) -> String {
+    use std::fmt::Write;
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        write!(text, "{byte:02x}").expect("writing to a string cannot fail");
+        text
+    })
+}
+
+/// Bytes of all files in a folder, not below it, with an extension.
+pub fn bytes_of(folder: &Path, extension: &str) -> Result<u64> {
+    let mut bytes = 0;
+    for (path, kind) in entries(folder)? {
+        if kind.is_file() && path.extension().is_some_and(|found| found == extension) {
+            bytes += path.metadata().map_err(|e| Error::disk(&path, "read the size of", e))?.len();
+        }
+    }
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digest_meets_the_published_test_vector() {
+        // FIPS 180-2, appendix B.1.
+        let expected = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(sha256_hex(b"abc"), expected);
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("abc");
+        replace(&path, b"abc").unwrap();
+        assert_eq!(sha256_file(&path).unwrap(), (3, expected.to_owned()));
+    }
+
+    #[test]
+    fn replacing_leaves_one_file_and_listing_is_sorted() {
+        let folder = tempfile::tempdir().unwrap();
+        create_folder(&folder.path().join("b")).unwrap();
+        for name in ["b/2", "b/1", "c", "b.x"] {
+            replace(&folder.path().join(name), b"old").unwrap();
+            replace_durably(&folder.path().join(name), b"new").unwrap();
+        }
+        assert_eq!(list(folder.path()).unwrap(), ["b.x", "b/1", "b/2", "c"]);
+        assert_eq!(read_text(&folder.path().join("b/1")).unwrap(), "new");
+        sync_tree(folder.path()).unwrap();
+    }
+
+    #[test]
+    fn writing_into_a_missing_folder_says_where() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("missing/file");
+        assert!(replace(&path, b"x").unwrap_err().to_string().contains("missing/file: cannot write"));
+    }
+
+    #[test]
+    fn paths_that_leave_the_folder_are_seen() {
+        assert!(stays_below("elaphe/table.000.exr"));
+        for bad in ["", "/etc/passwd", "../x", "a/../x", "a//b", "./a", "a\\b", "c:/x"] {
+            assert!(!stays_below(bad), "{bad}");
+        }
+    }
+}

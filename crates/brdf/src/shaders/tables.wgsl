@@ -1,0 +1,320 @@
+// The BRDF of a table set: evaluation only, the same functions under the same names as in Rust.
+//
+// Local frame: x along scan columns, y up the image, z the outward normal. `wi` points to the light, `wo`
+// to the viewer, both unit vectors. The BRDF is XYZ in 1/sr.
+
+// basis
+const CHEBYSHEV: u32 = 0u;
+const TAYLOR: u32 = 1u;
+// material
+const IDEAL: u32 = 0u;
+const DIELECTRIC: u32 = 1u;
+const CONDUCTOR: u32 = 2u;
+
+struct TableParams {
+    // CHEBYSHEV or TAYLOR.
+    basis: u32,
+    // Layers of `tables`.
+    table_count: u32,
+    // Layers of `cross_terms` that count; 0 where the cross term vanishes.
+    cross_count: u32,
+    // IDEAL, DIELECTRIC or CONDUCTOR.
+    material: u32,
+    // 1 where the V-cavity factor is applied.
+    shadowing: u32,
+    // Outer radius of the coherent lobe; 0 where there is none.
+    radius_max: f32,
+    // Refractive index n + ik.
+    index_n: f32,
+    index_k: f32,
+    // 1 where the tables serve certain scenes alone: one more layer of `tables` holds the range of t of each texel.
+    served: u32,
+    // Texels along u and v of the whole grid less one, and where in it the tables' window begins.
+    grid_last: f32,
+    first_column: f32,
+    first_row: f32,
+    // XYZ of the pigment below the structure in 1/sr, and 1 where there is one.
+    pigment: vec4<f32>,
+    // Value of a layer = texel times scale; four scales to a vector.
+    table_scales: array<vec4<f32>, 64>,
+    cross_scales: array<vec4<f32>, 64>,
+}
+
+@group(0) @binding(0) var<uniform> params: TableParams;
+// Half floats, one layer per basis function; texel (row, column) of the whole grid lies at u = -2 + 4 column / grid_last,
+// v = 2 - 4 row / grid_last. Where tables serve certain scenes, the layer after the last holds low, high and 1 where
+// a texel is served.
+@group(0) @binding(1) var tables: texture_2d_array<f32>;
+// Half floats, one layer per basis function, over [-radius_max, radius_max]².
+@group(0) @binding(2) var cross_terms: texture_2d_array<f32>;
+// 32-bit floats: rows are t from 0 to 1, columns the radius from 0 to radius_max.
+@group(0) @binding(3) var lobe: texture_2d<f32>;
+// Bilinear, clamped to the edges.
+@group(0) @binding(4) var bilinear: sampler;
+
+// What `brdf_xyz` gives for directions that the tables do not serve, in every channel: no answer.
+const UNSERVED: f32 = -1.0;
+// How far t may lie outside of the range between the texels, as a share of the range.
+const RANGE_SLACK: f32 = 0.02;
+
+fn wave_vector_change(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
+    return -wi - wo;
+}
+
+fn geometry_factor(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
+    let one_plus = 1.0 + dot(wi, wo);
+    // Divided one by one: the product of two grazing cosines could underflow.
+    return (one_plus / wi.z) * (one_plus / wo.z);
+}
+
+fn v_cavity_shadowing(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
+    let sum = wi + wo;
+    let m = sum / sqrt(dot(sum, sum));
+    let wo_m = dot(wo, m);
+    if !(wo_m > 0.0) {
+        return 0.0;
+    }
+    let scale = 2.0 * m.z / wo_m;
+    return clamp(min(scale * wo.z, scale * wi.z), 0.0, 1.0);
+}
+
+fn complex_product(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
+fn complex_quotient(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
+    return complex_product(a, vec2<f32>(b.x, -b.y)) / dot(b, b);
+}
+
+// Principal square root. The smaller part follows from the larger one, without cancellation.
+fn complex_root(a: vec2<f32>) -> vec2<f32> {
+    let larger = sqrt(0.5 * (sqrt(dot(a, a)) + abs(a.x)));
+    if larger == 0.0 {
+        return vec2<f32>(0.0, 0.0);
+    }
+    let smaller = 0.5 * abs(a.y) / larger;
+    let turn = select(-1.0, 1.0, a.y >= 0.0);
+    if a.x >= 0.0 {
+        return vec2<f32>(larger, turn * smaller);
+    }
+    return vec2<f32>(smaller, turn * larger);
+}
+
+fn reflectance(cos_theta_d: f32) -> f32 {
+    if params.material == IDEAL {
+        return 1.0;
+    }
+    let index = vec2<f32>(params.index_n, params.index_k);
+    let cos_i = clamp(cos_theta_d, 0.0, 1.0);
+    let sin2_t = complex_quotient(vec2<f32>(1.0 - cos_i * cos_i, 0.0), complex_product(index, index));
+    let cos_t = complex_root(vec2<f32>(1.0, 0.0) - sin2_t);
+    let index_cos_t = complex_product(index, cos_t);
+    let along = vec2<f32>(cos_i, 0.0);
+    let s = complex_quotient(along - index_cos_t, along + index_cos_t);
+    let p = complex_quotient(index * cos_i - cos_t, index * cos_i + cos_t);
+    return 0.5 * (dot(s, s) + dot(p, p));
+}
+
+fn cos_half_angle(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
+    return sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));
+}
+
+// XYZ of the pigment's BRDF in 1/sr; 0 for directions not above the surface.
+fn pigment_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
+    if !(wi.z > 0.0 && wo.z > 0.0) {
+        return vec3<f32>(0.0, 0.0, 0.0);
+    }
+    return (1.0 - reflectance(wi.z)) * (1.0 - reflectance(wo.z)) * params.pigment.xyz;
+}
+
+// Reflectance, geometry and shadowing; 0 for directions not above the surface.
+fn prefactor(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
+    if !(wi.z > 0.0 && wo.z > 0.0) {
+        return 0.0;
+    }
+    var factor = reflectance(cos_half_angle(wi, wo)) * geometry_factor(wi, wo);
+    if params.shadowing != 0u {
+        factor = factor * v_cavity_shadowing(wi, wo);
+    }
+    return factor;
+}
+
+fn max_abs_w(rho: f32) -> f32 {
+    return sqrt(max(4.0 - rho * rho, 0.0));
+}
+
+// Basis functions in registers: b_0 = first, b_1 = second, b_n+1 = forward b_n - back b_n-1.
+struct Recurrence {
+    first: f32,
+    second: f32,
+    forward: f32,
+    back: f32,
+}
+
+// T_n(2t - 1).
+fn shifted_values(t: f32) -> Recurrence {
+    let x = 2.0 * t - 1.0;
+    return Recurrence(1.0, x, 2.0 * x, 1.0);
+}
+
+// |w|^(n - 2).
+fn powers(w: f32) -> Recurrence {
+    let first = (1.0 / w) / w;
+    return Recurrence(first, 1.0 / w, w, 0.0);
+}
+
+// What the surface shows in 1/sr: the BRDF and, where there is one, the pigment below it. As `brdf_xyz` otherwise.
+fn surface_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
+    let brdf = brdf_xyz(wi, wo);
+    if params.pigment.w == 0.0 || !serves(brdf) {
+        return brdf;
+    }
+    return brdf + pigment_xyz(wi, wo);
+}
+
+// XYZ of the BRDF in 1/sr; 0 for directions not above the surface, UNSERVED for those that the tables do not serve.
+fn brdf_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
+    let front = prefactor(wi, wo);
+    if front == 0.0 {
+        return vec3<f32>(0.0, 0.0, 0.0);
+    }
+    let power = window_power(wave_vector_change(wi, wo));
+    if !serves(power) {
+        return power;
+    }
+    return front * power;
+}
+
+// The BRDF without reflectance, geometry and shadowing; UNSERVED where the tables do not serve.
+fn window_power(q: vec3<f32>) -> vec3<f32> {
+    let t = normalised_abs_w(q);
+    let at = 0.5 * q.xy;
+    var s = t;
+    if params.served != 0u {
+        s = share_of_range(at, t);
+        if s < 0.0 {
+            return vec3<f32>(UNSERVED, UNSERVED, UNSERVED);
+        }
+    }
+    var basis = shifted_values(s);
+    if params.basis == TAYLOR {
+        basis = powers(abs(q.z));
+    }
+    // One loop for both, a tenth faster than one each where branches are masked; sets of powers have no lobe.
+    return expansion(basis, at) + lobe_value(q, t);
+}
+
+// Whether a value is an answer.
+fn serves(xyz: vec3<f32>) -> bool {
+    return !(xyz.x == UNSERVED && xyz.y == UNSERVED && xyz.z == UNSERVED);
+}
+
+// Where t lies in the range at a position, 0 to 1; negative outside of what is served.
+fn share_of_range(at: vec2<f32>, t: f32) -> f32 {
+    let uv = table_place(at);
+    let half_texel = 0.5 / vec2<f32>(textureDimensions(tables));
+    let range = textureSampleLevel(tables, bilinear, uv, params.table_count, 0.0).rgb;
+    let inside = all(uv > 0.99 * half_texel) && all(1.0 - uv > 0.99 * half_texel);
+    let s = (t - range.x) / (range.y - range.x);
+    if !(inside && range.z > 0.998 && s >= -RANGE_SLACK && s <= 1.0 + RANGE_SLACK) {
+        return -1.0;
+    }
+    return clamp(s, 0.0, 1.0);
+}
+
+fn normalised_abs_w(q: vec3<f32>) -> f32 {
+    let reach = max_abs_w(length(q.xy));
+    if reach == 0.0 {
+        return 0.0;
+    }
+    return min(abs(q.z) / reach, 1.0);
+}
+
+fn lobe_value(q: vec3<f32>, t: f32) -> vec3<f32> {
+    let w = abs(q.z);
+    var value = vec3<f32>(0.0, 0.0, 0.0);
+    let radius = length(q.xy);
+    if radius < params.radius_max {
+        let last = vec2<f32>(textureDimensions(lobe)) - 1.0;
+        value = sample(vec2<f32>(t * last.y, radius / params.radius_max * last.x)) / w / w;
+    }
+    if params.cross_count > 0u && max(abs(q.x), abs(q.y)) < params.radius_max {
+        value = value + cross_expansion(shifted_values(t), q.xy / params.radius_max) / w;
+    }
+    return value;
+}
+
+// Sum of basis_n table_n at a position in [-1, 1]².
+fn expansion(basis: Recurrence, at: vec2<f32>) -> vec3<f32> {
+    let uv = table_place(at);
+    var sum = vec3<f32>(0.0, 0.0, 0.0);
+    var now = basis.first;
+    var next = basis.second;
+    for (var n = 0u; n < params.table_count; n = n + 1u) {
+        let texel = textureSampleLevel(tables, bilinear, uv, n, 0.0).rgb;
+        sum = sum + (now * params.table_scales[n / 4u][n % 4u]) * texel;
+        let after = basis.forward * next - basis.back * now;
+        now = next;
+        next = after;
+    }
+    return sum;
+}
+
+// The same for the patch of the cross term.
+fn cross_expansion(basis: Recurrence, at: vec2<f32>) -> vec3<f32> {
+    let uv = texel_centred(at, textureDimensions(cross_terms));
+    var sum = vec3<f32>(0.0, 0.0, 0.0);
+    var now = basis.first;
+    var next = basis.second;
+    for (var n = 0u; n < params.cross_count; n = n + 1u) {
+        let texel = textureSampleLevel(cross_terms, bilinear, uv, n, 0.0).rgb;
+        sum = sum + (now * params.cross_scales[n / 4u][n % 4u]) * texel;
+        let after = basis.forward * next - basis.back * now;
+        now = next;
+        next = after;
+    }
+    return sum;
+}
+
+// Normalised coordinates in the tables of a position in [-1, 1]², y up.
+fn table_place(at: vec2<f32>) -> vec2<f32> {
+    let texel = vec2<f32>(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y) * params.grid_last;
+    return (texel - vec2<f32>(params.first_column, params.first_row) + 0.5) / vec2<f32>(textureDimensions(tables));
+}
+
+// Normalised texture coordinates of a position in [-1, 1]², y up: its ends are the outer texels' centres.
+fn texel_centred(at: vec2<f32>, size: vec2<u32>) -> vec2<f32> {
+    let across = vec2<f32>(size);
+    let texel = vec2<f32>(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y) * (across - 1.0);
+    return (texel + 0.5) / across;
+}
+
+// The coherent lobe at a position in texels (row, column). Bilinear by hand: the lobe spans nine decades,
+// too many for half floats, and filtering 32-bit floats is not everywhere to be had.
+fn sample(at: vec2<f32>) -> vec3<f32> {
+    let last = vec2<i32>(textureDimensions(lobe)).yx - 1;
+    let inside = clamp(at, vec2<f32>(0.0, 0.0), vec2<f32>(last));
+    let first = max(min(vec2<i32>(inside), last - 1), vec2<i32>(0, 0));
+    let second = min(first + 1, last);
+    let share = inside - vec2<f32>(first);
+    let low = mix(
+        textureLoad(lobe, vec2<i32>(first.y, first.x), 0).rgb,
+        textureLoad(lobe, vec2<i32>(second.y, first.x), 0).rgb,
+        share.y,
+    );
+    let high = mix(
+        textureLoad(lobe, vec2<i32>(first.y, second.x), 0).rgb,
+        textureLoad(lobe, vec2<i32>(second.y, second.x), 0).rgb,
+        share.y,
+    );
+    return mix(low, high, share.x);
+}
+
+// IEC 61966-2-1 primaries and white; components may be negative.
+fn xyz_to_linear_srgb(xyz: vec3<f32>) -> vec3<f32> {
+    return vec3<f32>(
+        dot(vec3<f32>(3.2404542, -1.5371385, -0.4985314), xyz),
+        dot(vec3<f32>(-0.9692660, 1.8760108, 0.0415560), xyz),
+        dot(vec3<f32>(0.0556434, -0.2040259, 1.0572252), xyz),
+    );
+}

@@ -1,0 +1,95 @@
+//! The file `specimen.json` of an atlas: how to read a specimen's tables, and values to test a reader with.
+
+use std::path::Path;
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use crate::direction::{Vec3, Xyz};
+use crate::error::{Error, Result};
+use crate::front_factor::FrontFactor;
+use crate::json;
+use crate::storage::{self, StoredTables};
+use crate::table_set::TableSet;
+
+/// Version of the layout of the atlas and its files that this crate writes and reads.
+pub const SCHEMA: u32 = 1;
+/// Name of the file in the specimen's folder.
+pub const FILE: &str = "specimen.json";
+
+/// A pair of directions and the BRDF that the stored tables give there: a test for other programs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CheckValue {
+    /// Polar angle of the light in degrees.
+    pub theta_i_deg: f64,
+    /// Azimuth of the light in degrees.
+    pub phi_i_deg: f64,
+    /// Polar angle of the viewer in degrees.
+    pub theta_r_deg: f64,
+    /// Azimuth of the viewer in degrees.
+    pub phi_r_deg: f64,
+    /// Unit vector to the light.
+    pub wi: Vec3,
+    /// Unit vector to the viewer.
+    pub wo: Vec3,
+    /// The BRDF in 1/sr, evaluated from the stored (rounded) tables.
+    pub xyz: Xyz,
+}
+
+/// What a reader needs of `specimen.json`; the file holds more, which is passed over.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct SpecimenRecord {
+    /// Name in the manifest, and of the folder.
+    pub name: String,
+    /// Scientific name.
+    pub species: String,
+    /// What stands in front of the tables' values.
+    #[serde(rename = "optics")]
+    pub front_factor: FrontFactor,
+    /// The tables' files, axes, scales and formula.
+    pub tables: StoredTables,
+    /// Directions with values, for testing a reader.
+    pub check_values: Vec<CheckValue>,
+    /// Doubts in whole sentences.
+    pub warnings: Vec<String>,
+}
+
+/// Reads `specimen.json` from the specimen's folder, as a [`SpecimenRecord`] or as any type that knows more of its fields.
+///
+/// # Errors
+/// A file that is missing, of another schema, or without one of the fields.
+pub fn read<T: DeserializeOwned>(folder: &Path) -> Result<T> {
+    let path = folder.join(FILE);
+    let fix = "Restore the file, or run the pipeline again to publish a new version of the atlas.";
+    let value: Value = json::read(&path, fix)?;
+    check_schema(&path, &value)?;
+    serde_json::from_value(value).map_err(|e| Error::bad_file(&path, format!("a field is wrong: {e}"), fix))
+}
+
+/// Reads a specimen with its tables.
+///
+/// # Errors
+/// As [`read`], and for files of tables that are missing or damaged.
+pub fn load(folder: &Path) -> Result<(SpecimenRecord, TableSet)> {
+    let record: SpecimenRecord = read(folder)?;
+    let tables = storage::read_tables(folder, &record.tables, record.front_factor)?;
+    Ok((record, tables))
+}
+
+/// Refuses layouts of other versions before any other field is looked at.
+///
+/// # Errors
+/// `Error::BadFile` for a file at `path` with another schema, or none.
+pub fn check_schema(path: &Path, value: &Value) -> Result<()> {
+    let schema = value.get("schema").and_then(Value::as_u64);
+    if schema == Some(u64::from(SCHEMA)) {
+        return Ok(());
+    }
+    let found = schema.map_or("none".to_owned(), |schema| schema.to_string());
+    Err(Error::bad_file(
+        path,
+        format!("its schema is {found}, this program reads {SCHEMA}"),
+        "Use the version of the program that wrote it, or run the pipeline again.",
+    ))
+}

@@ -1,0 +1,9 @@
+//! Ground floor: spectra and colour, transforms, metrics. Uses nothing above it.
+
+pub mod cie_data;
+pub mod colour;
+pub mod csv;
+pub mod fft;
+pub mod metrics;
+pub mod sampling;
+pub mod spectrum;

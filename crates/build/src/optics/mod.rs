@@ -1,0 +1,11 @@
+//! Optics floor: a pigment below, coherence windows, the transforms of `exp(i s h)`, the reference.
+
+pub mod config;
+pub mod kernel;
+pub mod lines;
+pub mod pigment;
+pub mod powers;
+pub mod reference;
+pub mod spectra;
+pub mod spectral;
+pub mod window;

@@ -1,0 +1,106 @@
+//! The BRDF straight from the transforms, at full spectral resolution: the fast yardstick.
+//!
+//! Between the direct sum (`reference`), a thousand times slower, and the tables: no grid in (u, v), no
+//! expansion in `w`, no coarse wavelengths; only the interpolation in depth and frequency is shared with
+//! the tables. It is itself held against the direct sum.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+use rayon::prelude::*;
+
+use super::config::OpticsConfig;
+use super::lines::{Buffers, Part, Point};
+use super::reference::{FULL_STEP, WavenumberStep, resolving_count};
+use super::spectra::{self, Spectra, SpectraConfig};
+use super::window::placements;
+use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
+use crate::height::HeightField;
+use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
+use diffraction_brdf::error::Result;
+
+/// XYZ of the BRDF in 1/sr for many pairs of directions, averaged over scans and windows.
+///
+/// # Errors
+/// A scan too small for the window, an invisible light, or transforms beyond the allowed memory.
+pub fn brdf_xyz_batch(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    config: &SpectraConfig,
+    pairs: &[(Vec3, Vec3)],
+) -> Result<Vec<Xyz>> {
+    let mut sums = vec![[0.0; 3]; pairs.len()];
+    let mut windows = 0;
+    for field in fields {
+        for placement in placements(field, optics)? {
+            let spectra = spectra::transform(field, placement, optics, config)?;
+            add_window(&spectra, optics, pairs, FULL_STEP, &mut sums)?;
+            windows += 1;
+        }
+    }
+    let share = 1.0 / f64::from(windows.max(1));
+    Ok(sums.into_iter().map(|sum| sum.map(|s| s * share)).collect())
+}
+
+/// Adds one window's BRDF to each pair's sum; `step` as in [`resolving_count`].
+///
+/// # Errors
+/// An invisible light.
+pub fn add_window(
+    spectra: &Spectra,
+    optics: &OpticsConfig,
+    pairs: &[(Vec3, Vec3)],
+    step: WavenumberStep,
+    sums: &mut [Xyz],
+) -> Result<()> {
+    // Directions with equally many wavelengths share them; one set is held at a time.
+    let mut by_count: BTreeMap<usize, Vec<(&mut Xyz, f64, Vec3)>> = BTreeMap::new();
+    for (sum, &(wi, wo)) in sums.iter_mut().zip(pairs) {
+        let (front, q) = (optics.front_factor().value(wi, wo), wave_vector_change(wi, wo));
+        if front != 0.0 {
+            by_count.entry(resolving_count(optics, q, spectra.half_range_nm, step)).or_default().push((sum, front, q));
+        }
+    }
+    for (count, group) in by_count {
+        let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
+        group.into_par_iter().for_each_init(Buffers::default, |buffers, (sum, front, q)| {
+            let power = window_power(spectra, &quadrature, q, buffers);
+            sum.iter_mut().zip(power).for_each(|(sum, power)| *sum += front * power);
+        });
+    }
+    Ok(())
+}
+
+/// `∫ S x̄ |P|² / (λ² A w²) dλ` of one window at `q`, the coherent part included.
+fn window_power(spectra: &Spectra, quadrature: &SpectralQuadrature, q: Vec3, buffers: &mut Buffers) -> Xyz {
+    let SpectralQuadrature { wavelengths_nm, weights } = quadrature;
+    let w = q[2].abs();
+    let point = |j: usize| point([q[0], q[1]], w, wavelengths_nm[j]);
+    let mut sum = [0.0; 3];
+    spectra.powers(Part::Total, wavelengths_nm.len(), point, buffers, |j, power| {
+        add(&mut sum, weights[j], power / (wavelengths_nm[j] * w).powi(2));
+    });
+    sum
+}
+
+/// `∫ S x̄ k² |E|² / (λ² A) dλ` of one window: the diffuse part alone, for several values of `w`.
+pub fn diffuse_power(spectra: &Spectra, quadrature: &SpectralQuadrature, uv: [f64; 2], w: &[f64]) -> Vec<Xyz> {
+    let SpectralQuadrature { wavelengths_nm, weights } = quadrature;
+    let mut sums = vec![[0.0; 3]; w.len()];
+    let places = |index: usize| (index / w.len(), index % w.len());
+    let point = |index: usize| point(uv, w[places(index).1], wavelengths_nm[places(index).0]);
+    let count = wavelengths_nm.len() * w.len();
+    spectra.powers(Part::Diffuse, count, point, &mut Buffers::default(), |index, power| {
+        let (j, which) = places(index);
+        add(&mut sums[which], weights[j], (TAU / wavelengths_nm[j].powi(2)).powi(2) * power);
+    });
+    sums
+}
+
+fn point(uv: [f64; 2], w: f64, wavelength_nm: f64) -> Point {
+    Point { frequency: uv.map(|u| u / wavelength_nm), s: TAU / wavelength_nm * w }
+}
+
+fn add(sum: &mut Xyz, weight: Xyz, power: f64) {
+    sum.iter_mut().zip(weight).for_each(|(sum, weight)| *sum += weight * power);
+}
