@@ -6,7 +6,7 @@
 use std::error::Error;
 use std::path::Path;
 
-use diffraction_atlas::render::png_image::write_png;
+use diffraction_render::render::png_image::write_png;
 use ndarray::Array3;
 
 /// Half the square's side; the light's and the viewer's place over its plane z = 0.

@@ -3,16 +3,16 @@
 //! Smooth made-up tables of 501 x 501 texels: the time does not depend on their values. Chebyshev sets have a coherent
 //! lobe; 24 tables are what the published powers of w need for an error of 1e-6 at 250 nm of depth.
 
-use diffraction_atlas::render::gpu::Gpu;
-use diffraction_atlas::render::gpu_frame::{Frame, FramePlan, time_frames};
-use diffraction_atlas::render::gpu_tables::upload;
-use diffraction_atlas::scene::gbuffer::gbuffer;
-use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::front_factor::FrontFactor;
 use diffraction_brdf::material::Material;
 use diffraction_brdf::shader::table_image;
 use diffraction_brdf::table_set::{Basis, Lobe, TableSet};
+use diffraction_render::render::gpu::Gpu;
+use diffraction_render::render::gpu_frame::{Frame, FramePlan, time_frames};
+use diffraction_render::render::gpu_tables::upload;
+use diffraction_render::scene::gbuffer::gbuffer;
+use diffraction_render::scene::model::{Light, Scene, Shape};
 
 use ndarray::Array3;
 

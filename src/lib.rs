@@ -80,7 +80,5 @@ pub mod cli;
 
 pub mod manifest;
 
-pub mod render;
 pub mod report;
-pub mod scene;
 pub mod stages;

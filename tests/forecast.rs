@@ -5,7 +5,6 @@ mod common;
 use std::sync::Mutex;
 
 use common::surfaces::{laser, random, tables_config};
-use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::known::Built;
 use diffraction_atlas::stages::serve::{Source, domain_of};
 use diffraction_atlas::stages::usage::{HeapCounter, lend_heap_counter, with_heap_bytes};
@@ -15,6 +14,7 @@ use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::{BuildPlan, plan_for};
 use diffraction_build::tables::forecast::{Forecast, forecast_of};
 use diffraction_build::tables::model::{Prefilter, TablesConfig};
+use diffraction_render::scene::model::{Light, Scene, Shape};
 use peak_alloc::PeakAlloc;
 
 #[global_allocator]

@@ -4,7 +4,6 @@ mod common;
 
 use assert_cmd::Command;
 use common::surfaces::{laser, random, tables_config};
-use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::forecast_run::{ReferenceForecast, reference_forecast};
 use diffraction_atlas::stages::scenes::{reference_samples, render_tables};
 use diffraction_atlas::stages::serve::Source;
@@ -13,6 +12,7 @@ use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::optics::window::placements;
 use diffraction_build::tables::build::{build, plan};
+use diffraction_render::scene::model::{Light, Scene, Shape};
 use serde_json::Value;
 
 fn surface() -> HeightField {

@@ -7,13 +7,13 @@ use std::path::{Path, PathBuf};
 use diffraction_atlas::manifest::{
     self, ExposureSection, FrameTiming, GpuCheck, HeightSection, HeightUnit, LevelSection, ShapeSection,
 };
-use diffraction_atlas::scene::animation::{Axis, Moving};
-use diffraction_atlas::scene::camera::{Camera, Field};
-use diffraction_atlas::scene::environment;
 use diffraction_atlas::stages::measured::MeasuredConfig;
 use diffraction_build::ground::spectrum::{Illuminant, Line};
 use diffraction_build::optics::config::{Edge, Material, Windows};
 use diffraction_build::tables::model::{Basis, Prefilter, Storage};
+use diffraction_render::scene::animation::{Axis, Moving};
+use diffraction_render::scene::camera::{Camera, Field};
+use diffraction_render::scene::environment;
 use manifest_fixture::{GOOD, folder, good_with, parse_in};
 
 #[test]

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use diffraction_atlas::scene::frame::cross;
-use diffraction_atlas::scene::mesh::{Model, read};
 use diffraction_brdf::error::Result;
+use diffraction_render::scene::frame::cross;
+use diffraction_render::scene::mesh::{Model, read};
 use proptest::prelude::*;
 
 /// A unit square in two materials, facing +z.

@@ -6,7 +6,6 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use common::surfaces::{random, tables_config};
-use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::serve::{Source, domain_of, plan_without};
 use diffraction_brdf::direction::wave_vector_change;
 use diffraction_build::height::HeightField;
@@ -16,6 +15,7 @@ use diffraction_build::optics::spectral::brdf_xyz_batch;
 use diffraction_build::tables::build::build_planned;
 use diffraction_build::tables::kept::{Keeper, Piece};
 use diffraction_build::tables::model::{TableSet, TablesConfig};
+use diffraction_render::scene::model::{Light, Scene, Shape};
 use proptest::prelude::*;
 
 /// Keeps everything by what a piece says of itself: enough for one surface under one light, where transforms hold the same

@@ -2,10 +2,6 @@
 
 mod common;
 
-use diffraction_atlas::render::cpu;
-use diffraction_atlas::scene::model::{Exposure, Light, Scene, Shape, exposure_factor};
-use diffraction_atlas::scene::reach::reach;
-use diffraction_atlas::scene::samples::samples;
 use diffraction_atlas::stages::serve::{Pruning, Source, account, domain_of, measure, plan_without};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, serves};
 use diffraction_build::height::HeightField;
@@ -15,6 +11,10 @@ use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::tables::build::{build, build_planned, grid};
 use diffraction_build::tables::domain::Domain;
 use diffraction_build::tables::model::{TableSet, TablesConfig};
+use diffraction_render::render::cpu;
+use diffraction_render::scene::model::{Exposure, Light, Scene, Shape, exposure_factor};
+use diffraction_render::scene::reach::reach;
+use diffraction_render::scene::samples::samples;
 use ndarray::Array3;
 use proptest::prelude::*;
 

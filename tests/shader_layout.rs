@@ -1,8 +1,8 @@
 //! The shaders as naga reads them: byte layouts against the Rust side.
 
-use diffraction_atlas::render::gpu_layout::{FrameLight, FrameParams, Run, ShadingSample};
-use diffraction_atlas::render::wgsl;
 use diffraction_brdf::shader::{LAYERS_MAX, TABLES_WGSL, TableParams};
+use diffraction_render::render::gpu_layout::{FrameLight, FrameParams, Run, ShadingSample};
+use diffraction_render::render::wgsl;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{Module, TypeInner};
 

@@ -3,7 +3,6 @@
 mod common;
 
 use diffraction_atlas::report::study_page::study_files;
-use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::progress::Silent;
 use diffraction_atlas::stages::stability::{DepthRow, GrazingRow, Guard, SeriesRow, Stability, StabilityCase};
 use diffraction_atlas::stages::study::{
@@ -13,6 +12,7 @@ use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{bundled, synthesize};
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_render::scene::model::{Light, Scene, Shape};
 use ndarray::Array2;
 
 fn specimen(depth_nm: f64) -> StudySpecimen {

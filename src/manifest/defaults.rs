@@ -1,11 +1,11 @@
 //! What holds where a manifest says nothing; docs/manifest.md lists the same values.
 
 use super::model::{FrameTiming, GpuCheck, GpuSection, LevelSection, LightSection, ShapeSection};
-use crate::scene::animation::Axis;
 use crate::stages::config::ReportConfig;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, Prefilter, TablesConfig};
+use diffraction_render::scene::animation::Axis;
 
 /// `[atlas] out`.
 pub const OUT: &str = "out/atlas";

@@ -6,10 +6,10 @@ use std::sync::Arc;
 use super::defaults;
 use super::keys;
 use super::reader::{Item, Section};
-use crate::scene::camera::{self, Camera, Field};
-use crate::scene::mesh::{self, COORDINATE_MAX, MeshShape, Model};
 use crate::stages::shared_scenes::FOLDER as SHARED_FOLDER;
 use diffraction_brdf::error::Result;
+use diffraction_render::scene::camera::{self, Camera, Field};
+use diffraction_render::scene::mesh::{self, COORDINATE_MAX, MeshShape, Model};
 
 /// How a mesh is given in the shape's place.
 pub const EXAMPLE: &str = "the name of a mesh file such as \"body.obj\"";

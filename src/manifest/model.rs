@@ -4,14 +4,14 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use crate::scene::animation::Animation;
-use crate::scene::environment::Environment;
-use crate::scene::mesh::MeshShape;
 pub use crate::stages::cache::CacheConfig;
 pub use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
 use crate::stages::measured::MeasuredConfig;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::tables::model::TablesConfig;
+use diffraction_render::scene::animation::Animation;
+use diffraction_render::scene::environment::Environment;
+use diffraction_render::scene::mesh::MeshShape;
 
 /// A whole manifest.
 #[derive(Debug, Clone, PartialEq, Serialize)]

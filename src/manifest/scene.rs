@@ -10,10 +10,10 @@ use super::model::{ExposureSection, LightSection, SceneSection, ShapeSection};
 use super::name;
 use super::reader::{Item, Section};
 use super::tables;
-use crate::scene::animation::{Animation, Axis, Moving};
-use crate::scene::environment::{self, Environment};
-use crate::scene::model::{ANIMATION_PIXELS_MAX, check_row_samples, check_turn};
 use diffraction_brdf::error::Result;
+use diffraction_render::scene::animation::{Animation, Axis, Moving};
+use diffraction_render::scene::environment::{self, Environment};
+use diffraction_render::scene::model::{ANIMATION_PIXELS_MAX, check_row_samples, check_turn};
 
 /// Width and height of a picture.
 const SIZE_PX: [usize; 2] = [16, 8192];

@@ -117,7 +117,7 @@ pub fn base64(bytes: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::png_image::encode_png;
+    use diffraction_render::render::png_image::encode_png;
 
     fn png() -> Vec<u8> {
         encode_png(&ndarray::Array3::zeros((4, 6, 3))).unwrap()

@@ -2,13 +2,13 @@
 
 use minijinja::{Value, context};
 
-use crate::render::gpu::GpuInfo;
-use crate::render::gpu_frame::Clock;
 use crate::report::embed::Album;
 use crate::report::numbers;
 use crate::stages::gpu_check::ReferenceCheck;
 use crate::stages::gpu_results::{FrameComparison, GpuResult, GpuRow, MethodFrame};
 use diffraction_brdf::error::Result;
+use diffraction_render::render::gpu::GpuInfo;
+use diffraction_render::render::gpu_frame::Clock;
 
 /// Everything the template needs; `has_scenes` says whether the run made pictures that could be compared.
 pub fn section(result: &GpuResult, has_scenes: bool, album: &mut Album) -> Result<Value> {

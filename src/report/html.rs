@@ -416,7 +416,7 @@ fn safe(markup: String) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::png_image::encode_png;
+    use diffraction_render::render::png_image::encode_png;
 
     fn png() -> Vec<u8> {
         encode_png(&ndarray::Array3::zeros((4, 6, 3))).unwrap()

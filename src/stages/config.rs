@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use super::cache::CacheConfig;
-use crate::scene::model::Scene;
 use crate::stages::measured::MeasuredConfig;
 use diffraction_build::height::prepare::PrepareConfig;
 use diffraction_build::height::read::ReadConfig;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::tables::model::TablesConfig;
+use diffraction_render::scene::model::Scene;
 
 /// A whole run.
 #[derive(Debug, Clone)]

@@ -5,7 +5,6 @@ use serde::Serialize;
 use super::error_directions::{DIRECTIONS, LIT_PER_DARK};
 use super::scenes::pairs_of;
 use super::serve::Source;
-use crate::scene::samples::ShadingSamples;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::{Vec3, wave_vector_change};
 use diffraction_build::ground::sampling::{Region, direction_pairs_in};
@@ -16,6 +15,7 @@ use diffraction_build::optics::reference::{FULL_STEP, PICTURE_STEP, WavenumberSt
 use diffraction_build::optics::spectra::{LineCounts, bandwidth_nm, line_counts};
 use diffraction_build::optics::window::Placement;
 use diffraction_build::tables::build::BuildPlan;
+use diffraction_render::scene::samples::ShadingSamples;
 
 /// What the reference of one specimen will take, with nothing of it known from earlier runs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

@@ -16,11 +16,6 @@ use super::gpu_stage::GpuStage;
 use super::ingest::ingest;
 use super::measure;
 use super::specimen;
-use crate::render::gpu::Gpu;
-use crate::render::gpu_frame::{Frame, FramePlan, FrameTime, copy_gb_per_s, time_frames};
-use crate::render::gpu_tables::upload;
-use crate::scene::gbuffer::{GBuffer, gbuffer};
-use crate::scene::model::{Light, Scene, Shape};
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
@@ -29,6 +24,11 @@ use diffraction_brdf::storage::round_to_half;
 use diffraction_build::ground::metrics;
 use diffraction_build::tables::build;
 use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
+use diffraction_render::render::gpu::Gpu;
+use diffraction_render::render::gpu_frame::{Frame, FramePlan, FrameTime, copy_gb_per_s, time_frames};
+use diffraction_render::render::gpu_tables::upload;
+use diffraction_render::scene::gbuffer::{GBuffer, gbuffer};
+use diffraction_render::scene::model::{Light, Scene, Shape};
 
 /// Name of the stage, in times and failures.
 pub const STAGE: &str = "time frames";

@@ -7,12 +7,6 @@ use ndarray::{Array3, Axis, Slice};
 use serde::{Deserialize, Serialize};
 
 use super::scenes::{every, reference_stride};
-use crate::render::cpu;
-use crate::render::gpu::Gpu;
-use crate::render::gpu_bound::bound_image;
-use crate::render::gpu_tables::{GpuTables, shade, upload};
-use crate::scene::model::{Scene, exposure_factor};
-use crate::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::Interpolation;
 use diffraction_brdf::shader::table_image;
@@ -21,6 +15,12 @@ use diffraction_build::ground::metrics::{ColourDifference, ciede2000, relative_l
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::tables::model::Storage;
 use diffraction_build::tables::taylor::unit_roundoff;
+use diffraction_render::render::cpu;
+use diffraction_render::render::gpu::Gpu;
+use diffraction_render::render::gpu_bound::bound_image;
+use diffraction_render::render::gpu_tables::{GpuTables, shade, upload};
+use diffraction_render::scene::model::{Scene, exposure_factor};
+use diffraction_render::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
 
 /// Samples of a scene held at a time: 29 MB here and 8 MB on the GPU.
 const BAND_SAMPLES: usize = 1 << 20;
@@ -174,7 +174,7 @@ struct Drawn {
 }
 
 fn draw(shade: Shade, surface: Surface, scene: &Scene, stride: usize) -> Result<Drawn> {
-    crate::scene::model::check(scene)?;
+    diffraction_render::scene::model::check(scene)?;
     let side = scene.size_px.div_ceil(stride);
     let [image, bound] = [(); 2].map(|()| Array3::zeros((side, side, 3)));
     let mut drawn = Drawn { image, bound, samples: 0 };
@@ -355,7 +355,7 @@ pub fn difference_picture(by_cpu: &Array3<f32>, by_gpu: &Array3<f32>, bound: &Ar
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::model::{Light, Shape};
+    use diffraction_render::scene::model::{Light, Shape};
 
     fn image(value: f32) -> Array3<f32> {
         Array3::from_elem((2, 3, 3), value)

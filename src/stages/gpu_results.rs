@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::gpu_check::{GpuSceneCheck, ReferenceCheck};
-use crate::render::gpu::GpuInfo;
-use crate::render::gpu_frame::FrameTime;
+use diffraction_render::render::gpu::GpuInfo;
+use diffraction_render::render::gpu_frame::FrameTime;
 
 /// Outcome of the GPU stage.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

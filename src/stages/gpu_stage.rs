@@ -20,12 +20,6 @@ use super::serve;
 use super::shared_scenes::specimens_of;
 use super::specimen;
 use super::usage::Stopwatch;
-use crate::render::gpu::{Gpu, GpuInfo};
-use crate::render::gpu_tables::{shade, upload};
-use crate::render::gpu_thread::OwningThread;
-use crate::render::png_image::write_png;
-use crate::scene::model::Scene;
-use crate::scene::samples::ShadingSamples;
 use diffraction_brdf::atlas::DIFFERENCE_SUFFIX;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::exr_image::read_rgb;
@@ -34,6 +28,12 @@ use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
 use diffraction_build::tables::plan::lobe_width;
+use diffraction_render::render::gpu::{Gpu, GpuInfo};
+use diffraction_render::render::gpu_tables::{shade, upload};
+use diffraction_render::render::gpu_thread::OwningThread;
+use diffraction_render::render::png_image::write_png;
+use diffraction_render::scene::model::Scene;
+use diffraction_render::scene::samples::ShadingSamples;
 
 /// Name of the stage, in times and failures.
 pub const STAGE: &str = "check on the GPU";

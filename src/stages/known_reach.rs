@@ -3,11 +3,11 @@
 use serde_json::{Value, json};
 
 use super::cache::Cache;
-use crate::scene::model::{Scene, Shape};
-use crate::scene::reach::reach;
 use diffraction_brdf::error::Result;
 use diffraction_build::tables::domain::Domain;
 use diffraction_build::tables::plan::Grid;
+use diffraction_render::scene::model::{Scene, Shape};
+use diffraction_render::scene::reach::reach;
 
 /// [`reach`], found where it is not known.
 ///
@@ -65,8 +65,8 @@ fn decode(bytes: &[u8], grid: Grid) -> Option<Domain> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::model::{Exposure, Light};
     use crate::stages::cache::CacheConfig;
+    use diffraction_render::scene::model::{Exposure, Light};
 
     fn ball() -> Scene {
         let sun = Light { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.5, irradiance: 1.0 };

@@ -29,9 +29,6 @@ use super::shared_scenes::{self, Share, SharedScenes};
 use super::specimen;
 use super::usage::{self, Stopwatch};
 use super::worked::work_number;
-use crate::render::cpu;
-use crate::render::png_image::write_png;
-use crate::scene::model::{Light, Scene, Shape};
 use diffraction_brdf::atlas::{AtlasIndex, InputRecord};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::Interpolation;
@@ -45,6 +42,9 @@ use diffraction_build::tables::forecast::forecast_of;
 use diffraction_build::tables::model::Basis;
 use diffraction_build::tables::plan::lobe_radius;
 use diffraction_build::tables::rounding;
+use diffraction_render::render::cpu;
+use diffraction_render::render::png_image::write_png;
+use diffraction_render::scene::model::{Light, Scene, Shape};
 
 /// Directions of the worked number in `FORMAT.md`, in degrees.
 const WORKED_DEG: [f64; 4] = [35.0, 20.0, 61.0, 250.0];
@@ -387,7 +387,7 @@ fn write_preview(surface: Surface, folder: &Path) -> Result<()> {
     let still = Scene::still("preview", Shape::Sphere, vec![sun], PREVIEW_PX);
     let scene = Scene { light_samples: 16, pixel_samples: 4, ..still };
     let image = cpu::render(&scene, &|wi, wo| surface.xyz(Interpolation::Bilinear, wi, wo))?;
-    let exposure = crate::scene::model::exposure_factor(scene.exposure, &image);
+    let exposure = diffraction_render::scene::model::exposure_factor(scene.exposure, &image);
     write_png(&folder.join("preview.png"), &diffraction_build::ground::colour::to_srgb8(&image, exposure))
 }
 

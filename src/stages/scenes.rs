@@ -8,12 +8,6 @@ use serde_json::json;
 
 use super::config::RunConfig;
 use super::results::{SceneError, SceneResult};
-use crate::render::cpu;
-use crate::render::png_image::{encode_animation, heat_map, side_by_side, write_png};
-use crate::scene::animation::{self, Animation, Axis, Moving};
-use crate::scene::light::environment_count;
-use crate::scene::model::{Scene, Shape, exposure_factor};
-use crate::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
 use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::{Error, Result};
@@ -25,6 +19,12 @@ use diffraction_build::ground::metrics;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::{Pigment, Surface, pigment_xyz};
 use diffraction_build::tables::plan::lobe_width;
+use diffraction_render::render::cpu;
+use diffraction_render::render::png_image::{encode_animation, heat_map, side_by_side, write_png};
+use diffraction_render::scene::animation::{self, Animation, Axis, Moving};
+use diffraction_render::scene::light::environment_count;
+use diffraction_render::scene::model::{Scene, Shape, exposure_factor};
+use diffraction_render::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
 
 /// Most pairs of directions that one scene may ask of the yardstick: sets the lattice of its picture.
 const REFERENCE_SAMPLES_MAX: usize = 40_000;
@@ -312,7 +312,7 @@ pub fn shape_name(shape: &Shape) -> &'static str {
 /// XYZ image from the BRDF at each sample: what `render::cpu::shade` does with a function.
 fn gather(samples: &ShadingSamples, brdf: &[Xyz]) -> Array3<f32> {
     Array3::from_shape_fn((samples.rows, samples.columns, 3), |(row, column, channel)| {
-        let range = crate::scene::samples::pixel_range(samples, row, column);
+        let range = diffraction_render::scene::samples::pixel_range(samples, row, column);
         range.map(|index| f64::from(samples.weight[index]) * brdf[index][channel]).sum::<f64>() as f32
     })
 }

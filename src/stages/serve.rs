@@ -11,8 +11,6 @@ use super::config::{GpuCheck, RunConfig, Serve};
 use super::known::Built;
 use super::results::null_for_nan;
 use super::shared_scenes::scenes_for;
-use crate::scene::model::{Exposure, Scene};
-use crate::scene::reach::reach;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
 use diffraction_build::ground::spectrum::Illuminant;
@@ -25,6 +23,8 @@ use diffraction_build::tables::model::TablesConfig;
 use diffraction_build::tables::plan::Grid;
 use diffraction_build::tables::plan::lobe_radius;
 use diffraction_build::tables::rounding;
+use diffraction_render::scene::model::{Exposure, Scene};
+use diffraction_render::scene::reach::reach;
 
 /// The scenes that a specimen's tables must serve, or its shares of them; `None` where they serve every direction.
 pub fn served_scenes(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {

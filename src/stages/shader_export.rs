@@ -4,8 +4,8 @@ use naga::back::{glsl, hlsl, msl, spv};
 use naga::proc::BoundsCheckPolicies;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-use crate::render::wgsl::{SHADE_MATERIAL, material};
 use diffraction_brdf::error::{Error, Result};
+use diffraction_render::render::wgsl::{SHADE_MATERIAL, material};
 
 /// What an engine needs to know: bindings in every language, inputs and result.
 pub const README: &str = include_str!("shader_readme.md");

@@ -9,11 +9,11 @@ use ndarray::Array3;
 
 use super::results::{Failure, SceneResult, SharedSceneResult};
 use super::scenes::SceneWork;
-use crate::scene::mesh;
-use crate::scene::model::{Scene, Shape};
 use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
+use diffraction_render::scene::mesh;
+use diffraction_render::scene::model::{Scene, Shape};
 
 /// Folder of these pictures, beside those of the specimens.
 pub const FOLDER: &str = "scenes";

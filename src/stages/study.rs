@@ -27,7 +27,6 @@ use serde::{Deserialize, Serialize};
 
 use super::error_directions::FLOOR_SHARE;
 use super::progress::Progress;
-use crate::scene::model::Scene;
 use diffraction_brdf::error::Result;
 use diffraction_build::ground::metrics::ErrorQuantiles;
 use diffraction_build::ground::sampling::Region;
@@ -38,6 +37,7 @@ use diffraction_build::tables::baselines::statistics::{SurfaceStatistics, surfac
 use diffraction_build::tables::build::AUTOMATIC_SIZE_MAX;
 use diffraction_build::tables::model::{Basis, Storage};
 use diffraction_build::tables::plan::{lobe_width, usable_radius};
+use diffraction_render::scene::model::Scene;
 
 /// Standard deviations of the narrowest lobe per texel of the study's tables: cubic interpolation then errs by
 /// about `3/128 · 0.5⁴ · 3` = 0.4 % of a lobe's peak at worst, and far less at the median.

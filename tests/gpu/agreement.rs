@@ -1,11 +1,11 @@
 //! Every kind of table set, in every kind of scene, agrees with the CPU within the derived bound.
 
-use diffraction_atlas::render::gpu_tables::upload;
 use diffraction_atlas::stages::gpu_check::{check_specimen, check_uploaded};
 use diffraction_brdf::shader::table_image;
 use diffraction_build::optics::config::{Material, Windows};
 use diffraction_build::optics::pigment::{Surface, pigment};
 use diffraction_build::tables::model::{Basis, TableSet};
+use diffraction_render::render::gpu_tables::upload;
 use half::f16;
 
 use crate::sets::{self, build_set, full_set, gpu, scenes, served_set, sphere};

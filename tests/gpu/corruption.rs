@@ -1,9 +1,9 @@
 //! The check fails when anything of what is uploaded is wrong.
 
-use diffraction_atlas::render::gpu_tables::upload;
 use diffraction_atlas::stages::gpu_check::{GpuSceneCheck, check_uploaded};
 use diffraction_brdf::shader::{TableImage, table_image};
 use diffraction_build::optics::pigment::Surface;
+use diffraction_render::render::gpu_tables::upload;
 use half::f16;
 
 use crate::sets::{full_set, gpu, served_set, sphere};

@@ -3,13 +3,13 @@
 use diffraction_build::optics::pigment::Surface;
 use std::process::Command;
 
-use diffraction_atlas::render::cpu;
-use diffraction_atlas::render::gpu_bound::bound_image;
-use diffraction_atlas::scene::samples::ShadingSamples;
 use diffraction_atlas::stages::specimen;
 use diffraction_brdf::direction::{Vec3, dot};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_build::ground::colour::xyz_to_linear_srgb;
+use diffraction_render::render::cpu;
+use diffraction_render::render::gpu_bound::bound_image;
+use diffraction_render::scene::samples::ShadingSamples;
 
 use crate::published::published;
 use crate::sets::gpu;

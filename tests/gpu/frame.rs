@@ -1,17 +1,17 @@
 //! The frame of an interactive program against the CPU's picture, and failures of the device.
 
-use diffraction_atlas::render::gpu::Gpu;
-use diffraction_atlas::render::gpu_bound::bound_image;
-use diffraction_atlas::render::gpu_frame::{Frame, FramePlan, copy_gb_per_s, time_frames};
-use diffraction_atlas::render::gpu_tables::{shade, upload};
-use diffraction_atlas::scene::animation::{Axis, Turn};
-use diffraction_atlas::scene::gbuffer::{GBuffer, gbuffer};
-use diffraction_atlas::scene::model::{Scene, Shape};
-use diffraction_atlas::scene::samples::{pixel_range, samples};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::shader::table_image;
 use diffraction_build::ground::colour::xyz_to_linear_srgb;
 use diffraction_build::optics::pigment::Surface;
+use diffraction_render::render::gpu::Gpu;
+use diffraction_render::render::gpu_bound::bound_image;
+use diffraction_render::render::gpu_frame::{Frame, FramePlan, copy_gb_per_s, time_frames};
+use diffraction_render::render::gpu_tables::{shade, upload};
+use diffraction_render::scene::animation::{Axis, Turn};
+use diffraction_render::scene::gbuffer::{GBuffer, gbuffer};
+use diffraction_render::scene::model::{Scene, Shape};
+use diffraction_render::scene::samples::{pixel_range, samples};
 
 use crate::sets::{full_set, gpu, scenes, sphere};
 
@@ -31,7 +31,7 @@ fn frame_error(scene: &Scene, buffer: &GBuffer) -> Option<f64> {
     let frame = Frame::new(gpu, &tables, buffer, exposure).unwrap().draw().unwrap();
     let samples = samples(scene).unwrap();
     let expected =
-        diffraction_atlas::render::cpu::shade(&samples, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo));
+        diffraction_render::render::cpu::shade(&samples, &|wi, wo| brdf_xyz(set, Interpolation::Bilinear, wi, wo));
     let bound = bound_image(Surface::without_pigment(set), &samples);
     let (mut worst, mut lit) = (0.0f64, 0);
     for (row, column) in (0..side).flat_map(|row| (0..side).map(move |column| (row, column))) {

@@ -5,9 +5,6 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 use diffraction_atlas::manifest::{self, convert::run_config};
-use diffraction_atlas::render::cpu;
-use diffraction_atlas::render::gpu::Gpu;
-use diffraction_atlas::scene::model::Scene;
 use diffraction_atlas::stages::config::RunConfig;
 use diffraction_atlas::stages::gpu_results::GpuRow;
 use diffraction_atlas::stages::gpu_stage::{GpuStage, check_files};
@@ -17,6 +14,9 @@ use diffraction_brdf::exr_image::{Precision, read_rgb, write_rgb};
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{Structure, synthesize};
 use diffraction_build::height::write::write_scan_tiff;
+use diffraction_render::render::cpu;
+use diffraction_render::render::gpu::Gpu;
+use diffraction_render::scene::model::Scene;
 use serde_json::json;
 
 use crate::sets::gpu;

@@ -2,14 +2,14 @@
 
 use std::sync::OnceLock;
 
-use diffraction_atlas::render::gpu::Gpu;
-use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_atlas::stages::serve::{Source, domain_of, plan_without};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::{build, build_planned};
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+use diffraction_render::render::gpu::Gpu;
+use diffraction_render::scene::model::{Light, Scene, Shape};
 use ndarray::Array2;
 
 /// The adapter, or `None` with a loud line.

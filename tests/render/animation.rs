@@ -1,9 +1,9 @@
 //! Turned objects and lights: what a turn must leave alike, and where it must lead.
 
-use diffraction_atlas::render::cpu;
-use diffraction_atlas::scene::animation::{Animation, Axis, Moving, Turn, back, frame, turned};
-use diffraction_atlas::scene::model::{Scene, Shape, check};
 use diffraction_brdf::direction::{Vec3, Xyz};
+use diffraction_render::render::cpu;
+use diffraction_render::scene::animation::{Animation, Axis, Moving, Turn, back, frame, turned};
+use diffraction_render::scene::model::{Scene, Shape, check};
 use ndarray::Array3;
 
 use super::scene;

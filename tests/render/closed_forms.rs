@@ -2,11 +2,11 @@
 
 use std::f64::consts::{FRAC_1_PI, PI};
 
-use diffraction_atlas::render::cpu::{render, render_subset, shade, shade_subset};
-use diffraction_atlas::scene::model::{Light, Shape};
-use diffraction_atlas::scene::samples::{pixel_centre, pixel_range, samples, samples_of};
-use diffraction_atlas::scene::sphere;
 use diffraction_brdf::direction::{Vec3, Xyz, dot, from_angles_deg, normalise};
+use diffraction_render::render::cpu::{render, render_subset, shade, shade_subset};
+use diffraction_render::scene::model::{Light, Shape};
+use diffraction_render::scene::samples::{pixel_centre, pixel_range, samples, samples_of};
+use diffraction_render::scene::sphere;
 use ndarray::Array3;
 
 use super::scene;

@@ -3,11 +3,11 @@
 use std::f64::consts::{FRAC_1_PI, PI};
 use std::sync::Arc;
 
-use diffraction_atlas::render::cpu;
-use diffraction_atlas::scene::animation::Turn;
-use diffraction_atlas::scene::environment::{self, Environment};
-use diffraction_atlas::scene::model::{Scene, Shape};
 use diffraction_brdf::direction::{Vec3, Xyz, dot, normalise};
+use diffraction_render::render::cpu;
+use diffraction_render::scene::animation::Turn;
+use diffraction_render::scene::environment::{self, Environment};
+use diffraction_render::scene::model::{Scene, Shape};
 use ndarray::{Array2, Array3};
 
 use super::scene;

@@ -8,8 +8,8 @@ mod meshes;
 mod pictures;
 mod screen;
 
-use diffraction_atlas::scene::model::{Light, Scene, Shape};
 use diffraction_brdf::direction::Vec3;
+use diffraction_render::scene::model::{Light, Scene, Shape};
 
 /// A scene lit by one light of unit irradiance.
 fn scene(shape: Shape, direction: Vec3, size_px: usize) -> Scene {

@@ -4,17 +4,17 @@ use std::f64::consts::{FRAC_1_PI, PI, TAU};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use diffraction_atlas::render::cpu::render;
-use diffraction_atlas::render::png_image::write_png;
-use diffraction_atlas::scene::animation::{Axis, Turn, turned};
-use diffraction_atlas::scene::camera::{Camera, Field};
-use diffraction_atlas::scene::mesh::{MeshShape, Model, share};
-use diffraction_atlas::scene::model::{Scene, Shape};
-use diffraction_atlas::scene::samples::{ShadingSamples, pixel_centre, pixel_range, samples};
-use diffraction_atlas::scene::sphere;
-use diffraction_atlas::scene::tangents::{RawMesh, build};
 use diffraction_brdf::direction::{Vec3, Xyz, dot, normalise};
 use diffraction_build::ground::colour::to_srgb8;
+use diffraction_render::render::cpu::render;
+use diffraction_render::render::png_image::write_png;
+use diffraction_render::scene::animation::{Axis, Turn, turned};
+use diffraction_render::scene::camera::{Camera, Field};
+use diffraction_render::scene::mesh::{MeshShape, Model, share};
+use diffraction_render::scene::model::{Scene, Shape};
+use diffraction_render::scene::samples::{ShadingSamples, pixel_centre, pixel_range, samples};
+use diffraction_render::scene::sphere;
+use diffraction_render::scene::tangents::{RawMesh, build};
 use ndarray::Array3;
 
 use super::scene;

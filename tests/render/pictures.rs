@@ -3,13 +3,13 @@
 
 use std::path::Path;
 
-use diffraction_atlas::render::cpu::render;
-use diffraction_atlas::render::png_image::write_png;
-use diffraction_atlas::scene::model::{Exposure, Scene, Shape, exposure_factor};
-use diffraction_atlas::scene::samples::pixel_centre;
-use diffraction_atlas::scene::sphere;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_build::ground::colour::to_srgb8;
+use diffraction_render::render::cpu::render;
+use diffraction_render::render::png_image::write_png;
+use diffraction_render::scene::model::{Exposure, Scene, Shape, exposure_factor};
+use diffraction_render::scene::samples::pixel_centre;
+use diffraction_render::scene::sphere;
 use ndarray::Array3;
 
 use super::grating::{Grating, brdf};

@@ -2,10 +2,10 @@
 
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
 
-use diffraction_atlas::render::cpu::render;
-use diffraction_atlas::scene::model::{Scene, Shape};
-use diffraction_atlas::scene::samples::pixel_centre;
 use diffraction_brdf::direction::{Vec3, dot, normalise};
+use diffraction_render::render::cpu::render;
+use diffraction_render::scene::model::{Scene, Shape};
+use diffraction_render::scene::samples::pixel_centre;
 
 use super::scene;
 

@@ -4,9 +4,6 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
-use diffraction_atlas::render::gpu::GpuInfo;
-use diffraction_atlas::render::gpu_frame::{Clock, FrameTime};
-use diffraction_atlas::render::png_image::encode_png;
 use diffraction_atlas::report::pictures::{height_map, spectrum_half_range_per_um, spectrum_picture};
 use diffraction_atlas::stages::gpu_check::{CpuPictures, compare, compare_with_reference};
 use diffraction_atlas::stages::gpu_results::{FrameComparison, MethodFrame};
@@ -16,6 +13,9 @@ use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, BuildRecord, Rounding, Storage};
+use diffraction_render::render::gpu::GpuInfo;
+use diffraction_render::render::gpu_frame::{Clock, FrameTime};
+use diffraction_render::render::png_image::encode_png;
 use ndarray::{Array2, Array3};
 
 /// Results and the pictures they name.

@@ -1,7 +1,7 @@
 """Front factors of the scalar model against rigorous diffraction orders: the table of figures, and `cases.csv`.
 
-All factors share the power |c_m|^2 of the phase screen exp(i k w h) (c_m: its Fourier coefficient) and differ in what stands
-before it. For order m, with w = -(cos_i + cos_m) and G = (1 + wi.wo)^2 / (cos_i cos_m):
+All factors share the power |c_m|^2 of the phase screen exp(i k w h) (c_m: its Fourier coefficient) and differ in what
+stands before it. For order m, with w = -(cos_i + cos_m) and G = (1 + wi.wo)^2 / (cos_i cos_m):
 
 - `scalar`: R(half vector) G / w^2, the factor of the tables' model;
 - `vector`: 4 cos_i cos_m (Q_ss + Q_pp) / 2 / w^2, first-order vector perturbation (Rayleigh-Rice);

@@ -1,7 +1,7 @@
 """The three grating profiles of the check and their Fourier integrals in closed form.
 
-Lengths are in wavelengths, heights count outward from the mean plane's side (vacuum above). A profile is periodic with
-the period d and has the depth h from its lowest to its highest point:
+Lengths are in wavelengths, heights count outward from the mean plane's side (vacuum above). A profile is periodic
+with the period d and has the depth h from its lowest to its highest point:
 
 - `sinusoid`: (h/2) cos(2 pi x / d);
 - `blaze`: rises over 90 % of the period, falls over the remaining 10 %;
@@ -17,7 +17,7 @@ from scipy.special import jv
 
 PROFILES = ("sinusoid", "blaze", "lamellar")
 RISE = 0.9  # share of the blaze's period that rises
-GROOVE = 0.5  # share of the lamellar period that is groove (the low part)
+GROOVE = 0.5  # share of the lamellar period that is low, unless a case says otherwise
 
 
 @dataclass(frozen=True)
@@ -27,6 +27,7 @@ class Profile:
     kind: str
     period: float
     depth: float
+    groove: float = GROOVE  # share of a lamellar period that is low
 
     def height(self, x):
         """Height at x (both in wavelengths), between -depth/2 and depth/2."""
@@ -35,7 +36,7 @@ class Profile:
             return 0.5 * self.depth * np.cos(2 * np.pi * t)
         if self.kind == "blaze":
             return self.depth * (np.where(t < RISE, t / RISE, (1 - t) / (1 - RISE)) - 0.5)
-        return self.depth * np.where(t < GROOVE, -0.5, 0.5)
+        return self.depth * np.where(t < self.groove, -0.5, 0.5)
 
     def phasor(self, gamma, orders):
         """(1/d) integral of exp(i gamma h(x)) exp(-2 pi i m x/d) over a period, for each m of `orders`.
@@ -49,7 +50,7 @@ class Profile:
         if self.kind == "blaze":
             up = _segment(a * 2 / RISE, m, -a, 0.0, RISE)
             return up + _segment(-a * 2 / (1 - RISE), m, a, RISE, 1.0)
-        return _segment(0 * a, m, -a, 0.0, GROOVE) + _segment(0 * a, m, a, GROOVE, 1.0)
+        return _segment(0 * a, m, -a, 0.0, self.groove) + _segment(0 * a, m, a, self.groove, 1.0)
 
     def slope_coefficients(self, orders):
         """Fourier coefficients of dh/dx (not for the lamellar profile, whose slope is not a function)."""
@@ -70,7 +71,7 @@ class Profile:
             return -half, half
         if self.kind == "blaze":
             return RISE * level, 1 - (1 - RISE) * level
-        return GROOVE, 1.0
+        return self.groove, 1.0
 
 
 def _segment(rate, m, start_phase, t0, t1):

@@ -1,20 +1,23 @@
 """A small rigorous solver for one-dimensional reflection gratings: Maxwell's equations, no model of the surface.
 
-It is the yardstick for the front factors of the scalar model (`factors.py`). Classical mounting: the plane of incidence is
-perpendicular to the grooves, so the two polarisations do not mix. Three methods, each where it converges best:
+It is the yardstick for the front factors of the scalar model (`factors.py`). Classical mounting: the plane of
+incidence is perpendicular to the grooves, so the two polarisations do not mix. Three methods, each where it converges
+best:
 
-- `coordinate`: the C-method (Chandezon): Maxwell's equations in coordinates that follow the surface. Sinusoid and blaze;
-  dielectric, metal, perfect conductor. The derivative terms are products of Toeplitz matrices of the slope (not the matrix
-  of the squared slope), which is what makes profiles with edges converge (Li and Chandezon 1996).
-- `layered`: the rigorous coupled-wave method (RCWA) with Li's factorisation rules (1996) and a recursion of reflection
-  matrices from the substrate upward, in which only decaying exponentials occur. Lamellar, and as a staircase any profile.
-- `groove_modes`: waveguide modes in the grooves of a perfectly conducting lamellar grating, matched to the plane waves above.
+- `coordinate`: the C-method (Chandezon): Maxwell's equations in coordinates that follow the surface. Sinusoid and
+  blaze; dielectric, metal, perfect conductor. The derivative terms are products of Toeplitz matrices of the slope
+  (not the matrix of the squared slope), which is what makes profiles with edges converge (Li and Chandezon 1996).
+- `layered`: the rigorous coupled-wave method (RCWA) with Li's factorisation rules (1996) and a recursion of
+  reflection matrices from the substrate upward, in which only decaying exponentials occur. Lamellar, and as a
+  staircase any profile.
+- `groove_modes`: waveguide modes in the grooves of a perfectly conducting lamellar grating, matched to the plane
+  waves above.
 
-A fourth, `rayleigh`, takes plane waves all the way down to the surface. It is right for shallow sinusoids only (slope below
-0.448) and serves to check the C-method on metals in p, where a staircase does not converge.
+A fourth, `rayleigh`, takes plane waves all the way down to the surface. It is right for shallow sinusoids only (slope
+below 0.448) and serves to check the C-method on metals in p, where a staircase does not converge.
 
-Conventions: time dependence exp(-i omega t), so absorbing media have n + ik with k > 0; lengths in wavelengths; k0 = 2 pi.
-Polarisation "s" has the electric field along the grooves, "p" the magnetic one. Order m leaves with
+Conventions: time dependence exp(-i omega t), so absorbing media have n + ik with k > 0; lengths in wavelengths; k0 =
+2 pi. Polarisation "s" has the electric field along the grooves, "p" the magnetic one. Order m leaves with
 sin(theta_m) = sin(theta_i) + m / period; efficiencies are power fractions of the incident power.
 """
 
@@ -27,7 +30,7 @@ from profiles import interval_coefficients
 
 K0 = 2 * np.pi
 
-# Aluminium at 550 nm: Rakic, Applied Optics 34, 4755 (1995), rounded. Dielectric: keratin. None: perfect conductor.
+# Aluminium at 550 nm (after Rakic, Applied Optics 34, 4755, 1995; rounded). Dielectric: keratin. None: perfect conductor.
 MATERIALS = {"aluminium": 0.96 + 6.70j, "conductor": None, "dielectric": 1.56 + 0.0j}
 POLARISATIONS = ("s", "p")
 

@@ -7,8 +7,6 @@ use serde::Serialize;
 use crate::cli::Global;
 use crate::cli::output::{self, Outcome, bytes_in_words};
 use crate::manifest::{self, convert::run_config};
-use crate::scene::model::Scene;
-use crate::scene::samples::ShadingSamples;
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::forecast_run::{ReferenceForecast, reference_forecast};
 use crate::stages::ingest::ingest;
@@ -19,6 +17,8 @@ use diffraction_brdf::error::Result;
 use diffraction_build::tables::build;
 use diffraction_build::tables::forecast::{Forecast, forecast_of};
 use diffraction_build::tables::model::Storage;
+use diffraction_render::scene::model::Scene;
+use diffraction_render::scene::samples::ShadingSamples;
 
 /// Arguments of `plan`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]

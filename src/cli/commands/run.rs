@@ -7,7 +7,6 @@ use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
 use crate::manifest::{self, convert::run_config};
-use crate::render::png_image::write_png;
 use crate::report::{self, pictures};
 use crate::stages::config::RunConfig;
 use crate::stages::pipeline::{self, Helpers};
@@ -15,6 +14,7 @@ use crate::stages::publish::Published;
 use crate::stages::results::{Failure, HeightMapFile, SpectrumFile, Statistics};
 use diffraction_brdf::error::Result;
 use diffraction_build::height::HeightField;
+use diffraction_render::render::png_image::write_png;
 
 /// Arguments of `run`; those of the program called without a command are the defaults.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]

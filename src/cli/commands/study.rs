@@ -7,11 +7,11 @@ use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
 use crate::manifest::{self, convert::run_config, convert::specimen_config};
 use crate::report::study_page::{PAGE, write_study};
-use crate::scene::model::Scene;
 use crate::stages::ingest::ingest;
 use crate::stages::stability::{StabilityCase, Verdict, run_stability};
 use crate::stages::study::{StudyConfig, StudySpecimen, run_study};
 use diffraction_brdf::error::Result;
+use diffraction_render::scene::model::Scene;
 
 /// Arguments of `study`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]

@@ -8,8 +8,6 @@ use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
 use crate::manifest::convert::{run_config, specimen_config};
 use crate::manifest::{self, Manifest};
-use crate::scene::model::Scene;
-use crate::scene::samples::samples;
 use crate::stages::error_directions::{Candidates, DRAWN, ErrorDirections};
 use crate::stages::ingest::ingest;
 use crate::stages::results::ErrorRow;
@@ -27,6 +25,8 @@ use diffraction_build::height::read::Provenance;
 use diffraction_build::optics::spectral;
 use diffraction_build::tables::build;
 use diffraction_build::tables::model::{TableSet, TablesConfig};
+use diffraction_render::scene::model::Scene;
+use diffraction_render::scene::samples::samples;
 
 /// Arguments of `verify`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]

@@ -5,8 +5,6 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 use rayon::prelude::*;
 
 use super::read::Measurement;
-use crate::scene::light::{direction_to, sunflower};
-use crate::scene::model::Light;
 use diffraction_brdf::direction::{Vec3, from_angles_deg, wave_vector_change};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::height::HeightField;
@@ -14,6 +12,8 @@ use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::lines::{Buffers, Part, Point};
 use diffraction_build::optics::spectra::{self, Spectra, SpectraConfig};
 use diffraction_build::optics::window::placements;
+use diffraction_render::scene::light::{direction_to, sunflower};
+use diffraction_render::scene::model::Light;
 
 /// Amplitude error of the interpolation in depth, relative to the window's whole: weak orders keep their
 /// digits.

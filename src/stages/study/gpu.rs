@@ -1,13 +1,13 @@
 //! Evaluation time on a GPU: frames of a ball drawn from the tables, per pair of directions.
 
-use crate::render::gpu::Gpu;
-use crate::render::gpu_frame::{Frame, FramePlan, time_frames};
-use crate::render::gpu_tables::upload;
-use crate::scene::gbuffer::{GBuffer, gbuffer};
-use crate::scene::model::{Light, Scene, Shape};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::shader::table_image;
 use diffraction_build::tables::model::TableSet;
+use diffraction_render::render::gpu::Gpu;
+use diffraction_render::render::gpu_frame::{Frame, FramePlan, time_frames};
+use diffraction_render::render::gpu_tables::upload;
+use diffraction_render::scene::gbuffer::{GBuffer, gbuffer};
+use diffraction_render::scene::model::{Light, Scene, Shape};
 
 /// Side of the frame, and lights per pixel: some 20 000 pairs of directions.
 const SIDE_PX: usize = 96;

@@ -4,8 +4,6 @@ use ndarray::Array3;
 
 use super::batch::{Batch, Pair, on_all_threads};
 use super::{Picture, SceneColour, StudySpecimen};
-use crate::scene::model::{Scene, exposure_factor};
-use crate::scene::samples::{ShadingSamples, pixel_range, samples_of, samples_per_pixel};
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::Result;
 use diffraction_build::ground::colour::to_srgb8;
@@ -14,6 +12,8 @@ use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::reference::PICTURE_STEP;
 use diffraction_build::optics::spectra::Spectra;
 use diffraction_build::optics::spectral::add_window;
+use diffraction_render::scene::model::{Scene, exposure_factor};
+use diffraction_render::scene::samples::{ShadingSamples, pixel_range, samples_of, samples_per_pixel};
 
 /// Most samples of a light or pixel: more pixels tell more about colours than smoother ones.
 const LIGHT_SAMPLES_MAX: usize = 4;
