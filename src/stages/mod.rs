@@ -13,8 +13,6 @@ pub mod gpu_results;
 pub mod gpu_stage;
 pub mod ingest;
 pub mod known;
-pub mod known_reach;
-pub mod known_sums;
 pub mod measure;
 pub mod measured;
 pub mod pipeline;

@@ -5,7 +5,6 @@ pub mod baselines;
 pub mod build;
 pub mod domain;
 pub mod forecast;
-pub mod kept;
 pub mod lobe;
 pub mod model;
 pub mod pilot;
