@@ -20,8 +20,8 @@ use diffraction_build::height::HeightField;
 use diffraction_build::height::statistics::seam_warning;
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::optics::pigment::Pigment;
-use diffraction_build::tables::build::BuildPlan;
 use diffraction_build::tables::model::{Basis, BuildRecord, Rounding, Storage, TableSet, TablesConfig};
+use diffraction_build::tables::plan::BuildPlan;
 
 /// Directions whose values are stored for testing other programs.
 const CHECK_VALUES: usize = 20;

@@ -10,13 +10,13 @@ use std::time::Duration;
 use ndarray::Array3;
 
 use super::config::{FrameTiming, GpuCheck, RunConfig, Serve, SpecimenConfig};
+use super::coverage;
 use super::frame_time;
 use super::gpu_check::{ReferenceCheck, Shade, check_picture, check_reference, reference_limit};
 use super::gpu_results::{GpuResult, GpuRow};
 use super::progress::Progress;
 use super::results::{Failure, RunResults};
 use super::scenes::reference_stride;
-use super::serve;
 use super::shared_scenes::specimens_of;
 use super::specimen;
 use super::usage::Stopwatch;
@@ -27,7 +27,7 @@ use diffraction_brdf::shader::{LAYERS_MAX, SIDE_MAX, table_image};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
-use diffraction_build::tables::plan::lobe_width;
+use diffraction_build::tables::resolution::lobe_width;
 use diffraction_render::render::gpu::{Gpu, GpuInfo};
 use diffraction_render::render::gpu_tables::{shade, upload};
 use diffraction_render::render::gpu_thread::OwningThread;
@@ -122,10 +122,10 @@ pub fn check(
     progress.stage(&format!("{name}: {STAGE}"), 0);
     let stopwatch = Stopwatch::start();
     // Shares of a scene have no picture of their own.
-    let pictured = serve::pictured_scenes(config, name);
+    let pictured = coverage::pictured_scenes(config, name);
     let scenes: Vec<&Scene> = pictured.iter().filter(|scene| specimens_of(scene).is_empty()).collect();
     let reference = config.report.reference;
-    let tables = serve::tables_for(config, name);
+    let tables = coverage::tables_for(config, name);
     let checked = check_files(stage, &version_folder.join(name), name, &scenes, &tables, reference);
     progress.finish();
     results.stages.push(stopwatch.read(STAGE, Some(name)));

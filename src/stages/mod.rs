@@ -2,6 +2,7 @@
 
 pub mod cache;
 pub mod config;
+pub mod coverage;
 pub(crate) mod describe;
 pub mod diff;
 pub mod error_directions;
@@ -21,7 +22,6 @@ pub mod publish;
 pub mod reached;
 pub mod results;
 pub mod scenes;
-pub mod serve;
 pub mod shader_data;
 pub mod shader_export;
 pub mod shared_scenes;

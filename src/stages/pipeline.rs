@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use super::cache::{Cache, CacheUse};
 use super::config::{RunConfig, Serve, SpecimenConfig};
+use super::coverage;
 use super::describe::{describe, entry, failed_result, inputs, scan_warnings, specimen_file};
 use super::error_directions::{Candidates, DIRECTIONS, ErrorDirections};
 use super::format_md::format_md;
@@ -23,7 +24,6 @@ use super::results::{
     Failure, GpuResult, HeightMapFile, RESULTS_SCHEMA, RunResults, SpecimenResult, SpectrumFile, StageTime, Statistics,
 };
 use super::scenes::{self, SceneWork, render_tables};
-use super::serve::{self, Cost, Source};
 use super::shared_scenes::{self, Share, SharedScenes};
 use super::specimen;
 use super::usage::{self, Stopwatch};
@@ -36,10 +36,12 @@ use diffraction_brdf::storage::read_tables;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::optics::pigment::pigment;
-use diffraction_build::tables::build;
+use diffraction_build::tables::coverage::budget::Cost;
 use diffraction_build::tables::forecast::forecast_of;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::Basis;
-use diffraction_build::tables::plan::lobe_radius;
+use diffraction_build::tables::plan::plan_for;
+use diffraction_build::tables::resolution::lobe_radius;
 use diffraction_build::tables::rounding;
 use diffraction_render::render::cpu;
 use diffraction_render::render::png_image::write_png;
@@ -100,7 +102,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     let mut example = None;
     let mut shared = SharedScenes::new(&config.scenes);
     let asked_for: Vec<&SpecimenConfig> =
-        config.specimens.iter().filter(|specimen| serve::is_asked_for(config, &specimen.name)).collect();
+        config.specimens.iter().filter(|specimen| coverage::is_asked_for(config, &specimen.name)).collect();
     for (number, specimen) in asked_for.iter().enumerate() {
         let label = format!("[{}/{}] {}", number + 1, asked_for.len(), specimen.name);
         let specimen_started = Instant::now();
@@ -250,20 +252,20 @@ fn run_specimen(
         Some(config) => Some(clock.stage("read measured reflectance", 0, || measured::read(config))?),
         None => None,
     };
-    let tables = serve::tables_for(config, &specimen.name);
-    let source = Source { fields: &ingested.fields, optics, tables: &tables };
+    let tables = coverage::tables_for(config, &specimen.name);
+    let input = BuildInput::new(&ingested.fields, optics, &tables);
     let known = Known::new(cache, &ingested.fields);
-    let pictured = serve::pictured_scenes(config, &specimen.name);
+    let pictured = coverage::pictured_scenes(config, &specimen.name);
     let wanted: Vec<&Scene> = pictured.iter().collect();
-    let serving = config.serve != Serve::All;
-    let domain = match serving {
+    let restricted = config.serve != Serve::All;
+    let covered = match restricted {
         false => None,
-        true => Some(clock.stage("find what the scenes reach", 0, || serve::domain_of(&source, &wanted))?),
+        true => Some(clock.stage("find what the scenes reach", 0, || coverage::cover(&input, &wanted))?),
     };
-    let plan = clock.stage("plan", 0, || build::plan_for(&ingested.fields, optics, &tables, domain.clone()))?;
-    let steps = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum::<usize>() * plan.windows.len();
+    let plan = clock.stage("plan", 0, || plan_for(&input, covered.clone()))?;
+    let steps = plan.rings.iter().map(|ring| ring.wavelengths()).sum::<usize>() * plan.windows.len();
     let done =
-        clock.stage("build tables", steps as u64, || known.tables(&source, &plan, &|n| helpers.progress.advance(n)))?;
+        clock.stage("build tables", steps as u64, || known.tables(&input, &plan, &|n| helpers.progress.advance(n)))?;
     let built = &done.set;
     let chosen = clock.stage("round to the tolerance", 0, || {
         Ok(rounding::choose(built, tables.storage, tables.tolerance, lobe_radius(optics)))
@@ -280,7 +282,7 @@ fn run_specimen(
     if works.iter().any(SceneWork::is_animated) {
         clock.stage("render animations", 0, || works.iter().try_for_each(|work| work.animate(surface, &folder)))?;
     }
-    let directions = match serving {
+    let directions = match restricted {
         false => ErrorDirections::of_regions(&set),
         true => ErrorDirections::drawn(&set, Candidates::of_scenes(&set, &works), DIRECTIONS),
     };
@@ -290,7 +292,7 @@ fn run_specimen(
         false => None,
         true => Some(clock.stage("evaluate the reference", 0, || {
             let pictures = works.iter().flat_map(SceneWork::pairs);
-            known.yardstick(&source, &plan, built.tables.len(), directions, pictures)
+            known.yardstick(&input, &plan, built.tables.len(), directions, pictures)
         })?),
     };
     result.warnings.extend(scan_warnings(&ingested, optics));
@@ -298,7 +300,7 @@ fn run_specimen(
     clock.stage("measure errors", 0, || {
         if let Some(yardstick) = &yardstick {
             result.errors = measure::error_rows(yardstick, &set, built);
-            result.errors.push(known.direct_row(&source, yardstick)?);
+            result.errors.push(known.direct_row(&input, yardstick)?);
             result.warnings.extend(measure::broken_tolerances(&result.errors, tables.tolerance));
         }
         let (sums, lobe_share) = measure::power_sums(&set);
@@ -342,7 +344,7 @@ fn run_specimen(
         specimen::write(&folder, &file)
     })?;
     let stored_bytes = clock.stage("count bytes", 0, || files::bytes_of(&folder, "exr"))?;
-    let measured = Cost::measured(&done, stored_bytes as f64);
+    let measured = coverage::cost_of(&done, stored_bytes as f64);
     if let Some(build) = &mut result.build {
         (build.build_s, build.stored_bytes) = (done.seconds, stored_bytes);
         build.build_cpu_s = done.processor_s;
@@ -350,12 +352,12 @@ fn run_specimen(
         // The published series is built another way, which no forecast knows.
         if tables.basis == Basis::Chebyshev {
             let threads = rayon::current_num_threads();
-            build.predicted = Some(Cost::predicted(&forecast_of(source.fields, optics, &tables, &plan, threads)));
+            build.predicted = Some(Cost::predicted(&forecast_of(&input, &plan, threads)));
         }
     }
-    if let Some(domain) = &domain {
+    if let Some(covered) = &covered {
         result.budget = Some(clock.stage("account for what is left out", 0, || {
-            serve::account(&source, &wanted, domain, &config.tables, measured, config.report.savings)
+            coverage::account(&input, &wanted, covered, &config.tables, measured, config.report.savings)
         })?);
     }
     let inputs = inputs(config, specimen, &ingested, measurement.as_ref());
@@ -406,7 +408,7 @@ fn empty_results(config: &RunConfig, helpers: &Helpers) -> RunResults {
         stages: Vec::new(),
         gpu: GpuResult::Off,
         failures: Vec::new(),
-        left_out: serve::left_out(config),
+        left_out: coverage::left_out(config),
         cache: None,
         peak_memory_mib: None,
         total_wall_s: 0.0,

@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 
 use super::cache::CacheUse;
 pub use super::gpu_results::{GpuResult, GpuRow};
-use super::serve::{Budget, Cost};
 use crate::stages::measured::MeasuredResult;
 use diffraction_brdf::error::{Error, Result};
 pub use diffraction_build::height::statistics::{Period, Statistics};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::Pigment;
+use diffraction_build::tables::coverage::budget::{Budget, Cost};
 use diffraction_build::tables::model::{Basis, BuildRecord, Rounding, Storage};
 
 /// Version of the layout of `report.json`; raised when a field changes its meaning or disappears.

@@ -34,9 +34,9 @@ use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::optics::window::FADE_SIGMAS;
 use diffraction_build::tables::baselines::statistics::{SurfaceStatistics, surface_statistics};
-use diffraction_build::tables::build::AUTOMATIC_SIZE_MAX;
 use diffraction_build::tables::model::{Basis, Storage};
-use diffraction_build::tables::plan::{lobe_width, usable_radius};
+use diffraction_build::tables::plan::AUTOMATIC_SIZE_MAX;
+use diffraction_build::tables::resolution::{lobe_width, usable_radius};
 use diffraction_render::scene::model::Scene;
 
 /// Standard deviations of the narrowest lobe per texel of the study's tables: cubic interpolation then errs by

@@ -8,10 +8,10 @@ use diffraction_atlas::report::pictures::{height_map, spectrum_half_range_per_um
 use diffraction_atlas::stages::gpu_check::{CpuPictures, compare, compare_with_reference};
 use diffraction_atlas::stages::gpu_results::{FrameComparison, MethodFrame};
 use diffraction_atlas::stages::results::*;
-use diffraction_atlas::stages::serve::Cost;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::tables::coverage::budget::Cost;
 use diffraction_build::tables::model::{Basis, BuildRecord, Rounding, Storage};
 use diffraction_render::render::gpu::GpuInfo;
 use diffraction_render::render::gpu_frame::{Clock, FrameTime};

@@ -8,10 +8,10 @@ use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
 use crate::manifest::convert::{run_config, specimen_config};
 use crate::manifest::{self, Manifest};
+use crate::stages::coverage;
 use crate::stages::error_directions::{Candidates, DRAWN, ErrorDirections};
 use crate::stages::ingest::ingest;
 use crate::stages::results::ErrorRow;
-use crate::stages::serve;
 use crate::stages::specimen::{self, SpecimenFile};
 use crate::stages::verify::{self, VerifyReport};
 use diffraction_brdf::atlas::{self, AtlasIndex};
@@ -22,9 +22,11 @@ use diffraction_brdf::specimen::CheckValue;
 use diffraction_build::ground::metrics;
 use diffraction_build::ground::sampling::{self, Region};
 use diffraction_build::height::read::Provenance;
+use diffraction_build::optics::spectra::SpectraConfig;
 use diffraction_build::optics::spectral;
-use diffraction_build::tables::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{TableSet, TablesConfig};
+use diffraction_build::tables::plan;
 use diffraction_render::scene::model::Scene;
 use diffraction_render::scene::samples::samples;
 
@@ -206,8 +208,8 @@ fn against_scans(
     let fields = ingested.fields;
     // Sums over every direction are not what is asked for here; transforms are.
     let roomy = TablesConfig { memory_mib: usize::MAX >> 20, ..manifest.tables.clone() };
-    let mut plan = build::plan(&fields, &config.optics, &roomy)?;
-    plan.spectra.memory_bytes = (manifest.tables.memory_mib as u64) << 20;
+    let plan = plan::plan(&BuildInput::new(&fields, &config.optics, &roomy))?;
+    let spectra = SpectraConfig { memory_bytes: (manifest.tables.memory_mib as u64) << 20, ..plan.spectra };
     let recorded: Vec<ErrorRow> = serde_json::from_value(file.errors.clone()).unwrap_or_default();
     let totals = |region: &str| recorded.iter().find(|row| row.what == "total" && row.region == region);
     let mut candidates = match set.served {
@@ -220,7 +222,7 @@ fn against_scans(
         candidates.floor_per_sr = totals(&candidates.name).map_or(0.0, |row| row.floor_per_sr);
     }
     let ErrorDirections { groups, pairs } = ErrorDirections::drawn(set, candidates, args.samples);
-    let exact = spectral::brdf_xyz_batch(&fields, &config.optics, &plan.spectra, &pairs)?;
+    let exact = spectral::brdf_xyz_batch(&fields, &config.optics, &spectra, &pairs)?;
     let mut directions = pairs.iter().zip(&exact);
     for group in &groups {
         let errors = directions.by_ref().take(group.len()).filter_map(|(&(wi, wo), exact)| {
@@ -255,7 +257,7 @@ fn scene_candidates(
     set: &TableSet,
 ) -> Result<Vec<Candidates>> {
     let config = run_config(manifest, "");
-    let scenes = serve::served_scenes(&config, &file.name).unwrap_or_default();
+    let scenes = coverage::restricted_to(&config, &file.name).unwrap_or_default();
     let of_scene = |scene: &Scene| {
         let samples = samples(scene)?;
         let count = samples.weight.len();

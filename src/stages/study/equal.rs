@@ -24,7 +24,9 @@ use diffraction_brdf::storage::write_tables;
 use diffraction_build::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::tables::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+use diffraction_build::tables::plan;
 use diffraction_build::tables::rounding::to_tolerance;
 
 /// Errors at which the methods are compared.
@@ -192,7 +194,8 @@ pub fn count(config: &StudyConfig) -> u64 {
 pub fn rows(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refusal>) -> Result<Vec<EqualError>> {
     let trials = build_trials(specimen, context, refusals)?;
     let Some(finest) = trials.chebyshev.last() else { return Ok(Vec::new()) };
-    let plan = build::plan(&specimen.fields, &specimen.optics, &config_of(context, Basis::Chebyshev, 1))?;
+    let plan =
+        plan::plan(&BuildInput::new(&specimen.fields, &specimen.optics, &config_of(context, Basis::Chebyshev, 1)))?;
     let drawn = direction_pairs(Region::Hemisphere, DRAWN);
     let steep_pairs: Vec<Pair> = drawn.iter().copied().filter(steep).collect();
     let bright = |(wi, wo): &Pair| brdf_xyz(finest, Interpolation::Cubic, *wi, *wo)[1];
@@ -250,7 +253,10 @@ fn config_of(context: &Context, basis: Basis, count: usize) -> TablesConfig {
 
 fn build_trials(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refusal>) -> Result<Trials> {
     let made = |basis, count| {
-        let built = build::build(&specimen.fields, &specimen.optics, &config_of(context, basis, count), &|_| ());
+        let built = build::build(
+            &BuildInput::new(&specimen.fields, &specimen.optics, &config_of(context, basis, count)),
+            &|_| (),
+        );
         context.progress.advance(1);
         built.map(|(set, _)| set)
     };

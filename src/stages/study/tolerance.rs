@@ -17,9 +17,11 @@ use diffraction_build::ground::metrics::{ErrorQuantiles, relative_error_quantile
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::tables::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, BuildRecord, Prefilter, Rounding, Storage, TablesConfig};
-use diffraction_build::tables::plan::lobe_radius;
-use diffraction_build::tables::plan::resolving_size;
+use diffraction_build::tables::plan;
+use diffraction_build::tables::resolution::lobe_radius;
+use diffraction_build::tables::resolution::resolving_size;
 use diffraction_build::tables::rounding::{Chosen, choose};
 
 /// Tolerances asked for.
@@ -108,11 +110,11 @@ pub fn row(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<ToleranceR
     let (fields, optics) = (&specimen.fields, &specimen.optics);
     let tolerance = tables.tolerance;
     let started = std::time::Instant::now();
-    let (built, record) = build::build(fields, optics, tables, &|_| ())?;
+    let (built, record) = build::build(&BuildInput::new(fields, optics, tables), &|_| ())?;
     let build_s = started.elapsed().as_secs_f64();
     let Chosen { set, storage, rounding } = choose(&built, tables.storage, tolerance, lobe_radius(optics));
     let read = stored(&set, storage);
-    let plan = build::plan(fields, optics, tables)?;
+    let plan = plan::plan(&BuildInput::new(fields, optics, tables))?;
     let directions = ErrorDirections::of_regions(&read);
     let floor_per_sr = directions.groups[0].floor_per_sr;
     let yardstick = measure::yardstick(fields, optics, &plan, built.tables.len(), directions, [])?;

@@ -5,5 +5,6 @@ pub mod colour;
 pub mod csv;
 pub mod fft;
 pub mod metrics;
+pub mod null_for_nan;
 pub mod sampling;
 pub mod spectrum;
