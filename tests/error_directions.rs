@@ -12,7 +12,7 @@ use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::{build, plan};
 use diffraction_build::tables::model::TableSet;
 
@@ -25,6 +25,7 @@ fn daylight() -> OpticsConfig {
         windows: Windows::Grid,
         material: Material::Ideal,
         shadowing: false,
+        factor: Factor::Scalar,
     }
 }
 

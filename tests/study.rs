@@ -11,7 +11,7 @@ use diffraction_atlas::stages::study::{
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{bundled, synthesize};
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_render::scene::model::{Light, Scene, Shape};
 use ndarray::Array2;
 
@@ -39,6 +39,7 @@ fn specimen(depth_nm: f64) -> StudySpecimen {
             windows: Windows::Grid,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         },
         scenes: vec![ball()],
     }

@@ -3,7 +3,7 @@
 use super::model::{FrameTiming, GpuCheck, GpuSection, LevelSection, LightSection, ShapeSection};
 use crate::stages::config::ReportConfig;
 use diffraction_build::ground::spectrum::Illuminant;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, Prefilter, TablesConfig};
 use diffraction_render::scene::animation::Axis;
 
@@ -77,6 +77,7 @@ pub fn optics() -> OpticsConfig {
         windows: Windows::Grid,
         material: Material::Ideal,
         shadowing: false,
+        factor: Factor::Scalar,
     }
 }
 

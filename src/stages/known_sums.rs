@@ -73,6 +73,7 @@ impl Keeper for KnownSums<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use diffraction_brdf::front_factor::Factor;
     use crate::stages::cache::CacheConfig;
     use diffraction_build::ground::spectrum::Illuminant;
     use diffraction_build::height::HeightField;
@@ -98,6 +99,7 @@ mod tests {
             windows: Windows::Grid,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         };
         let tables = TablesConfig {
             basis: Basis::Chebyshev,

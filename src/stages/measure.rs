@@ -130,7 +130,7 @@ pub fn error_rows(yardstick: &Yardstick, stored: &TableSet, built: &TableSet) ->
         let luminance = |values: &[Xyz]| values.iter().map(|xyz| xyz[1]).collect::<Vec<_>>();
         let exact = luminance(&yardstick.xyz[range.clone()]);
         // The diffuse part as bright as it is seen, so that one floor counts for all rows.
-        let front: Vec<f64> = pairs.iter().map(|&(wi, wo)| stored.front_factor.value(wi, wo)).collect();
+        let front: Vec<f64> = pairs.iter().map(|&(wi, wo)| stored.front_factor.diffuse(wi, wo)).collect();
         let seen = |diffuse: &[f64]| -> Vec<f64> { diffuse.iter().zip(&front).map(|(d, front)| d * front).collect() };
         let tables = |set: &TableSet, interpolation| {
             luminance(&pairs.iter().map(|&(wi, wo)| brdf_xyz(set, interpolation, wi, wo)).collect::<Vec<_>>())
@@ -250,7 +250,7 @@ pub fn power_sums(set: &TableSet) -> (Vec<PowerSum>, Option<f64>) {
     let mut lobe_share = None;
     for theta_i_deg in [0.0, 30.0, 60.0] {
         let wi = from_angles_deg(theta_i_deg, 0.0);
-        let front = |wo: Vec3| unit.front_factor.value(wi, wo);
+        let front = |wo: Vec3| unit.front_factor.diffuse(wi, wo);
         let diffuse = integrate([0.0, 0.0], 1.0, steps, |wo| {
             front(wo) * diffuse_window_power(&unit, Interpolation::Bilinear, wave_vector_change(wi, wo))[1]
         });

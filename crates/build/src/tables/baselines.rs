@@ -33,7 +33,7 @@ pub fn integrate(
     let mut by_count: BTreeMap<usize, SpectralQuadrature> = BTreeMap::new();
     for (&(wi, wo), xyz) in pairs.iter().zip(xyz) {
         let q = wave_vector_change(wi, wo);
-        let front = optics.front_factor().value(wi, wo);
+        let front = optics.front_factor().diffuse(wi, wo);
         if front == 0.0 {
             continue;
         }

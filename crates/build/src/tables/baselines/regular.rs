@@ -112,6 +112,7 @@ mod tests {
     use crate::optics::reference;
     use crate::tables::baselines::statistics::surface_statistics;
     use diffraction_brdf::direction::from_angles_deg;
+    use diffraction_brdf::front_factor::Factor;
 
     #[test]
     fn a_scan_of_one_sinusoid_is_met_by_the_direct_sum() {
@@ -126,6 +127,7 @@ mod tests {
             windows: Windows::Grid,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         };
         let model = RegularSurface::fitted(&surface_statistics(std::slice::from_ref(&field)));
         for order in -2..=2 {
