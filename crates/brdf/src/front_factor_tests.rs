@@ -79,7 +79,8 @@ fn both_factors_reflect_r_in_the_mirror_direction() {
             for factor in [Factor::Vector, Factor::Scalar] {
                 let front = of(material, factor);
                 for value in [front.diffuse(wi, wo) / w2, front.coherent(wi, wo)] {
-                    assert!((value / r - 1.0).abs() < 1e-9, "{material:?} {theta} {factor:?}: {value} {r}");
+                    // 1 + wi·wo is 6e-8 at 89.99 degrees, and rounded by 1e-16.
+                    assert!((value / r - 1.0).abs() < 1e-8, "{material:?} {theta} {factor:?}: {value} {r}");
                 }
             }
         }
@@ -102,10 +103,10 @@ fn factors_are_reciprocal_finite_and_the_vector_one_is_bounded() {
             }
             scalar_at_grazing = scalar_at_grazing.max(of(material, Factor::Scalar).diffuse(wi, wo));
             if let Some(index) = complex_index(material) {
-                // Largest in p where ε cos θ is as large as the root, about √ε: cos² θ = 1/|ε|, and the sum is
-                // 2/|ε| |ε|² (2|ε|)² / (2√|ε|)⁴ = |ε|/2; where that is little, 4 in the normal direction.
+                // Largest in p. With x = √|ε| cos θ it is at most 8 |ε| x_i x_o / ((1 + x_i)² (1 + x_o)²), which is |ε|/2 where
+                // the terms of a denominator have one phase, and at most twice that where they do not.
                 let found = of(material, Factor::Vector).diffuse(wi, wo);
-                assert!(found <= (0.5 * index.norm_sqr()).max(4.0), "{material:?} {wi:?} {wo:?}: {found}");
+                assert!(found <= index.norm_sqr().max(4.0), "{material:?} {wi:?} {wo:?}: {found}");
             }
         }
     }
