@@ -5,10 +5,10 @@ mod common;
 use std::f64::consts::TAU;
 
 use common::surfaces::{random, sampled, tables_config};
-use diffraction_atlas::stages::error_directions::{Candidates, ErrorDirections};
-use diffraction_atlas::stages::measure::{error_rows, yardstick};
-use diffraction_atlas::stages::results::ErrorRow;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_build::accuracy::directions::{Candidates, ErrorDirections};
+use diffraction_build::accuracy::measure::{error_rows, yardstick};
+use diffraction_build::accuracy::rows::ErrorRow;
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;

@@ -5,11 +5,9 @@ use std::path::Path;
 use diffraction_atlas::manifest::convert::specimen_config;
 use diffraction_atlas::manifest::load;
 use diffraction_atlas::stages::ingest::ingest;
-use diffraction_atlas::stages::study::{
-    Kept, StudyConfig, StudySpecimen, TOLERANCES, ToleranceRow, automatic, tolerance_row,
-};
 use diffraction_build::tables::build;
 use diffraction_build::tables::model::{Prefilter, Storage, TablesConfig};
+use diffraction_study::study::{Kept, StudyConfig, StudySpecimen, TOLERANCES, ToleranceRow, automatic, tolerance_row};
 
 /// The specimens of a manifest, by its path in the repository.
 fn specimens(manifest: &str) -> Vec<StudySpecimen> {

@@ -2,7 +2,8 @@
 
 use crate::report::frames::period_letter;
 use crate::report::numbers;
-use crate::stages::results::{BuildResult, ErrorRow, Period, SpecimenResult, Statistics};
+use crate::stages::results::{BuildResult, Period, SpecimenResult, Statistics};
+use diffraction_build::accuracy::rows::ErrorRow;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, Rounding, Storage};
@@ -377,7 +378,7 @@ fn value_text(value: &serde_json::Value) -> String {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::stages::measure;
+    use diffraction_build::accuracy::measure;
 
     /// A row of one direction with this 95th percentile.
     pub fn error_row(what: &str, region: &str, p95: f64) -> ErrorRow {

@@ -7,8 +7,9 @@ use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
 use crate::report::{budget_facts, frames, gpu_facts, measured, numbers, plots};
 use crate::stages::cache::CacheUse;
-use crate::stages::results::{ErrorRow, RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
+use crate::stages::results::{RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
 use diffraction_brdf::error::{Error, Result};
+use diffraction_build::accuracy::rows::ErrorRow;
 
 const TEMPLATE: &str = include_str!("templates/report.html");
 

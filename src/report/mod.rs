@@ -4,8 +4,10 @@ mod budget_facts;
 mod colour_maps;
 pub mod html;
 pub mod pictures;
+#[cfg(feature = "study")]
 pub mod study_page;
-pub mod study_plots;
+#[cfg(feature = "study")]
+mod study_plots;
 
 mod embed;
 mod facts;

@@ -2,7 +2,7 @@
 
 use crate::report::numbers;
 use crate::report::svg::{at, escape, ticks};
-use crate::stages::results::{ErrorRow, PowerSum};
+use diffraction_build::accuracy::rows::{ErrorRow, PowerSum};
 
 /// Width of every plot in SVG units; text is 12 units high.
 const WIDTH: f64 = 620.0;

@@ -9,10 +9,10 @@ use super::embed::base64;
 use super::study_plots::{
     Figure, cost_figure, cost_figure_on_texels, knob_figure, stability_figures, svg, tables_figure, tolerance_figure,
 };
-use crate::stages::stability::{Stability, StabilityCase, Verdict};
-use crate::stages::study::{SpecimenStudy, Study};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_render::render::png_image::encode_png;
+use diffraction_study::stability::{Stability, StabilityCase, Verdict};
+use diffraction_study::study::{SpecimenStudy, Study};
 
 /// Knobs whose settings are numbers: file key, rows drawn together, axis.
 const KNOB_PLOTS: [(&str, &[&str], &str); 5] = [

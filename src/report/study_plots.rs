@@ -3,10 +3,10 @@
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use crate::stages::stability::{DepthRow, GrazingRow, Stability};
-use crate::stages::study::{MethodRow, SpecimenStudy};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::ground::sampling::Region;
+use diffraction_study::stability::{DepthRow, GrazingRow, Stability};
+use diffraction_study::study::{MethodRow, SpecimenStudy};
 
 /// Pixels of one panel, and of the column that names the lines.
 const PANEL_PX: (u32, u32) = (470, 400);

@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
-use super::error_directions::{DIRECTIONS, LIT_PER_DARK};
 use super::scenes::pairs_of;
 use super::serve::Source;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::{Vec3, wave_vector_change};
+use diffraction_build::accuracy::directions::{DIRECTIONS, LIT_PER_DARK};
 use diffraction_build::ground::sampling::{Region, direction_pairs_in};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::optics::kernel::SEMICIRCLE_TAPS;

@@ -10,17 +10,17 @@
 use std::path::Path;
 
 use super::config::{RunConfig, SpecimenConfig};
-use super::error_directions::{ErrorDirections, ErrorGroup};
 use super::gpu_results::{FrameComparison, MethodFrame};
 use super::gpu_stage::GpuStage;
 use super::ingest::ingest;
-use super::measure;
 use super::specimen;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::shader::{TableImage, table_image};
 use diffraction_brdf::storage::round_to_half;
+use diffraction_build::accuracy::directions::{ErrorDirections, ErrorGroup};
+use diffraction_build::accuracy::measure;
 use diffraction_build::ground::metrics;
 use diffraction_build::tables::build;
 use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};

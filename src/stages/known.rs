@@ -12,15 +12,15 @@ use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 use super::cache::{Cache, CacheUse};
-use super::error_directions::ErrorDirections;
 use super::known_sums::KnownSums;
-use super::measure::{self, Yardstick};
-use super::results::ErrorRow;
 use super::serve::Source;
 use super::usage::{self, Stopwatch};
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
+use diffraction_build::accuracy::directions::ErrorDirections;
+use diffraction_build::accuracy::measure::{self, Yardstick};
+use diffraction_build::accuracy::rows::ErrorRow;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::reference;
 use diffraction_build::tables::build::{self, Advance, BuildPlan};

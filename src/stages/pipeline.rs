@@ -9,31 +9,32 @@ use std::time::Instant;
 use super::cache::{Cache, CacheUse};
 use super::config::{RunConfig, Serve, SpecimenConfig};
 use super::describe::{describe, entry, failed_result, inputs, scan_warnings, specimen_file};
-use super::error_directions::{Candidates, DIRECTIONS, ErrorDirections};
 use super::format_md::format_md;
 use super::gpu_stage;
 use super::ingest::ingest;
 use super::known::Known;
 use super::known_reach::known_reach;
-use super::measure;
 use super::measured;
-use super::progress::Progress;
 use super::publish::{self, Published, Staging};
 use super::reached::reached_picture;
 use super::results::{
     Failure, GpuResult, HeightMapFile, RESULTS_SCHEMA, RunResults, SpecimenResult, SpectrumFile, StageTime, Statistics,
 };
-use super::scenes::{self, SceneWork, render_tables};
+use super::scenes::{self, SceneWork, candidates_of, render_tables};
 use super::serve::{self, Cost, Source};
 use super::shared_scenes::{self, Share, SharedScenes};
 use super::specimen;
-use super::usage::{self, Stopwatch};
+use super::usage::Stopwatch;
 use super::worked::work_number;
 use diffraction_brdf::atlas::{AtlasIndex, InputRecord};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::Interpolation;
 use diffraction_brdf::files;
 use diffraction_brdf::storage::read_tables;
+use diffraction_build::accuracy::directions::{DIRECTIONS, ErrorDirections};
+use diffraction_build::accuracy::measure;
+use diffraction_build::ground::memory;
+use diffraction_build::ground::progress::Progress;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::optics::pigment::pigment;
@@ -151,7 +152,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     results.shared_scenes = pictures;
     results.failures.extend(failures);
     results.total_wall_s = started.elapsed().as_secs_f64();
-    results.peak_memory_mib = usage::process_peak_bytes().map(|bytes| bytes as f64 / f64::from(1 << 20));
+    results.peak_memory_mib = memory::process_peak_bytes().map(|bytes| bytes as f64 / f64::from(1 << 20));
     let Some(example) = example else {
         return Ok(RunOutcome { results, published: None });
     };
@@ -290,7 +291,7 @@ fn run_specimen(
     }
     let directions = match serving {
         false => ErrorDirections::of_regions(&set),
-        true => ErrorDirections::drawn(&set, Candidates::of_scenes(&set, &works), DIRECTIONS),
+        true => ErrorDirections::drawn(&set, candidates_of(&set, &works), DIRECTIONS),
     };
     let served = directions.pairs.clone();
     let mut result = describe(specimen, &ingested, &tables, &set, pigment, &stored, &done.record, &plan);

@@ -14,10 +14,12 @@ use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::Interpolation;
 use diffraction_brdf::exr_image::{Precision, write_rgb};
 use diffraction_brdf::files;
+use diffraction_build::accuracy::directions::{Candidates, DRAWN};
 use diffraction_build::ground::colour::to_srgb8;
 use diffraction_build::ground::metrics;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::{Pigment, Surface, pigment_xyz};
+use diffraction_build::tables::model::TableSet;
 use diffraction_build::tables::plan::lobe_width;
 use diffraction_render::render::cpu;
 use diffraction_render::render::png_image::{encode_animation, heat_map, side_by_side, write_png};
@@ -88,6 +90,15 @@ pub fn reference_stride(scene: &Scene) -> usize {
     let per_pixel = samples_per_pixel(scene).max(1);
     let side = ((REFERENCE_SAMPLES_MAX / per_pixel) as f64).sqrt().max(1.0);
     (scene.size_px as f64 / side).ceil().max(1.0) as usize
+}
+
+/// The directions of scenes to draw from, each with a floor of its own: for tables that serve no others.
+pub fn candidates_of(set: &TableSet, scenes: &[SceneWork]) -> Vec<Candidates> {
+    let of_scene = |scene: &SceneWork| {
+        let step = scene.pair_count().div_ceil(DRAWN).max(1);
+        Candidates::of_scene(set, scene.name(), scene.pairs().step_by(step).collect())
+    };
+    scenes.iter().map(of_scene).collect()
 }
 
 impl SceneWork {

@@ -9,10 +9,10 @@ use serde::{Deserialize, Serialize};
 
 use super::config::{GpuCheck, RunConfig, Serve};
 use super::known::Built;
-use super::results::null_for_nan;
 use super::shared_scenes::scenes_for;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
+use diffraction_build::ground::null_for_nan;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::OpticsConfig;

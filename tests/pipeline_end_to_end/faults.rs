@@ -6,9 +6,9 @@ use std::path::Path;
 
 use diffraction_atlas::manifest::{self, convert::run_config};
 use diffraction_atlas::stages::pipeline::{self, Helpers};
-use diffraction_atlas::stages::progress::Silent;
 use diffraction_atlas::stages::results::{HeightMapFile, SpectrumFile, Statistics};
 use diffraction_brdf::error::Error;
+use diffraction_build::ground::progress::Silent;
 use diffraction_build::height::HeightField;
 
 use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, WAVE, contents, usual};

@@ -9,6 +9,7 @@ use diffraction_atlas::stages::gpu_check::{CpuPictures, compare, compare_with_re
 use diffraction_atlas::stages::gpu_results::{FrameComparison, MethodFrame};
 use diffraction_atlas::stages::results::*;
 use diffraction_atlas::stages::serve::Cost;
+use diffraction_build::accuracy::rows::{ErrorRow, PowerSum};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};

@@ -1,7 +1,6 @@
 //! Tables floor: bases, building, storage, evaluation.
 
 pub mod accumulate;
-pub mod baselines;
 pub mod build;
 pub mod domain;
 pub mod forecast;

@@ -1,18 +1,16 @@
-//! The study measures what is known: the order of the methods, and the limits of the published one.
+//! The page of a study, and figures on real scans; the study itself has its own tests.
 
 mod common;
 
 use diffraction_atlas::report::study_page::study_files;
-use diffraction_atlas::stages::progress::Silent;
-use diffraction_atlas::stages::stability::{DepthRow, GrazingRow, Guard, SeriesRow, Stability, StabilityCase};
-use diffraction_atlas::stages::study::{
-    Contender, Measure, MethodRow, SpecimenStudy, Study, StudyConfig, StudySpecimen, run_study,
-};
+use diffraction_atlas::stages::study::{FrameClock, drawn};
+use diffraction_build::ground::progress::Silent;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::height::synthesize::{bundled, synthesize};
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_render::scene::model::{Light, Scene, Shape};
+use diffraction_study::stability::{DepthRow, GrazingRow, Guard, SeriesRow, Stability, StabilityCase};
+use diffraction_study::study::{GpuClock, Study, StudyConfig, StudySpecimen, run_study};
 use ndarray::Array2;
 
 fn specimen(depth_nm: f64) -> StudySpecimen {
@@ -40,7 +38,7 @@ fn specimen(depth_nm: f64) -> StudySpecimen {
             material: Material::Ideal,
             shadowing: false,
         },
-        scenes: vec![ball()],
+        scenes: vec![Box::new(drawn(&ball(), 1_000).unwrap())],
     }
 }
 
@@ -65,50 +63,6 @@ fn config() -> StudyConfig {
         gpu: false,
         memory_mib: 512,
     }
-}
-
-fn median(study: &SpecimenStudy, method: &str, setting: &str) -> f64 {
-    let row = |row: &&MethodRow| row.method == method && row.setting == setting;
-    study.methods.iter().find(row).unwrap().errors[0].quantiles.p50
-}
-
-#[test]
-fn methods_rank_as_theory_says() {
-    let study = run_study(&[specimen(200.0)], &config(), &Silent);
-    assert!(study.failures.is_empty(), "{:?}", study.failures);
-    let shallow = &study.specimens[0];
-    for row in &shallow.methods {
-        println!("{} {}: {:?} power {:?}", row.method, row.setting, row.errors[0].quantiles, row.power_sum);
-    }
-    for row in &shallow.knobs {
-        println!("{} {}: {:?}", row.knob, row.setting, row.quantiles);
-    }
-    // The transforms are good to 1e-7 of the whole amplitude; orders here carry 1e-3 of it and more.
-    assert!(median(shallow, "FFT", "no tables") < 1e-3);
-    // More tables help until the grid's own error, measured by its knob, is all that is left.
-    let knob = |name: &str, setting: &str| {
-        shallow.knobs.iter().find(|k| k.knob == name && k.setting == setting).unwrap().quantiles
-    };
-    let grid = knob("grid, cubic", "141 texels").p95;
-    let tail = |method: &str, setting: &str| {
-        shallow.methods.iter().find(|r| r.method == method && r.setting == setting).unwrap().errors[0].quantiles.p95
-    };
-    for (method, few, many) in [("chebyshev, float", 2, 6), ("taylor, float", 6, 24)] {
-        let [few, many] = [few, many].map(|n| tail(method, &format!("{n} tables")));
-        assert!(many < 0.2 * few && many < 5.0 * grid, "{method}: {few:e} {many:e}, grid {grid:e}");
-    }
-    assert!(knob("basis", "6 tables").p95 < 1e-3 * knob("basis", "2 tables").p95);
-    assert!(knob("wavelength step", "5 nm").p95 < 0.1 * knob("wavelength step", "40 nm").p95);
-    assert!(knob("grid, bilinear", "141 texels").p50 > knob("grid, cubic", "141 texels").p50);
-    // Closed forms know no scan: of the order of the value itself.
-    for (method, setting) in [("Stam, random", "rms, length"), ("Stam, regular", "2 waves")] {
-        assert!(median(shallow, method, setting) > 0.1, "{method}");
-    }
-    // Halves carry 11 bits: 5e-4 at worst per table, no knob hides a larger loss.
-    assert!(knob("storage, half", "half").p95 < 5e-3 && knob("storage, half", "half").p95 > 0.0);
-    // Six bits less are 64 times the rounding.
-    let [coarse, fine] = ["5 bits", "11 bits"].map(|bits| knob("storage", bits).p50);
-    assert!((16.0..256.0).contains(&(coarse / fine)), "{coarse:e} {fine:e}");
 }
 
 /// One case and one row of each kind: the suite itself has its own tests.
@@ -156,7 +110,7 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
     };
     let mut named = specimen(100.0);
     named.name = "<b>bold</b> & co".into();
-    let study = run_study(&[named], &config, &Silent);
+    let study = run_study(&[named], &config, Err("not asked for"), &Silent);
     let files = study_files(&study, &stability()).unwrap();
     let text = |name: &str| String::from_utf8(files.iter().find(|f| f.0 == name).unwrap().1.clone()).unwrap();
     let html = text("report.html");
@@ -204,46 +158,7 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
     assert!(html.contains("<img src=\"data:image"), "pictures are in the page");
 }
 
-/// `cargo test --release --test study deeper -- --ignored --nocapture`: how the gap at equal error widens with depth, on the
-/// bundled corn snake's structure at several times its height.
-#[test]
-#[ignore = "minutes of measuring, and figures that a busy machine spoils"]
-fn deeper_structures_at_equal_error() {
-    let (_, structure, size, pitch_nm) = bundled().into_iter().find(|(name, ..)| *name == "corn_snake_like").unwrap();
-    let snake = synthesize(&structure, size, pitch_nm).unwrap();
-    let config = StudyConfig {
-        directions: 8,
-        timed_directions: 400_000,
-        size: 101,
-        chebyshev: (3..=12).collect(),
-        taylor: vec![48],
-        harmonics: vec![],
-        wavelength_steps_nm: vec![],
-        sizes: vec![],
-        equal_size: 601,
-        tolerances: vec![],
-        memory_mib: 8192,
-        ..config()
-    };
-    let mut smaller = Vec::new();
-    for times in [1.0, 1.5, 2.0, 2.5, 3.0] {
-        let optics = OpticsConfig { windows: Windows::Grid, ..common::reference_optics(4_000.0, Edge::Tile) };
-        let field = HeightField { heights_nm: &snake.heights_nm * times, pitch_nm };
-        let specimen = StudySpecimen { name: "deeper".into(), fields: vec![field], optics, scenes: vec![] };
-        let study = run_study(&[specimen], &config, &Silent);
-        assert!(study.failures.is_empty(), "{:?}", study.failures);
-        for row in &study.specimens[0].equal {
-            let tables = |one: &Option<Contender>| one.as_ref().map(|one| (one.tables, one.error));
-            println!("x{times} {:?} {:.1e} best {}: {:?}", row.measure, row.target, row.taylors_best, row.ratios());
-            println!("    {:?} {:?}", tables(&row.chebyshev), tables(&row.taylor));
-        }
-        let hemisphere = study.specimens[0].equal.iter().find(|row| row.measure == Measure::P95 && row.target == 3e-2);
-        smaller.extend(hemisphere.and_then(|row| row.ratios()).and_then(|[bytes, ..]| bytes));
-    }
-    assert!(smaller.len() >= 2 && smaller.is_sorted(), "{smaller:?}");
-}
-
-/// `cargo test --release --test study -- --ignored --nocapture`: bytes and time at equal error on tables as large as an
+/// `cargo test --release --test study_page -- --ignored --nocapture`: bytes and time at equal error on tables as large as an
 /// atlas of the snake scans holds.
 #[test]
 #[ignore = "minutes of measuring, and figures that a busy machine spoils"]
@@ -265,6 +180,8 @@ fn snake_scans_at_equal_error() {
         memory_mib: 4096,
         ..config()
     };
+    let gpu = FrameClock::open().unwrap();
+    let gpu = gpu.as_ref().map(|clock| clock as &dyn GpuClock).ok_or("no adapter");
     for (name, scale) in [("elaphe_guttata", 375.0 / 65535.0), ("xenopeltis_unicolor", 1.0)] {
         let mut field = common::load(&shared.join(format!("specimens/{name}.tif")), pitch_nm, scale);
         let (low, high) = field.heights_nm.iter().fold((f64::MAX, f64::MIN), |(l, h), &x| (l.min(x), h.max(x)));
@@ -272,7 +189,7 @@ fn snake_scans_at_equal_error() {
         let optics = common::reference_optics(16_250.0, Edge::Tile);
         let optics = OpticsConfig { windows: Windows::Grid, ..optics };
         let specimen = StudySpecimen { name: name.into(), fields: vec![field], optics, scenes: vec![] };
-        let study = run_study(&[specimen], &config, &Silent);
+        let study = run_study(&[specimen], &config, gpu, &Silent);
         assert!(study.failures.is_empty(), "{:?}", study.failures);
         for row in &study.specimens[0].equal {
             println!("{name} {:?} {:.1e} best {}: {:?}", row.measure, row.target, row.taylors_best, row.ratios());
@@ -285,26 +202,4 @@ fn snake_scans_at_equal_error() {
             assert!(bytes.unwrap() > 4.0, "{bytes:?}");
         }
     }
-}
-
-#[test]
-fn a_deep_surface_lists_the_published_method_as_refused() {
-    let config = StudyConfig {
-        chebyshev: vec![],
-        taylor: vec![24],
-        harmonics: vec![],
-        wavelength_steps_nm: vec![],
-        sizes: vec![],
-        size: 41,
-        directions: 4,
-        ..config()
-    };
-    let study = run_study(&[specimen(1_500.0)], &config, &Silent);
-    let deep = &study.specimens[0];
-    assert!(
-        deep.refusals.len() == 2 && deep.refusals.iter().all(|refusal| refusal.what.starts_with("taylor")),
-        "{:?}",
-        deep.refusals
-    );
-    assert!(deep.taylor_digits_lost > 8.0);
 }

@@ -3,9 +3,9 @@
 use std::f64::consts::{PI, TAU};
 
 use super::integrated;
-use crate::optics::config::OpticsConfig;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::Result;
+use diffraction_build::optics::config::OpticsConfig;
 
 /// A surface of normally distributed heights with the autocorrelation `exp(-r²/T²)`.
 #[derive(Debug, Clone, Copy, PartialEq)]

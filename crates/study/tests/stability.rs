@@ -2,8 +2,8 @@
 
 use std::sync::OnceLock;
 
-use diffraction_atlas::stages::progress::Silent;
-use diffraction_atlas::stages::stability::{Guard, Stability, StabilityCase, Verdict, large_cases, run_stability};
+use diffraction_build::ground::progress::Silent;
+use diffraction_study::stability::{Guard, Stability, StabilityCase, Verdict, large_cases, run_stability};
 
 /// The suite runs once for all tests.
 fn stability() -> &'static Stability {

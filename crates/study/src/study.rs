@@ -5,8 +5,8 @@
 
 mod batch;
 mod equal;
-mod gpu;
 mod knobs;
+mod lent;
 mod methods;
 mod pictures;
 mod sample;
@@ -16,35 +16,34 @@ mod tolerance;
 
 pub use batch::stored;
 pub use equal::{Contender, EqualError, Filed, Measure};
+pub use lent::{GpuClock, SceneSamples};
 pub use sample::pair_of;
 pub use tolerance::{Kept, TOLERANCES, ToleranceRow, automatic, row as tolerance_row};
 
-use gpu::GpuClock;
 use timing::Clock;
 
 use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 
-use super::error_directions::FLOOR_SHARE;
-use super::progress::Progress;
+use crate::baselines::statistics::{SurfaceStatistics, surface_statistics};
 use diffraction_brdf::error::Result;
+use diffraction_build::accuracy::directions::FLOOR_SHARE;
 use diffraction_build::ground::metrics::ErrorQuantiles;
+use diffraction_build::ground::progress::Progress;
 use diffraction_build::ground::sampling::Region;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::optics::window::FADE_SIGMAS;
-use diffraction_build::tables::baselines::statistics::{SurfaceStatistics, surface_statistics};
 use diffraction_build::tables::build::AUTOMATIC_SIZE_MAX;
 use diffraction_build::tables::model::{Basis, Storage};
 use diffraction_build::tables::plan::{lobe_width, usable_radius};
-use diffraction_render::scene::model::Scene;
 
 /// Standard deviations of the narrowest lobe per texel of the study's tables: cubic interpolation then errs by
 /// about `3/128 · 0.5⁴ · 3` = 0.4 % of a lobe's peak at worst, and far less at the median.
 const TEXEL_WIDTHS: f64 = 0.5;
 
 /// One specimen: its prepared scans.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct StudySpecimen {
     /// Name for people.
     pub name: String,
@@ -53,7 +52,7 @@ pub struct StudySpecimen {
     /// As in the manifest.
     pub optics: OpticsConfig,
     /// The pictures that methods are compared in.
-    pub scenes: Vec<Scene>,
+    pub scenes: Vec<Box<dyn SceneSamples>>,
 }
 
 /// How much is measured.
@@ -275,19 +274,24 @@ pub struct KnobRow {
     pub quantiles: ErrorQuantiles,
 }
 
-/// Studies specimens one after another; one that fails never stops the others.
-pub fn run_study(specimens: &[StudySpecimen], config: &StudyConfig, progress: &dyn Progress) -> Study {
-    let (gpu, adapter) = open_gpu(config);
+/// Studies specimens one after another; one that fails never stops the others. `gpu` is one to time evaluation on, or
+/// why there is none.
+pub fn run_study(
+    specimens: &[StudySpecimen],
+    config: &StudyConfig,
+    gpu: std::result::Result<&dyn GpuClock, &str>,
+    progress: &dyn Progress,
+) -> Study {
     let mut study = Study {
         config: config.clone(),
         threads: rayon::current_num_threads(),
         floor_share: FLOOR_SHARE,
-        gpu: adapter,
+        gpu: gpu.map_or_else(String::from, GpuClock::adapter),
         specimens: Vec::new(),
         failures: Vec::new(),
     };
     for specimen in specimens {
-        match study_specimen(specimen, config, gpu.as_ref(), progress) {
+        match study_specimen(specimen, config, gpu.ok(), progress) {
             Ok(result) => study.specimens.push(result),
             Err(error) => {
                 study.failures.push(Refusal { what: specimen.name.clone(), message: error.to_string() });
@@ -298,25 +302,10 @@ pub fn run_study(specimens: &[StudySpecimen], config: &StudyConfig, progress: &d
     study
 }
 
-/// The GPU and its name, or why there is none.
-fn open_gpu(config: &StudyConfig) -> (Option<GpuClock>, String) {
-    if !config.gpu {
-        return (None, "not asked for".into());
-    }
-    match GpuClock::open() {
-        Ok(Some(gpu)) => {
-            let adapter = gpu.adapter();
-            (Some(gpu), adapter)
-        }
-        Ok(None) => (None, "no adapter: no Vulkan, Metal or DirectX 12 driver was found".into()),
-        Err(error) => (None, error.to_string()),
-    }
-}
-
 fn study_specimen(
     specimen: &StudySpecimen,
     config: &StudyConfig,
-    gpu: Option<&GpuClock>,
+    gpu: Option<&dyn GpuClock>,
     progress: &dyn Progress,
 ) -> Result<SpecimenStudy> {
     let stage = |what: &str, steps: u64| {
@@ -329,7 +318,7 @@ fn study_specimen(
     let sample = sample::Sample::measured(fields, &optics, [config.directions, config.size], progress)?;
     stage("reference pictures", 0);
     let (spectra, transforms) = methods::transforms(fields, &optics, config)?;
-    let pictures = pictures::Pictures::of(specimen, &optics, &spectra, config.picture_samples)?;
+    let pictures = pictures::Pictures::of(specimen, &optics, &spectra)?;
     let statistics = surface_statistics(fields);
     let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
     let s_max = 2.0 * std::f64::consts::TAU / low_nm;

@@ -8,6 +8,7 @@ use diffraction_render::render::gpu_frame::{Frame, FramePlan, time_frames};
 use diffraction_render::render::gpu_tables::upload;
 use diffraction_render::scene::gbuffer::{GBuffer, gbuffer};
 use diffraction_render::scene::model::{Light, Scene, Shape};
+use diffraction_study::study::GpuClock;
 
 /// Side of the frame, and lights per pixel: some 20 000 pairs of directions.
 const SIDE_PX: usize = 96;
@@ -15,12 +16,12 @@ const LIGHT_SAMPLES: usize = 4;
 
 /// A GPU that draws one scene again and again.
 #[derive(Debug)]
-pub struct GpuClock {
+pub struct FrameClock {
     gpu: Gpu,
     surfaces: GBuffer,
 }
 
-impl GpuClock {
+impl FrameClock {
     /// Opens the adapter; `None` where there is none.
     ///
     /// # Errors
@@ -31,19 +32,16 @@ impl GpuClock {
         let scene = Scene { light_samples: LIGHT_SAMPLES, ..Scene::still("ball", Shape::Sphere, vec![light], SIDE_PX) };
         Ok(Some(Self { gpu, surfaces: gbuffer(&scene)? }))
     }
+}
 
-    /// The adapter for people; says where it is software.
-    pub fn adapter(&self) -> String {
+impl GpuClock for FrameClock {
+    fn adapter(&self) -> String {
         let info = self.gpu.info();
         let software = if info.kind == "cpu" { ", software on the processor's own cores" } else { "" };
         format!("{} ({}{software})", info.adapter, info.backend)
     }
 
-    /// Seconds per pair of directions with half-float textures and the hardware's linear look-ups.
-    ///
-    /// # Errors
-    /// `Error::Gpu`; `Error::Limit` for more tables than a texture has layers.
-    pub fn seconds_per_direction(&self, set: &TableSet) -> Result<f64> {
+    fn seconds_per_direction(&self, set: &TableSet) -> Result<f64> {
         let tables = upload(&self.gpu, &table_image(set, None)?)?;
         let frame = Frame::new(&self.gpu, &tables, &self.surfaces, 1.0)?;
         let [time] = time_frames([&frame], FramePlan::suited_to(&self.gpu))?;

@@ -1,4 +1,4 @@
-//! What stages say about their progress, whoever listens.
+//! What long work says about its progress, whoever listens.
 
 /// A listener; calls may come from any thread.
 pub trait Progress: Sync {

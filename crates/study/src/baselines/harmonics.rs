@@ -1,8 +1,8 @@
 //! A least-squares fit of spherical harmonics to a BRDF: smooth bases cannot hold an order's lobe.
 
-use crate::optics::config::OpticsConfig;
 use diffraction_brdf::direction::{Vec3, Xyz, dot, wave_vector_change};
 use diffraction_brdf::error::{Error, Result};
+use diffraction_build::optics::config::OpticsConfig;
 
 /// Powers of `|q| / 2` that multiply every harmonic: the spread of the incidence angles.
 const RADIAL_POWERS: usize = 3;
@@ -139,7 +139,7 @@ fn eliminate(value: &mut Xyz, done: &[Xyz], factor: impl Fn(usize) -> f64, pivot
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::sampling;
+    use diffraction_build::ground::sampling;
 
     fn directions(count: usize) -> Vec<Vec3> {
         (0..count)

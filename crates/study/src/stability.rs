@@ -15,8 +15,8 @@ mod support;
 
 use serde::{Deserialize, Serialize};
 
-use super::progress::Progress;
 pub use depth::DepthRow;
+use diffraction_build::ground::progress::Progress;
 pub use directions::GrazingRow;
 pub use series::SeriesRow;
 

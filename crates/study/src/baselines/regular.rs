@@ -4,9 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use super::integrated;
 use super::statistics::SurfaceStatistics;
-use crate::optics::config::OpticsConfig;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::Result;
+use diffraction_build::optics::config::OpticsConfig;
 
 /// Half width of an order's lobe in its standard deviations; it is 5e-9 of its peak there.
 const REACH: f64 = 6.2;
@@ -106,12 +106,12 @@ impl Orders {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::spectrum::{Illuminant, Line};
-    use crate::height::HeightField;
-    use crate::optics::config::{Edge, Material, Windows};
-    use crate::optics::reference;
-    use crate::tables::baselines::statistics::surface_statistics;
+    use crate::baselines::statistics::surface_statistics;
     use diffraction_brdf::direction::from_angles_deg;
+    use diffraction_build::ground::spectrum::{Illuminant, Line};
+    use diffraction_build::height::HeightField;
+    use diffraction_build::optics::config::{Edge, Material, Windows};
+    use diffraction_build::optics::reference;
 
     #[test]
     fn a_scan_of_one_sinusoid_is_met_by_the_direct_sum() {

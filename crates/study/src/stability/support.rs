@@ -3,8 +3,8 @@
 use ndarray::Array2;
 
 use super::{Guard, StabilityCase};
-pub use crate::stages::study::pair_of;
-use crate::stages::study::stored;
+pub use crate::study::pair_of;
+use crate::study::stored;
 use diffraction_brdf::chebyshev::{gauss_nodes, interpolation_weights, shifted_values};
 use diffraction_brdf::direction::max_abs_w;
 use diffraction_brdf::direction::{Vec3, wave_vector_change};

@@ -2,7 +2,7 @@
 
 use super::StabilityCase;
 use super::support::{case, config, on_texels, optics, pair_of, refused, relief, tables};
-use crate::stages::study::stored;
+use crate::study::stored;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_build::tables::model::{Basis, Storage, TableSet};
 

@@ -3,27 +3,27 @@
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-use super::super::usage;
 use super::batch::{Batch, PackedTables, Pair, stored};
-use super::gpu::GpuClock;
+use super::lent::GpuClock;
 use super::pictures::Pictures;
 use super::sample::Sample;
 use super::timing::Clock;
 use super::{MethodRow, Refusal, RegionErrors, StudyConfig};
-use crate::stages::progress::Progress;
+use crate::baselines::regular::RegularSurface;
+use crate::baselines::rough::RoughSurface;
+use crate::baselines::statistics::SurfaceStatistics;
+use crate::baselines::{self, harmonics};
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{self, Interpolation};
+use diffraction_build::ground::memory;
+use diffraction_build::ground::progress::Progress;
 use diffraction_build::ground::sampling::{Region, direction_pairs, plane};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::reference::FULL_STEP;
 use diffraction_build::optics::spectra::{Spectra, transform};
 use diffraction_build::optics::spectral::add_window;
-use diffraction_build::tables::baselines::regular::RegularSurface;
-use diffraction_build::tables::baselines::rough::RoughSurface;
-use diffraction_build::tables::baselines::statistics::SurfaceStatistics;
-use diffraction_build::tables::baselines::{self, harmonics};
 use diffraction_build::tables::build;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 
@@ -40,9 +40,9 @@ pub struct Context<'a> {
     pub config: &'a StudyConfig,
     pub sample: &'a Sample,
     pub spectra: &'a [Spectra],
-    pub pictures: &'a Pictures,
+    pub pictures: &'a Pictures<'a>,
     pub clock: &'a Clock,
-    pub gpu: Option<&'a GpuClock>,
+    pub gpu: Option<&'a dyn GpuClock>,
     pub progress: &'a dyn Progress,
 }
 
@@ -335,10 +335,10 @@ fn family(basis: Basis, storage: Storage) -> &'static str {
 }
 
 fn measured<T>(work: impl FnOnce() -> Result<T>) -> Result<(T, Cost)> {
-    let before = usage::restart();
+    let before = memory::restart();
     let started = Instant::now();
     let made = work()?;
     let build_s = started.elapsed().as_secs_f64();
-    let peak_bytes = usage::peak_bytes().zip(before).map(|(peak, before)| peak.saturating_sub(before));
+    let peak_bytes = memory::peak_bytes().zip(before).map(|(peak, before)| peak.saturating_sub(before));
     Ok((made, Cost { build_s, peak_bytes }))
 }

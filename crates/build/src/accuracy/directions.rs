@@ -8,14 +8,13 @@ use std::f64::consts::PI;
 
 use rayon::prelude::*;
 
-use super::scenes::SceneWork;
+use crate::ground::metrics::quantile_of_sorted;
+use crate::ground::sampling::{Region, direction_pairs_in};
+use crate::tables::model::TableSet;
 use diffraction_brdf::direction::Vec3;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::material::Material;
 use diffraction_brdf::material::reflectance;
-use diffraction_build::ground::metrics::quantile_of_sorted;
-use diffraction_build::ground::sampling::{Region, direction_pairs_in};
-use diffraction_build::tables::model::TableSet;
 
 /// Lit directions of each group in a run.
 pub const DIRECTIONS: usize = 128;
@@ -24,7 +23,7 @@ pub const DIRECTIONS: usize = 128;
 pub const DRAWN: usize = 1 << 14;
 
 /// As many lit directions come with one that is dark.
-pub(super) const LIT_PER_DARK: usize = 4;
+pub const LIT_PER_DARK: usize = 4;
 
 /// Share of the floor up to which the tables call a direction dark: a lit one is missed only where they show less than half
 /// of its light.
@@ -75,15 +74,6 @@ impl Candidates {
         let hemisphere = luminances(set, &drawn(Region::Hemisphere));
         let floor_per_sr = floor_per_sr(set.front_factor.material, &hemisphere);
         Region::ALL.into_iter().map(|r| Self { name: r.name().into(), pairs: drawn(r), floor_per_sr }).collect()
-    }
-
-    /// Those of scenes, each with a floor of its own: for tables that serve no others.
-    pub fn of_scenes(set: &TableSet, scenes: &[SceneWork]) -> Vec<Self> {
-        let of_scene = |scene: &SceneWork| {
-            let step = scene.pair_count().div_ceil(DRAWN).max(1);
-            Self::of_scene(set, scene.name(), scene.pairs().step_by(step).collect())
-        };
-        scenes.iter().map(of_scene).collect()
     }
 
     /// Those of one scene, given some of its pairs.

@@ -3,7 +3,7 @@
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 
-use crate::height::HeightField;
+use diffraction_build::height::HeightField;
 
 /// What the closed forms know of a surface.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]

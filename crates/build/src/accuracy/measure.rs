@@ -3,8 +3,16 @@
 //! The yardstick is `optics::spectral`, evaluated at directions that the tables show lit and at some that they call dark. One
 //! pass over the windows serves the error rows and the scenes' reference pictures.
 
-use super::error_directions::{ErrorDirections, ErrorGroup};
-use super::results::{ErrorRow, PowerSum};
+use super::directions::{ErrorDirections, ErrorGroup};
+use super::rows::{ErrorRow, PowerSum};
+use crate::ground::metrics;
+use crate::height::HeightField;
+use crate::optics::config::OpticsConfig;
+use crate::optics::reference::{self, FULL_STEP, PICTURE_STEP};
+use crate::optics::spectra::{self, Spectra};
+use crate::optics::spectral;
+use crate::tables::build::BuildPlan;
+use crate::tables::model::{Basis, TableSet};
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::max_abs_w;
 use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg, wave_vector_change};
@@ -12,14 +20,6 @@ use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, diffuse_window_power, lobe_window_power};
 use diffraction_brdf::front_factor::FrontFactor;
 use diffraction_brdf::material::Material;
-use diffraction_build::ground::metrics;
-use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::OpticsConfig;
-use diffraction_build::optics::reference::{self, FULL_STEP, PICTURE_STEP};
-use diffraction_build::optics::spectra::{self, Spectra};
-use diffraction_build::optics::spectral;
-use diffraction_build::tables::build::BuildPlan;
-use diffraction_build::tables::model::{Basis, TableSet};
 use rayon::prelude::*;
 
 /// What the row is called that holds the yardstick itself against the direct sum.
@@ -32,19 +32,19 @@ const DIRECT_PAIRS: usize = 2;
 #[derive(Debug, Clone, Default)]
 pub struct Yardstick {
     /// The groups of directions on which errors are counted.
-    pub(super) groups: Vec<ErrorGroup>,
+    pub groups: Vec<ErrorGroup>,
     /// Pairs of directions: those of the groups first, then whatever scenes added.
     pub pairs: Vec<(Vec3, Vec3)>,
     /// XYZ of the BRDF at each, in 1/sr.
     pub xyz: Vec<Xyz>,
     /// Diffuse luminance at the regions' pairs: exact, with the tables' wavelengths, and with the tables'
     /// interpolation in `w` too; geometry and reflectance left out.
-    pub(super) diffuse: [Vec<f64>; 3],
+    pub diffuse: [Vec<f64>; 3],
 }
 
 impl Yardstick {
     /// Itself without the pairs beyond the first `count`, those on which errors are counted.
-    pub(super) fn counted(mut self, count: usize) -> Self {
+    pub fn counted(mut self, count: usize) -> Self {
         self.pairs.truncate(count);
         self.xyz.truncate(count);
         self

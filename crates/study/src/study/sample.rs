@@ -2,11 +2,11 @@
 
 use super::RegionErrors;
 use super::batch::{Batch, Pair, on_all_threads};
-pub use crate::stages::error_directions::floor_per_sr;
-use crate::stages::progress::Progress;
 use diffraction_brdf::direction::wave_vector_change;
 use diffraction_brdf::error::Result;
+pub use diffraction_build::accuracy::directions::floor_per_sr;
 use diffraction_build::ground::metrics::{ErrorQuantiles, relative_error_quantiles, relative_l2};
+use diffraction_build::ground::progress::Progress;
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::OpticsConfig;

@@ -13,11 +13,11 @@ pub mod statistics;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
-use crate::optics::config::OpticsConfig;
-use crate::optics::reference::{FULL_STEP, resolving_count};
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
+use diffraction_build::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::reference::{FULL_STEP, resolving_count};
 
 /// Adds to XYZ the BRDF in 1/sr of each pair from a closed form of `⟨|P|²⟩ / A` in nm², given `q` and a wavelength in
 /// nm. Pairs with equally many wavelengths share them.
