@@ -57,7 +57,7 @@ fn pair_at([u, v]: [f64; 2], w: f64) -> ([f64; 3], [f64; 3]) {
 fn served(source: &Source, scene: &Scene) -> (TableSet, Domain) {
     let domain = domain_of(source, &[scene]).unwrap();
     let plan = plan_without(None, source, &domain).unwrap();
-    (build_planned(source.fields, source.optics, source.tables, &plan, None, &|_| ()).unwrap().0, domain)
+    (build_planned(source.fields, source.optics, source.tables, &plan, &|_| ()).unwrap().0, domain)
 }
 
 /// Largest difference of a pixel in units of the display's white, or of the pixel itself where it is brighter: a
@@ -191,7 +191,7 @@ fn every_step_taken_back_costs_what_the_plan_says() {
     let taken = measure(&source, &plan_without(None, &source, &domain).unwrap()).unwrap();
     // Tables for every direction would be asked for ten times the accuracy.
     let whole = TablesConfig { tolerance: 0.1 * TOLERANCE, ..tables.clone() };
-    let budget = account(&source, &[&scene], &domain, &whole, Some(taken), true).unwrap();
+    let budget = account(&source, &[&scene], &domain, &whole, taken, true).unwrap();
     let steps: Vec<_> = budget.rows.iter().filter_map(|row| row.step).collect();
     let expected = [Pruning::Texels, Pruning::Depths, Pruning::Wavelengths, Pruning::Lobe, Pruning::Tolerance];
     assert_eq!(steps, expected, "daylight, and a patch that does not look into the lobe");
@@ -219,7 +219,7 @@ fn every_step_taken_back_costs_what_the_plan_says() {
         }
     }
     // The same accuracy asked of all: nothing is saved by asking for less.
-    let same = account(&source, &[&scene], &domain, &tables, Some(taken), false).unwrap();
+    let same = account(&source, &[&scene], &domain, &tables, taken, false).unwrap();
     assert!(same.rows.iter().all(|row| row.step != Some(Pruning::Tolerance)));
 }
 

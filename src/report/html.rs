@@ -350,16 +350,8 @@ fn failures(results: &RunResults) -> Vec<Value> {
 
 /// What was kept from earlier runs.
 fn cache_line(used: &CacheUse) -> String {
-    let sums = match used.texels_found {
-        0 => String::new(),
-        known => format!(
-            "sums at {} of {} texels of tables that were built, ",
-            numbers::count(known),
-            numbers::count(known + used.texels_summed)
-        ),
-    };
     format!(
-        "From earlier runs: tables of {} of {}, {sums}{} of {} values of the reference ({} read, {} written).",
+        "From earlier runs: tables of {} of {}, {} of {} values of the reference ({} read, {} written).",
         used.tables_found,
         plural((used.tables_found + used.tables_built) as usize, "specimen"),
         numbers::count(used.pairs_found),

@@ -60,7 +60,6 @@ pub(super) fn describe(
             record: record.clone(),
             build_s: 0.0,
             build_cpu_s: None,
-            known_share: 0.0,
             memory_bytes: None,
             predicted: None,
         }),

@@ -12,8 +12,6 @@ pub mod gpu_results;
 pub mod gpu_stage;
 pub mod ingest;
 pub mod known;
-pub mod known_reach;
-pub mod known_sums;
 pub mod measured;
 pub mod pipeline;
 pub mod publish;

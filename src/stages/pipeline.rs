@@ -13,7 +13,6 @@ use super::format_md::format_md;
 use super::gpu_stage;
 use super::ingest::ingest;
 use super::known::Known;
-use super::known_reach::known_reach;
 use super::measured;
 use super::publish::{self, Published, Staging};
 use super::reached::reached_picture;
@@ -184,12 +183,9 @@ fn record_unserved(results: &mut RunResults, specimen: &SpecimenResult) {
 /// The line that a finished specimen leaves on the screen.
 fn done_line(label: &str, done: &Done, seconds: f64) -> String {
     let (tables, size) = done.result.build.as_ref().map_or((0, 0), |build| (build.tables, build.size));
-    let CacheUse { tables_found, texels_found, texels_summed, pairs_found, .. } = done.used;
-    // Not all until it is all.
-    let percent = 100 * texels_found / (texels_found + texels_summed).max(1);
+    let CacheUse { tables_found, pairs_found, .. } = done.used;
     let known: Vec<String> = [
         (tables_found > 0).then(|| "the tables".into()),
-        (texels_found > 0).then(|| format!("{percent} % of the tables' sums")),
         (pairs_found > 0).then(|| format!("{pairs_found} reference values")),
     ]
     .into_iter()
@@ -263,16 +259,12 @@ fn run_specimen(
     let serving = config.serve != Serve::All;
     let domain = match serving {
         false => None,
-        true => Some(clock.stage("find what the scenes reach", 0, || {
-            let reach = |scene: &Scene, grid, parts| known_reach(cache, scene, grid, parts);
-            serve::domain_by(&reach, &source, &wanted)
-        })?),
+        true => Some(clock.stage("find what the scenes reach", 0, || serve::domain_of(&source, &wanted))?),
     };
     let plan = clock.stage("plan", 0, || build::plan_for(&ingested.fields, optics, &tables, domain.clone()))?;
     let steps = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum::<usize>() * plan.windows.len();
-    let done = clock.stage("build tables", steps as u64, || {
-        known.tables(&source, &plan, config.report.savings, &|n| helpers.progress.advance(n))
-    })?;
+    let done =
+        clock.stage("build tables", steps as u64, || known.tables(&source, &plan, &|n| helpers.progress.advance(n)))?;
     let built = &done.set;
     let chosen = clock.stage("round to the tolerance", 0, || {
         Ok(rounding::choose(built, tables.storage, tables.tolerance, lobe_radius(optics)))
@@ -351,12 +343,10 @@ fn run_specimen(
         specimen::write(&folder, &file)
     })?;
     let stored_bytes = clock.stage("count bytes", 0, || files::bytes_of(&folder, "exr"))?;
-    // What was put together from earlier sums tells nothing of what tables cost.
-    let measured = (done.known_share() == 0.0).then(|| Cost::measured(&done, stored_bytes as f64));
+    let measured = Cost::measured(&done, stored_bytes as f64);
     if let Some(build) = &mut result.build {
         (build.build_s, build.stored_bytes) = (done.seconds, stored_bytes);
         build.build_cpu_s = done.processor_s;
-        build.known_share = done.known_share();
         build.memory_bytes = done.memory_bytes;
         // The published series is built another way, which no forecast knows.
         if tables.basis == Basis::Chebyshev {

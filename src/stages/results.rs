@@ -169,9 +169,6 @@ pub struct BuildResult {
     /// threads. `None` where the system does not tell.
     #[serde(default)]
     pub build_cpu_s: Option<f64>,
-    /// Share of the texels whose sums earlier runs had left, for tables that serve scenes.
-    #[serde(default)]
-    pub known_share: f64,
     /// Most bytes that building held on the heap, its tables included, the scans not; `None` where nobody counted them.
     #[serde(default)]
     pub memory_bytes: Option<u64>,

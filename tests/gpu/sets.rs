@@ -89,7 +89,7 @@ pub fn served_set(scene: &Scene) -> TableSet {
     let source = Source { fields: &fields, optics: &optics, tables: &config };
     let domain = domain_of(&source, &[scene]).expect("the scene renders");
     let plan = plan_without(None, &source, &domain).expect("the build fits");
-    build_planned(&fields, &optics, &config, &plan, None, &|_| ()).expect("the set builds").0
+    build_planned(&fields, &optics, &config, &plan, &|_| ()).expect("the set builds").0
 }
 
 /// A sphere under a lamp and the sun.

@@ -238,7 +238,6 @@ fn build() -> BuildResult {
         },
         build_s: 21.4,
         build_cpu_s: Some(40.2),
-        known_share: 0.0,
         memory_bytes: Some(83_000_000),
         predicted: Some(Cost { node_samples: 3.6e6, seconds: 17.2, memory_bytes: 71e6, stored_bytes: 9.2e6 }),
     }
