@@ -11,9 +11,10 @@ use diffraction_atlas::stages::measured::MeasuredConfig;
 use diffraction_build::ground::spectrum::{Illuminant, Line};
 use diffraction_build::optics::config::{Edge, Material, Windows};
 use diffraction_build::tables::model::{Basis, Prefilter, Storage};
-use diffraction_render::scene::animation::{Axis, Moving};
 use diffraction_render::scene::camera::{Camera, Field};
 use diffraction_render::scene::environment;
+use diffraction_render::scene::model::Moving;
+use diffraction_render::scene::turn::Axis;
 use manifest_fixture::{GOOD, folder, good_with, parse_in};
 
 #[test]

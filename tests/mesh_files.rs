@@ -4,7 +4,7 @@ use std::path::Path;
 
 use diffraction_brdf::error::Result;
 use diffraction_render::scene::frame::cross;
-use diffraction_render::scene::mesh::{Model, read};
+use diffraction_render::scene::mesh_file::{Model, read};
 use proptest::prelude::*;
 
 /// A unit square in two materials, facing +z.

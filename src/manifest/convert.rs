@@ -7,8 +7,8 @@ use super::model::{
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use diffraction_build::height::prepare::{Despike, Level, PrepareConfig};
 use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig};
-use diffraction_render::scene::animation::Turn;
 use diffraction_render::scene::model::{Exposure, Light, Scene, Shape};
+use diffraction_render::scene::turn::Turn;
 
 /// The run that a manifest asks for; `text` is the manifest, word for word.
 pub fn run_config(manifest: &Manifest, text: &str) -> RunConfig {

@@ -5,7 +5,7 @@ use crate::stages::config::ReportConfig;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, Prefilter, TablesConfig};
-use diffraction_render::scene::animation::Axis;
+use diffraction_render::scene::turn::Axis;
 
 /// `[atlas] out`.
 pub const OUT: &str = "out/atlas";

@@ -9,9 +9,9 @@ pub use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
 use crate::stages::measured::MeasuredConfig;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::tables::model::TablesConfig;
-use diffraction_render::scene::animation::Animation;
 use diffraction_render::scene::environment::Environment;
 use diffraction_render::scene::mesh::MeshShape;
+use diffraction_render::scene::model::Animation;
 
 /// A whole manifest.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -11,9 +11,9 @@ use super::name;
 use super::reader::{Item, Section};
 use super::tables;
 use diffraction_brdf::error::Result;
-use diffraction_render::scene::animation::{Animation, Axis, Moving};
 use diffraction_render::scene::environment::{self, Environment};
-use diffraction_render::scene::model::{ANIMATION_PIXELS_MAX, check_row_samples, check_turn};
+use diffraction_render::scene::model::{ANIMATION_PIXELS_MAX, Animation, Moving, check_row_samples, check_turn};
+use diffraction_render::scene::turn::Axis;
 
 /// Width and height of a picture.
 const SIZE_PX: [usize; 2] = [16, 8192];

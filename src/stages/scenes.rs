@@ -23,10 +23,11 @@ use diffraction_build::tables::model::TableSet;
 use diffraction_build::tables::plan::lobe_width;
 use diffraction_render::render::cpu;
 use diffraction_render::render::png_image::{encode_animation, heat_map, side_by_side, write_png};
-use diffraction_render::scene::animation::{self, Animation, Axis, Moving};
+use diffraction_render::scene::animation;
 use diffraction_render::scene::light::environment_count;
-use diffraction_render::scene::model::{Scene, Shape, exposure_factor};
+use diffraction_render::scene::model::{Animation, Moving, Scene, Shape, exposure_factor};
 use diffraction_render::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
+use diffraction_render::scene::turn::Axis;
 
 /// Most pairs of directions that one scene may ask of the yardstick: sets the lattice of its picture.
 const REFERENCE_SAMPLES_MAX: usize = 40_000;

@@ -12,8 +12,7 @@ use super::scenes::SceneWork;
 use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
-use diffraction_render::scene::mesh;
-use diffraction_render::scene::model::{Scene, Shape};
+use diffraction_render::scene::model::{Scene, Shape, share_of};
 
 /// Folder of these pictures, beside those of the specimens.
 pub const FOLDER: &str = "scenes";
@@ -52,7 +51,7 @@ pub fn scenes_for(scenes: &[Scene], specimen: &str) -> Vec<Scene> {
                 wanted.push(scene.clone());
             }
         } else if let Some(index) = sharing.iter().position(|name| name == specimen) {
-            wanted.push(mesh::share(scene, index));
+            wanted.push(share_of(scene, index));
         }
     }
     wanted

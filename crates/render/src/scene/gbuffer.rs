@@ -9,10 +9,11 @@ use diffraction_brdf::direction::dot;
 use diffraction_brdf::error::{Error, Result};
 
 use super::frame::{cross, to_local};
+use super::hit::LitHit;
 use super::light::{LightSample, light_samples};
 use super::model::{Scene, check};
 use super::samples::{pixel_centre, pixel_width, position};
-use super::surface::{self, LitHit, Surface, surface};
+use super::surface::{self, Surface, surface};
 
 /// Most surface points: 3 GB.
 pub const POINTS_MAX: usize = 1 << 26;

@@ -3,13 +3,13 @@
 use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 
-use crate::scene::animation::{Animation, Axis, Moving, Turn};
-use crate::scene::environment::{Environment, scalar_irradiance};
 use diffraction_brdf::direction::{Vec3, dot};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::ground::colour::auto_exposure;
 
+use super::environment::{Environment, scalar_irradiance};
 use super::mesh::{self, MeshShape};
+use super::turn::{Axis, Turn};
 
 /// Largest picture side that is accepted.
 pub const SIZE_MAX_PX: usize = 16_384;
@@ -100,6 +100,34 @@ pub enum Exposure {
     Ev(f64),
 }
 
+/// What moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Moving {
+    /// The object with its structure; camera and lights stay.
+    Turntable,
+    /// The lights and the environment; camera and object stay.
+    Light,
+}
+
+/// An animation of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Animation {
+    /// What moves.
+    pub kind: Moving,
+    /// What it turns about.
+    pub axis: Axis,
+    /// Number of frames.
+    pub frames: usize,
+    /// 360 (or -360) goes round steadily; less swings to and fro like a pendulum, half of it to either side.
+    pub degrees: f64,
+    /// Frames per second.
+    pub fps: u16,
+    /// Side of the square picture.
+    pub size_px: usize,
+}
+
 /// One picture.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -162,6 +190,19 @@ impl Scene {
             pixel_samples: 1,
         }
     }
+}
+
+/// The scene in which the specimen of this index alone is bright: its share of the picture. Shares add up to it.
+///
+/// # Panics
+/// For a scene without materials.
+pub fn share_of(scene: &Scene, index: usize) -> Scene {
+    let mut scene = scene.clone();
+    match &mut scene.shape {
+        Shape::Mesh(mesh) if index < mesh.specimens.len() => mesh.shown = Some(index),
+        _ => panic!("scene \"{}\" has no specimen of index {index}", scene.name),
+    }
+    scene
 }
 
 fn one() -> f64 {

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use super::{COORDINATE_MAX, Growing, NO_MATERIAL, TRIANGLES_MAX, bad, too_many, usable};
+use super::growing::{COORDINATE_MAX, Growing, NO_MATERIAL, TRIANGLES_MAX, bad, too_many, usable};
 use crate::scene::tangents::RawMesh;
 use diffraction_brdf::direction::{Vec3, dot};
 use diffraction_brdf::error::{Error, Result};
@@ -60,7 +60,7 @@ impl From<String> for Fault {
 /// no normal are flat.
 ///
 /// # Errors
-/// As [`super::read`], with the line.
+/// As [`read`](super::read), with the line.
 pub fn parse(path: &Path, bytes: &[u8]) -> Result<RawMesh> {
     let mut lists = Lists::default();
     let mut assembly = Assembly { path, mesh: Growing::default(), known: HashMap::new() };

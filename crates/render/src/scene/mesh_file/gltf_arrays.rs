@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use super::gltf_document::{Accessor, Document};
-use super::{COORDINATE_MAX, Reading, TRIANGLES_MAX, bad, too_many, usable};
+use super::growing::{COORDINATE_MAX, TRIANGLES_MAX, bad, too_many, usable};
+use super::opened::Opened;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
 
@@ -18,8 +19,8 @@ pub struct Source {
 }
 
 /// Every buffer of a document; `binary` is what a binary file holds itself.
-pub fn buffers(reading: &mut Reading, document: &Document, binary: Option<&[u8]>) -> Result<Vec<Vec<u8>>> {
-    let path = reading.path.clone();
+pub fn buffers(opened: &mut Opened, document: &Document, binary: Option<&[u8]>) -> Result<Vec<Vec<u8>>> {
+    let path = opened.path.clone();
     let mut buffers = Vec::new();
     for (index, buffer) in document.buffers.iter().enumerate() {
         let fault = |text: &str| bad(&path, format!("buffer {index}: {text}"));
@@ -29,7 +30,7 @@ pub fn buffers(reading: &mut Reading, document: &Document, binary: Option<&[u8]>
             Some(uri) if uri.starts_with("data:") => {
                 embedded(uri).ok_or_else(|| fault("its address holds no base64 data"))?
             }
-            Some(uri) => external(reading, uri)
+            Some(uri) => external(opened, uri)
                 .unwrap_or_else(|| Err(fault("it is not in a file beside or below the mesh; nothing else is read")))?,
         };
         if bytes.len() < buffer.byte_length {
@@ -41,10 +42,10 @@ pub fn buffers(reading: &mut Reading, document: &Document, binary: Option<&[u8]>
 }
 
 /// Bytes of a file beside the document; `None` where the address leads elsewhere.
-fn external(reading: &mut Reading, uri: &str) -> Option<Result<Vec<u8>>> {
+fn external(opened: &mut Opened, uri: &str) -> Option<Result<Vec<u8>>> {
     let name = percent_decoded(uri).filter(|name| files::stays_below(name))?;
-    let path = reading.path.parent().unwrap_or(Path::new("")).join(name);
-    Some(reading.read(&path))
+    let path = opened.path.parent().unwrap_or(Path::new("")).join(name);
+    Some(opened.read(&path))
 }
 
 /// Bytes of `data:...;base64,...`.

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use super::gltf_arrays::{Source, buffers, indices, vectors};
 use super::gltf_document::{Document, Node, Primitive};
-use super::{COORDINATE_MAX, Growing, NO_MATERIAL, Reading, bad, usable};
+use super::growing::{COORDINATE_MAX, Growing, NO_MATERIAL, bad, usable};
+use super::opened::Opened;
 use crate::scene::frame::{add_scaled, cross};
 use crate::scene::tangents::RawMesh;
 use diffraction_brdf::direction::{Vec3, dot};
@@ -27,14 +28,14 @@ const AT_HOME: Placement = Placement { axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], 
 /// The mesh of a glTF file, read together with the files it names.
 ///
 /// # Errors
-/// As [`super::read`].
-pub fn parse(reading: &mut Reading, bytes: &[u8]) -> Result<RawMesh> {
-    let path = reading.path.clone();
+/// As [`read`](super::read).
+pub fn parse(opened: &mut Opened, bytes: &[u8]) -> Result<RawMesh> {
+    let path = opened.path.clone();
     let (json, binary) = chunks(&path, bytes)?;
     let document: Document =
         serde_json::from_slice(json).map_err(|e| bad(&path, format!("it is not the JSON of glTF 2.0: {e}")))?;
     refuse_unsupported(&path, &document)?;
-    let buffers = buffers(reading, &document, binary)?;
+    let buffers = buffers(opened, &document, binary)?;
     let source = Source { path, document, buffers };
     let mut mesh = Growing::default();
     for (node, placement) in placed_nodes(&source)? {
