@@ -6,3 +6,5 @@ mod exported;
 mod frame;
 mod published;
 mod sets;
+mod shader_export;
+mod shader_layout;

@@ -1,9 +1,7 @@
 //! What a plan says that the reference will take, against what a run evaluates.
 
-mod common;
-
 use assert_cmd::Command;
-use common::surfaces::{laser, random, tables_config};
+use crate::common::surfaces::{laser, random, tables_config};
 use diffraction_atlas::stages::forecast_run::{ReferenceForecast, reference_forecast};
 use diffraction_atlas::stages::scenes::{reference_samples, render_tables};
 use diffraction_atlas::stages::serve::Source;

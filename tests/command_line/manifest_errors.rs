@@ -1,12 +1,10 @@
 //! Faults in a manifest: each is reported at its place, with what was expected.
 
-mod manifest_fixture;
-
 use std::sync::LazyLock;
 
 use diffraction_atlas::manifest;
 use diffraction_brdf::error::Error;
-use manifest_fixture::{GOOD, folder, good_with, parse_in};
+use crate::manifest_fixture::{GOOD, folder, good_with, parse_in};
 use proptest::prelude::*;
 
 /// What is replaced in `GOOD`, by what; the expected `line:column`, the text that the carets mark, and

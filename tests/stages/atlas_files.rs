@@ -1,12 +1,10 @@
 //! Tables through files and back, and an atlas's files as other programs and `verify` see them.
 
-mod atlas_example;
-
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use atlas_example::{index, random_tables, write_specimen};
+use crate::atlas_example::{index, random_tables, write_specimen};
 use diffraction_atlas::stages::format_md::format_md;
 use diffraction_atlas::stages::publish;
 use diffraction_atlas::stages::specimen;

@@ -1,7 +1,5 @@
 //! The direct evaluation against an independent evaluator's figures.
 
-mod common;
-
 use diffraction_brdf::direction::Xyz;
 use diffraction_build::optics::reference::brdf_xyz_batch;
 
@@ -13,7 +11,7 @@ const FLOOR_PER_SR: f64 = 1e-6;
 /// reaches 2.6e-4 in these rows (halving its step four times converges to our figures).
 const TOLERANCE: f64 = 1e-3;
 
-fn worst(ours: &[Xyz], rows: &[common::Row]) -> f64 {
+fn worst(ours: &[Xyz], rows: &[crate::common::Row]) -> f64 {
     rows.iter()
         .zip(ours)
         .filter(|(row, _)| row.xyz[1] > FLOOR_PER_SR)
@@ -28,8 +26,8 @@ fn worst(ours: &[Xyz], rows: &[common::Row]) -> f64 {
 
 #[test]
 fn direct_sum_meets_the_independent_evaluator_in_every_row() {
-    let Some(shared) = common::shared("direct_sum_meets_the_independent_evaluator_in_every_row") else { return };
-    for case in common::cases(&shared) {
+    let Some(shared) = crate::common::shared("direct_sum_meets_the_independent_evaluator_in_every_row") else { return };
+    for case in crate::common::cases(&shared) {
         let started = std::time::Instant::now();
         let pairs: Vec<_> = case.rows.iter().map(|row| (row.wi, row.wo)).collect();
         let ours = brdf_xyz_batch(std::slice::from_ref(&case.field), &case.optics, &pairs).unwrap();

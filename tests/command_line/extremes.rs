@@ -2,7 +2,7 @@
 //! apart.
 
 use crate::place::{HEAD, LASERS, Place};
-use crate::scan_support::{Order, PageParts, f32_bytes, tiff_file};
+use crate::scan_files::{Order, PageParts, f32_bytes, tiff_file};
 
 /// A scan as an uncompressed TIFF of floats in nm: a relief with a few samples replaced by other values.
 fn write_floats(place: &Place, name: &str, [nx, ny]: [usize; 2], replaced: &[(usize, f32)]) {

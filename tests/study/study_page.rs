@@ -1,7 +1,5 @@
 //! The study measures what is known: the order of the methods, and the limits of the published one.
 
-mod common;
-
 use diffraction_atlas::report::study_page::study_files;
 use diffraction_atlas::stages::progress::Silent;
 use diffraction_atlas::stages::stability::{DepthRow, GrazingRow, Guard, SeriesRow, Stability, StabilityCase};
@@ -227,7 +225,7 @@ fn deeper_structures_at_equal_error() {
     };
     let mut smaller = Vec::new();
     for times in [1.0, 1.5, 2.0, 2.5, 3.0] {
-        let optics = OpticsConfig { windows: Windows::Grid, ..common::reference_optics(4_000.0, Edge::Tile) };
+        let optics = OpticsConfig { windows: Windows::Grid, ..crate::common::reference_optics(4_000.0, Edge::Tile) };
         let field = HeightField { heights_nm: &snake.heights_nm * times, pitch_nm };
         let specimen = StudySpecimen { name: "deeper".into(), fields: vec![field], optics, scenes: vec![] };
         let study = run_study(&[specimen], &config, &Silent);
@@ -248,7 +246,7 @@ fn deeper_structures_at_equal_error() {
 #[test]
 #[ignore = "minutes of measuring, and figures that a busy machine spoils"]
 fn snake_scans_at_equal_error() {
-    let Some(shared) = common::shared("snake_scans_at_equal_error") else { return };
+    let Some(shared) = crate::common::shared("snake_scans_at_equal_error") else { return };
     let pitch_nm = [65_000.0 / 1332.0; 2];
     let config = StudyConfig {
         directions: 8,
@@ -266,10 +264,10 @@ fn snake_scans_at_equal_error() {
         ..config()
     };
     for (name, scale) in [("elaphe_guttata", 375.0 / 65535.0), ("xenopeltis_unicolor", 1.0)] {
-        let mut field = common::load(&shared.join(format!("specimens/{name}.tif")), pitch_nm, scale);
+        let mut field = crate::common::load(&shared.join(format!("specimens/{name}.tif")), pitch_nm, scale);
         let (low, high) = field.heights_nm.iter().fold((f64::MAX, f64::MIN), |(l, h), &x| (l.min(x), h.max(x)));
         field.heights_nm -= 0.5 * (low + high);
-        let optics = common::reference_optics(16_250.0, Edge::Tile);
+        let optics = crate::common::reference_optics(16_250.0, Edge::Tile);
         let optics = OpticsConfig { windows: Windows::Grid, ..optics };
         let specimen = StudySpecimen { name: name.into(), fields: vec![field], optics, scenes: vec![] };
         let study = run_study(&[specimen], &config, &Silent);

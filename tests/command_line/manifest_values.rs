@@ -1,7 +1,5 @@
 //! What a manifest's text means: values, defaults, resolved paths, and that the documentation says the same.
 
-mod manifest_fixture;
-
 use std::path::{Path, PathBuf};
 
 use diffraction_atlas::manifest::{
@@ -14,7 +12,7 @@ use diffraction_build::tables::model::{Basis, Prefilter, Storage};
 use diffraction_render::scene::animation::{Axis, Moving};
 use diffraction_render::scene::camera::{Camera, Field};
 use diffraction_render::scene::environment;
-use manifest_fixture::{GOOD, folder, good_with, parse_in};
+use crate::manifest_fixture::{GOOD, folder, good_with, parse_in};
 
 #[test]
 fn what_is_written_is_what_is_read() {

@@ -1,13 +1,11 @@
 //! Publishing versions: one rename, nothing where nothing changed, and every way to be interrupted.
 
-mod atlas_example;
-
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use atlas_example::{index, random_tables, write_specimen};
+use crate::atlas_example::{index, random_tables, write_specimen};
 use diffraction_atlas::stages::diff::diff;
 use diffraction_atlas::stages::publish;
 use diffraction_atlas::stages::publish::{Published, Staging};

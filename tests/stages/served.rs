@@ -1,7 +1,5 @@
 //! Tables made for certain scenes show them as tables for every direction do, and answer nothing else.
 
-mod common;
-
 use diffraction_atlas::stages::serve::{Pruning, Source, account, domain_of, measure, plan_without};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, serves};
 use diffraction_build::height::HeightField;
@@ -21,15 +19,15 @@ use proptest::prelude::*;
 const TOLERANCE: f64 = 1e-3;
 
 fn surface() -> HeightField {
-    common::surfaces::random([96, 96], [100.0; 2], 400.0, 40.0, 7)
+    crate::common::surfaces::random([96, 96], [100.0; 2], 400.0, 40.0, 7)
 }
 
 fn daylight(windows: Windows) -> OpticsConfig {
-    OpticsConfig { windows, ..common::reference_optics(1_500.0, Edge::Tile) }
+    OpticsConfig { windows, ..crate::common::reference_optics(1_500.0, Edge::Tile) }
 }
 
 fn config(size: usize) -> TablesConfig {
-    common::surfaces::tables_config(TOLERANCE, Some(size))
+    crate::common::surfaces::tables_config(TOLERANCE, Some(size))
 }
 
 fn scene(shape: Shape, lights: Vec<Light>) -> Scene {
@@ -231,7 +229,7 @@ fn bundled_specimens_look_the_same() {
         let scan = read_scan(std::path::Path::new(&path), &ReadConfig::default()).unwrap();
         let prepared = PrepareConfig { level: Level::None, despike: None, blend_nm: None };
         let fields = [prepare(&scan.field, &prepared).unwrap().0];
-        let optics = common::reference_optics(4_000.0, Edge::Tile);
+        let optics = crate::common::reference_optics(4_000.0, Edge::Tile);
         let optics = OpticsConfig { windows: Windows::Grid, ..optics };
         let tables = config(601);
         let source = Source { fields: &fields, optics: &optics, tables: &tables };

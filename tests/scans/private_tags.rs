@@ -1,12 +1,10 @@
 //! Microscope makers' private tags: Park Systems and JPK files built by hand, from their formulas.
 
-mod scan_support;
-
 use std::path::Path;
 
 use diffraction_brdf::error::Result;
 use diffraction_build::height::read::{ReadConfig, Scan, scan_from_bytes};
-use scan_support::{BYTE, Order, PageParts, SHORT, UNDEFINED, tiff_file};
+use crate::scan_files::{BYTE, Order, PageParts, SHORT, UNDEFINED, tiff_file};
 
 fn read(bytes: &[u8], config: &ReadConfig) -> Result<Scan> {
     scan_from_bytes(Path::new("scan.tif"), bytes, config)

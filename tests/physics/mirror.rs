@@ -1,9 +1,7 @@
 //! Mirrors, level and tilted: power, place and shape of the one lobe they reflect.
 
-mod common;
-
-use common::optics_forms::{fresnel, front, gaussian};
-use common::surfaces::{
+use crate::common::optics_forms::{fresnel, front, gaussian};
+use crate::common::surfaces::{
     PLACEMENTS, flat, laser, lobe_deviation, lobe_points, negated, outgoing, sampled, stretched, tables, worst_of_peak,
 };
 use diffraction_brdf::direction::{Vec3, dot, from_angles_deg};

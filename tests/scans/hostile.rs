@@ -1,14 +1,12 @@
 //! Damaged and malicious scan files: a clear refusal within bounded memory, never a panic or a hang.
 
-mod scan_support;
-
 use std::io::Cursor;
 use std::path::Path;
 
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, read_scan, scan_from_bytes};
 use proptest::prelude::*;
-use scan_support::{DOUBLE, LONG, Order, PageParts, f32_bytes, samples, tiff_file};
+use crate::scan_files::{DOUBLE, LONG, Order, PageParts, f32_bytes, samples, tiff_file};
 use tiff::encoder::{Compression, DeflateLevel, Predictor, TiffEncoder, colortype};
 
 fn read(bytes: &[u8], config: &ReadConfig) -> Result<Scan> {

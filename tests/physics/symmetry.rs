@@ -1,8 +1,6 @@
 //! Symmetries of the BRDF: reciprocity, turns, mirror images, moved tiles, a raised surface, thread counts.
 
-mod common;
-
-use common::surfaces::{PLACEMENTS, half_turn, laser, mirrored_x, quantile, random, rolled, sampled, tables_config};
+use crate::common::surfaces::{PLACEMENTS, half_turn, laser, mirrored_x, quantile, random, rolled, sampled, tables_config};
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_build::ground::sampling::{Region, direction_pairs};
@@ -27,7 +25,7 @@ fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
 /// enough for the four windows of `Windows::Grid`.
 fn surface() -> HeightField {
     let field = random([101, 120], [200.0, 170.0], 380.0, 70.0, 7);
-    common::surfaces::centred(field)
+    crate::common::surfaces::centred(field)
 }
 
 /// Directions for which the sampling of the scan, at most 200 nm, can answer at 470 nm.

@@ -1,9 +1,7 @@
 //! Tables against an independent evaluator's figures.
 
-mod common;
-
-use common::Case;
-use common::surfaces::{centred, quantile, stretched, tables};
+use crate::common::Case;
+use crate::common::surfaces::{centred, quantile, stretched, tables};
 use diffraction_brdf::direction::wave_vector_change;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_build::height::HeightField;
@@ -61,8 +59,8 @@ fn size(case: &Case) -> usize {
 
 #[test]
 fn tables_meet_the_independent_evaluator() {
-    let Some(shared) = common::shared("tables_meet_the_independent_evaluator") else { return };
-    for case in common::cases(&shared) {
+    let Some(shared) = crate::common::shared("tables_meet_the_independent_evaluator") else { return };
+    for case in crate::common::cases(&shared) {
         let [_, cubic] = errors(&case, &case.field, size(&case));
         assert!(cubic.outside.len() >= 80, "{}: too few rows to speak of", case.name);
         let p95 = quantile(&cubic.outside, 0.95);
@@ -72,8 +70,8 @@ fn tables_meet_the_independent_evaluator() {
 
 #[test]
 fn a_pitch_wrong_by_one_percent_fails() {
-    let Some(shared) = common::shared("a_pitch_wrong_by_one_percent_fails") else { return };
-    let case = common::cases(&shared).into_iter().find(|case| case.name == "blazed_2500nm").unwrap();
+    let Some(shared) = crate::common::shared("a_pitch_wrong_by_one_percent_fails") else { return };
+    let case = crate::common::cases(&shared).into_iter().find(|case| case.name == "blazed_2500nm").unwrap();
     let [_, cubic] = errors(&case, &stretched(&case.field, 1.01), size(&case));
     let p95 = quantile(&cubic.outside, 0.95);
     assert!(p95 > 3.0 * ALLOWED, "{p95:e}");

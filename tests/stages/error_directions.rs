@@ -1,10 +1,8 @@
 //! The directions on which a run counts errors: enough lit ones even of a grating, and light that tables miss is found.
 
-mod common;
-
 use std::f64::consts::TAU;
 
-use common::surfaces::{random, sampled, tables_config};
+use crate::common::surfaces::{random, sampled, tables_config};
 use diffraction_atlas::stages::error_directions::{Candidates, ErrorDirections};
 use diffraction_atlas::stages::measure::{error_rows, yardstick};
 use diffraction_atlas::stages::results::ErrorRow;

@@ -1,13 +1,11 @@
 //! Scan files of many programs, read to the truth that other software found in them.
 
-mod scan_support;
-
 use std::path::Path;
 
 use diffraction_brdf::error::Error;
 use diffraction_brdf::files::sha256_hex;
 use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, read_scan};
-use scan_support::samples;
+use crate::scan_files::samples;
 
 /// Who gives a calibration: the file, at this place, or the manifest because the file is silent.
 enum By {

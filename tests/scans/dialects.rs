@@ -1,12 +1,10 @@
 //! TIFF dialects built by hand: layouts, pages, ImageJ and OME descriptions, missing samples.
 
-mod scan_support;
-
 use std::path::Path;
 
 use diffraction_brdf::error::Result;
 use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, scan_from_bytes};
-use scan_support::{ASCII, BYTE, LONG, Order, PageParts, f32_bytes, tiff_file};
+use crate::scan_files::{ASCII, BYTE, LONG, Order, PageParts, f32_bytes, tiff_file};
 
 const ORDERS: [Order; 2] = [Order::Little, Order::Big];
 

@@ -1,10 +1,8 @@
 //! Random surfaces: the coherent lobe, means over windows, tables against the direct sum.
 
-mod common;
-
 use std::f64::consts::TAU;
 
-use common::surfaces::{centred, laser, outgoing, quantile, random, rolled, stretched, tables, tables_config};
+use crate::common::surfaces::{centred, laser, outgoing, quantile, random, rolled, stretched, tables, tables_config};
 use diffraction_brdf::direction::{Vec3, from_angles_deg, wave_vector_change};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_build::ground::sampling::{Region, direction_pairs};

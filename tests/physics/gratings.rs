@@ -1,11 +1,9 @@
 //! Gratings: the power, place and shape of every order against its closed form.
 
-mod common;
-
 use std::f64::consts::{PI, TAU};
 
-use common::optics_forms::{front, gaussian};
-use common::surfaces::{
+use crate::common::optics_forms::{front, gaussian};
+use crate::common::surfaces::{
     laser, lobe_deviation, lobe_points, negated, outgoing, rolled, sampled, stretched, tables, tables_config,
     worst_of_peak,
 };

@@ -1,11 +1,9 @@
 //! Sums kept from builds for other scenes: tables put together from them are those of a build that knows nothing.
 
-mod common;
-
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use common::surfaces::{random, tables_config};
+use crate::common::surfaces::{random, tables_config};
 use diffraction_atlas::stages::serve::{Source, domain_of, plan_without};
 use diffraction_brdf::direction::wave_vector_change;
 use diffraction_build::height::HeightField;
@@ -82,7 +80,7 @@ struct Case {
 
 impl Case {
     fn new(sigma_nm: f64, edge: Edge, windows: Windows, size: usize) -> Self {
-        let optics = OpticsConfig { windows, ..common::reference_optics(sigma_nm, edge) };
+        let optics = OpticsConfig { windows, ..crate::common::reference_optics(sigma_nm, edge) };
         Self {
             fields: vec![random([96, 96], [100.0; 2], 400.0, 40.0, 7)],
             optics,

@@ -1,13 +1,11 @@
 //! Measured reflectance: a "measurement" written from closed forms is met, and a wrong surface is not.
 
-mod common;
-
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use std::path::Path;
 
-use common::optics_forms::{front, gaussian};
-use common::surfaces::{PLACEMENTS, flat, laser, lobe_deviation, random, sampled};
+use crate::common::optics_forms::{front, gaussian};
+use crate::common::surfaces::{PLACEMENTS, flat, laser, lobe_deviation, random, sampled};
 use diffraction_atlas::stages::measured::{self, CurveResult, MeasuredConfig, MeasuredResult};
 use diffraction_brdf::direction::{from_angles_deg, wave_vector_change};
 use diffraction_build::height::HeightField;
