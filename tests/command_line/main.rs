@@ -1,5 +1,8 @@
 //! The program from outside: manifests and scans in a folder of their own, commands, and what they leave on the disk.
 
+#[macro_use]
+#[path = "../common/skip.rs"]
+mod skip;
 #[path = "../common/mod.rs"]
 mod common;
 #[path = "../common/manifest_fixture.rs"]

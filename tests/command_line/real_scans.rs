@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::place::{Place, call};
+use crate::skip::shared;
 
 /// Name, published or measured period in nm, if the surface has one.
 const SPECIMENS: [(&str, Option<f64>); 8] = [
@@ -22,8 +23,7 @@ const PITCH_MAX_NM: f64 = 95.0;
 #[test]
 fn the_real_scans_make_an_atlas() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    if !root.join("../shared/specimens").is_dir() {
-        eprintln!("SKIPPED the_real_scans_make_an_atlas: the folder ../shared with the real scans is not here");
+    if shared("specimens").is_none() {
         return;
     }
     // Relative paths start at the manifest: here it lies elsewhere.

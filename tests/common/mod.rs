@@ -5,7 +5,7 @@
 pub mod optics_forms;
 pub mod surfaces;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg};
 use diffraction_build::ground::spectrum::Illuminant;
@@ -13,16 +13,6 @@ use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use ndarray::Array2;
 use tiff::decoder::{Decoder, DecodingResult};
-
-/// The folder of shared scans beside the checkout, or `None` with a loud line.
-pub fn shared(test: &str) -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared");
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    eprintln!("SKIPPED {test}: the folder ../shared with the real scans and reference figures is not here");
-    None
-}
 
 /// A scan as plain numbers times a scale.
 pub fn load(path: &Path, pitch_nm: [f64; 2], scale_nm: f64) -> HeightField {

@@ -1,9 +1,6 @@
-//! TIFFs laid out by hand, for what no encoder writes; and the sibling folder with sample files.
+//! TIFFs laid out by hand, for what no encoder writes.
 
 #![allow(dead_code)] // Each test program uses its own part.
-
-use std::io::Write;
-use std::path::{Path, PathBuf};
 
 /// Field types of TIFF.
 pub const BYTE: u16 = 1;
@@ -146,15 +143,4 @@ fn append_page(file: &mut Vec<u8>, order: Order, page: &PageParts) -> usize {
 /// 32-bit floats in a byte order.
 pub fn f32_bytes(order: Order, values: &[f32]) -> Vec<u8> {
     values.iter().flat_map(|value| order.bytes(u64::from(value.to_bits()), 4)).collect()
-}
-
-/// The folder with sample files beside the project, or `None` and a loud word.
-pub fn samples(folder: &str) -> Option<PathBuf> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared").join(folder);
-    if path.is_dir() {
-        return Some(path);
-    }
-    // Past the test harness, which swallows what passing tests print with macros.
-    let _ = writeln!(std::io::stderr(), "SKIPPED: {} is not there, its files are not read", path.display());
-    None
 }

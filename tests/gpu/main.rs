@@ -1,5 +1,9 @@
 //! Tables on the GPU against the CPU, on whatever Vulkan adapter there is (Mesa's software driver will do).
 
+#[macro_use]
+#[path = "../common/skip.rs"]
+mod skip;
+
 mod agreement;
 mod corruption;
 mod exported;

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
+use crate::skip::skipped;
 use diffraction_atlas::stages::shader_export::{README, ShaderLanguage, shader};
 
 /// Runs a compiler over a shader; `None` with a loud line where the compiler is not installed.
@@ -10,7 +11,7 @@ fn accepted(tool: &str, arguments: &[&str], file: &Path) -> Option<bool> {
     let output = match Command::new(tool).args(arguments).arg(file).output() {
         Ok(output) => output,
         Err(_) => {
-            eprintln!("SKIPPED {} by {tool}: not installed (glslang-tools, spirv-tools)", file.display());
+            skipped(format_args!("{} by {tool}: not installed (glslang-tools, spirv-tools)", file.display()));
             return None;
         }
     };

@@ -1,5 +1,8 @@
 //! The optics against closed forms, symmetries and an independent evaluator.
 
+#[macro_use]
+#[path = "../common/skip.rs"]
+mod skip;
 #[path = "../common/mod.rs"]
 mod common;
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use diffraction_brdf::error::Error;
 use diffraction_brdf::files::sha256_hex;
 use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, read_scan};
-use crate::scan_files::samples;
+use crate::skip::shared;
 
 /// Who gives a calibration: the file, at this place, or the manifest because the file is silent.
 enum By {
@@ -71,7 +71,7 @@ fn largest_difference(scan: &Scan, truth: &[f64]) -> f64 {
 /// the 8 µm of the squares).
 #[test]
 fn every_variant_is_read_to_its_truth() {
-    let Some(folder) = samples("tiff-variants") else {
+    let Some(folder) = shared("tiff-variants") else {
         return;
     };
     let expected = std::fs::read_to_string(folder.join("expected.json")).unwrap();
@@ -147,7 +147,7 @@ fn check_table_is_complete(folder: &Path) {
 
 #[test]
 fn simple_fields_are_read_bit_for_bit() {
-    let Some(folder) = samples("tiff-variants") else {
+    let Some(folder) = shared("tiff-variants") else {
         return;
     };
     for (name, pitch) in [("grid.gsf", 11.71875), ("squares.gsf", 195.3125)] {
@@ -160,7 +160,7 @@ fn simple_fields_are_read_bit_for_bit() {
 
 #[test]
 fn park_heights_come_from_the_private_tag() {
-    let Some(folder) = samples("tiff-variants") else {
+    let Some(folder) = shared("tiff-variants") else {
         return;
     };
     let scan = read_scan(&folder.join("park_smartscan_512.tiff"), &ReadConfig::default()).unwrap();
@@ -179,7 +179,7 @@ fn park_heights_come_from_the_private_tag() {
 
 #[test]
 fn a_rendered_figure_is_refused_as_a_picture() {
-    let Some(folder) = samples("tiff-variants") else {
+    let Some(folder) = shared("tiff-variants") else {
         return;
     };
     let config = ReadConfig {
@@ -195,7 +195,7 @@ fn a_rendered_figure_is_refused_as_a_picture() {
 /// The real scans state everything; their sidecar files say what must come out.
 #[test]
 fn real_scans_state_their_own_calibration() {
-    let Some(folder) = samples("specimens/real") else {
+    let Some(folder) = shared("specimens/real") else {
         return;
     };
     let mut read = 0;
@@ -232,7 +232,7 @@ fn real_scans_state_their_own_calibration() {
 /// ImageJ's info text gives the height unit where the description does not.
 #[test]
 fn published_scans() {
-    let Some(folder) = samples("specimens") else {
+    let Some(folder) = shared("specimens") else {
         return;
     };
     let scan = read_scan(&folder.join("xenopeltis_unicolor.tif"), &ReadConfig::default()).unwrap();

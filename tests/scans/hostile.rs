@@ -6,7 +6,8 @@ use std::path::Path;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, read_scan, scan_from_bytes};
 use proptest::prelude::*;
-use crate::scan_files::{DOUBLE, LONG, Order, PageParts, f32_bytes, samples, tiff_file};
+use crate::scan_files::{DOUBLE, LONG, Order, PageParts, f32_bytes, tiff_file};
+use crate::skip::shared;
 use tiff::encoder::{Compression, DeflateLevel, Predictor, TiffEncoder, colortype};
 
 fn read(bytes: &[u8], config: &ReadConfig) -> Result<Scan> {
@@ -93,11 +94,11 @@ fn small_files() -> Vec<Vec<u8>> {
 #[test]
 fn a_file_cut_anywhere_is_refused() {
     let mut files = small_files();
-    if let Some(folder) = samples("specimens/real") {
+    if let Some(folder) = shared("specimens/real") {
         files.push(std::fs::read(folder.join("butterfly-vcardui-10x3.tif")).unwrap());
         files.push(std::fs::read(folder.join("butterfly-vcardui-41pct.tif")).unwrap());
     }
-    if let Some(folder) = samples("tiff-variants") {
+    if let Some(folder) = shared("tiff-variants") {
         files.push(std::fs::read(folder.join("grid_imagej153t_ij8_uncal.tif")).unwrap());
     }
     for file in files {
@@ -113,7 +114,7 @@ fn a_file_cut_anywhere_is_refused() {
 #[test]
 fn flipped_bytes_give_a_scan_or_a_refusal() {
     let mut files = small_files();
-    if let Some(folder) = samples("tiff-variants") {
+    if let Some(folder) = shared("tiff-variants") {
         for name in ["grid_lzw_pred3_tiled_nm.tif", "grid_ome_nm.ome.tif", "grid_imagej153t_ij16_cal.tif"] {
             files.push(std::fs::read(folder.join(name)).unwrap());
         }

@@ -1,21 +1,12 @@
 //! Statistics of real scans, against what other software and the literature found in them.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+use crate::skip::shared;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::prepare::{Despike, Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig, read_scan};
 use diffraction_build::height::statistics::{Period, Statistics, statistics};
-
-/// The sibling folder with scans, if there is one.
-fn specimens() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/specimens");
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    println!("SKIPPED: {} is absent", folder.display());
-    None
-}
 
 fn read(path: &Path, config: &ReadConfig) -> HeightField {
     read_scan(path, config).unwrap_or_else(|error| panic!("{error}")).field
@@ -40,7 +31,7 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
 
 #[test]
 fn real_scans_agree_with_their_notes() {
-    let Some(folder) = specimens() else { return };
+    let Some(folder) = shared("specimens") else { return };
     // The rms and the range in nm after a plane fit by NumPy's least squares (lstsq), and whether the surface
     // has periods, going by its description.
     let table = [
@@ -72,7 +63,7 @@ fn real_scans_agree_with_their_notes() {
 
 #[test]
 fn the_mirrored_direction_would_be_seen() {
-    let Some(folder) = specimens() else { return };
+    let Some(folder) = shared("specimens") else { return };
     let field = read(&folder.join("real/grating-nanosurf-314nm.tif"), &ReadConfig::default());
     let Period { period_nm, direction_deg, .. } = of_plane_levelled(&field).dominant_periods[0];
     let right = lines(period_nm, direction_deg, &field);
@@ -82,7 +73,7 @@ fn the_mirrored_direction_would_be_seen() {
 
 #[test]
 fn published_scans_show_their_published_periods() {
-    let Some(folder) = specimens() else { return };
+    let Some(folder) = shared("specimens") else { return };
     let despike = Some(Despike { threshold_rms: 8.0 });
     let scan = |file: &str, height| {
         let config = ReadConfig { pitch_nm: Some([48.8; 2]), height: Some(height), ..ReadConfig::default() };

@@ -1,5 +1,8 @@
 //! What a run does between scans and a published atlas, called from the library.
 
+#[macro_use]
+#[path = "../common/skip.rs"]
+mod skip;
 #[path = "../common/atlas_example.rs"]
 mod atlas_example;
 #[path = "../common/mod.rs"]

@@ -106,13 +106,12 @@ fn fewer_wavelengths_keep_no_grating() {
     }
 }
 
-/// `cargo test --release --test tolerance -- --ignored --nocapture`: the table of docs/accuracy.md.
+/// `cargo test --release --test stages tolerance -- --ignored --nocapture`: the table of docs/accuracy.md.
 #[test]
 #[ignore = "minutes of measuring"]
 fn real_scans_at_every_tolerance() {
     let manifest = "tests/real_scans.toml";
-    if !Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/specimens").is_dir() {
-        eprintln!("SKIPPED real_scans_at_every_tolerance: the folder ../shared with the real scans is not here");
+    if crate::skip::shared("specimens").is_none() {
         return;
     }
     let mut missed = Vec::new();

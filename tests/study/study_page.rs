@@ -246,7 +246,7 @@ fn deeper_structures_at_equal_error() {
 #[test]
 #[ignore = "minutes of measuring, and figures that a busy machine spoils"]
 fn snake_scans_at_equal_error() {
-    let Some(shared) = crate::common::shared("snake_scans_at_equal_error") else { return };
+    let Some(shared) = crate::skip::shared("") else { return };
     let pitch_nm = [65_000.0 / 1332.0; 2];
     let config = StudyConfig {
         directions: 8,
