@@ -1,7 +1,7 @@
 //! What a plan says that the reference will take, against what a run evaluates.
 
-use assert_cmd::Command;
 use crate::common::surfaces::{laser, random, tables_config};
+use assert_cmd::Command;
 use diffraction_atlas::stages::forecast_run::{ReferenceForecast, reference_forecast};
 use diffraction_atlas::stages::scenes::{reference_samples, render_tables};
 use diffraction_atlas::stages::serve::Source;

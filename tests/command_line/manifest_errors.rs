@@ -2,9 +2,9 @@
 
 use std::sync::LazyLock;
 
+use crate::manifest_fixture::{GOOD, folder, good_with, parse_in};
 use diffraction_atlas::manifest;
 use diffraction_brdf::error::Error;
-use crate::manifest_fixture::{GOOD, folder, good_with, parse_in};
 use proptest::prelude::*;
 
 /// What is replaced in `GOOD`, by what; the expected `line:column`, the text that the carets mark, and

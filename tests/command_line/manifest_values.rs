@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::manifest_fixture::{GOOD, folder, good_with, parse_in};
 use diffraction_atlas::manifest::{
     self, ExposureSection, FrameTiming, GpuCheck, HeightSection, HeightUnit, LevelSection, ShapeSection,
 };
@@ -12,7 +13,6 @@ use diffraction_build::tables::model::{Basis, Prefilter, Storage};
 use diffraction_render::scene::animation::{Axis, Moving};
 use diffraction_render::scene::camera::{Camera, Field};
 use diffraction_render::scene::environment;
-use crate::manifest_fixture::{GOOD, folder, good_with, parse_in};
 
 #[test]
 fn what_is_written_is_what_is_read() {

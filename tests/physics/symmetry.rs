@@ -1,6 +1,8 @@
 //! Symmetries of the BRDF: reciprocity, turns, mirror images, moved tiles, a raised surface, thread counts.
 
-use crate::common::surfaces::{PLACEMENTS, half_turn, laser, mirrored_x, quantile, random, rolled, sampled, tables_config};
+use crate::common::surfaces::{
+    PLACEMENTS, half_turn, laser, mirrored_x, quantile, random, rolled, sampled, tables_config,
+};
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_build::ground::sampling::{Region, direction_pairs};

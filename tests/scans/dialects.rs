@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
+use crate::scan_files::{ASCII, BYTE, LONG, Order, PageParts, f32_bytes, tiff_file};
 use diffraction_brdf::error::Result;
 use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, scan_from_bytes};
-use crate::scan_files::{ASCII, BYTE, LONG, Order, PageParts, f32_bytes, tiff_file};
 
 const ORDERS: [Order; 2] = [Order::Little, Order::Big];
 

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
+use crate::skip::shared;
 use diffraction_brdf::error::Error;
 use diffraction_brdf::files::sha256_hex;
 use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, read_scan};
-use crate::skip::shared;
 
 /// Who gives a calibration: the file, at this place, or the manifest because the file is silent.
 enum By {

@@ -3,11 +3,11 @@
 use std::io::Cursor;
 use std::path::Path;
 
+use crate::scan_files::{DOUBLE, LONG, Order, PageParts, f32_bytes, tiff_file};
+use crate::skip::shared;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig, Scan, read_scan, scan_from_bytes};
 use proptest::prelude::*;
-use crate::scan_files::{DOUBLE, LONG, Order, PageParts, f32_bytes, tiff_file};
-use crate::skip::shared;
 use tiff::encoder::{Compression, DeflateLevel, Predictor, TiffEncoder, colortype};
 
 fn read(bytes: &[u8], config: &ReadConfig) -> Result<Scan> {

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
+use crate::scan_files::{BYTE, Order, PageParts, SHORT, UNDEFINED, tiff_file};
 use diffraction_brdf::error::Result;
 use diffraction_build::height::read::{ReadConfig, Scan, scan_from_bytes};
-use crate::scan_files::{BYTE, Order, PageParts, SHORT, UNDEFINED, tiff_file};
 
 fn read(bytes: &[u8], config: &ReadConfig) -> Result<Scan> {
     scan_from_bytes(Path::new("scan.tif"), bytes, config)

@@ -2,9 +2,9 @@
 //!
 //! The page is left at `target/tmp/report.html` to be looked at.
 
+use crate::report_sample::{Sample, sample};
 use diffraction_atlas::report::render_html;
 use diffraction_atlas::stages::results::{GpuResult, RunResults, from_json, to_json};
-use crate::report_sample::{Sample, sample};
 
 /// Names and messages with everything that markup and terminals trip over.
 const HOSTILE: &str = "<b>&\"'\u{7}\u{1b}[31m{{ 1 }}]]>--><script>";
