@@ -341,7 +341,7 @@ fn failures(results: &RunResults) -> Vec<Value> {
         .map(|failure| {
             let place = match &failure.specimen {
                 Some(specimen) => format!("{specimen}, {}", failure.stage),
-                None => failure.stage.clone(),
+                None => failure.stage.to_string(),
             };
             context! { place => place, message => &failure.message }
         })
@@ -376,13 +376,13 @@ fn own_stages<'a>(stages: &'a [StageTime], specimen: &str) -> Vec<&'a StageTime>
     stages.iter().filter(|stage| stage.specimen.as_deref() == Some(specimen)).collect()
 }
 
-/// Elapsed seconds per stage name, in the order in which the names first occur.
+/// Elapsed seconds per stage, in the order in which the stages first occur.
 fn by_stage(stages: &[&StageTime]) -> Vec<(String, f64)> {
     let mut sums: Vec<(String, f64)> = Vec::new();
     for stage in stages {
-        match sums.iter_mut().find(|sum| sum.0 == stage.name) {
+        match sums.iter_mut().find(|sum| sum.0 == stage.name.as_str()) {
             Some(sum) => sum.1 += stage.wall_s,
-            None => sums.push((stage.name.clone(), stage.wall_s)),
+            None => sums.push((stage.name.to_string(), stage.wall_s)),
         }
     }
     sums

@@ -80,6 +80,13 @@ pub enum Serve {
     Named(Vec<String>),
 }
 
+impl Serve {
+    /// Whether tables answer for every direction.
+    pub fn is_all(&self) -> bool {
+        *self == Self::All
+    }
+}
+
 /// What a run finds out besides the tables; what nobody asks for is not computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct ReportConfig {

@@ -13,6 +13,7 @@ use sha2::{Digest, Sha256};
 
 use super::cache::{Cache, CacheUse};
 use super::serve::Source;
+use super::stage::Stage;
 use super::usage::{self, Stopwatch};
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
@@ -59,7 +60,7 @@ impl Built {
         let build = || build::build_planned(source.fields, source.optics, source.tables, plan, advance);
         let (built, memory_bytes) = usage::with_heap_bytes(build);
         let (set, record) = built?;
-        let time = stopwatch.read("build tables", None);
+        let time = stopwatch.read(Stage::BuildTables, None);
         Ok(Self { set, record, seconds: time.wall_s, processor_s: time.cpu_s, memory_bytes })
     }
 }

@@ -6,8 +6,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::cache::CacheUse;
-pub use super::gpu_results::{GpuResult, GpuRow};
+pub use super::gpu::results::{GpuResult, GpuRow};
 use super::serve::{Budget, Cost};
+use super::stage::Stage;
 use crate::stages::measured::MeasuredResult;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::accuracy::rows::{ErrorRow, PowerSum};
@@ -27,7 +28,7 @@ pub struct RunResults {
     pub schema: u32,
     /// Name of the atlas, from the manifest.
     pub atlas_name: String,
-    /// The version this run published, such as `v0003`; `None` where it published none.
+    /// The version that this run publishes if anything has changed, such as `v0003`; `None` where every specimen failed.
     pub version: Option<String>,
     /// Version of the program.
     pub program_version: String,
@@ -65,8 +66,8 @@ pub struct RunResults {
 /// Duration of one stage.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StageTime {
-    /// A verb phrase: "build tables".
-    pub name: String,
+    /// Which stage.
+    pub name: Stage,
     /// The specimen it worked on; `None` for what concerns the whole atlas.
     pub specimen: Option<String>,
     /// Elapsed seconds.
@@ -81,7 +82,7 @@ pub struct Failure {
     /// The specimen it concerns, if any.
     pub specimen: Option<String>,
     /// The stage that failed.
-    pub stage: String,
+    pub stage: Stage,
     /// What happened and what to do about it.
     pub message: String,
 }

@@ -5,8 +5,8 @@ use std::io::{Error as IoError, ErrorKind};
 use std::path::Path;
 
 use diffraction_atlas::manifest::{self, convert::run_config};
-use diffraction_atlas::stages::pipeline::{self, Helpers};
 use diffraction_atlas::stages::results::{HeightMapFile, SpectrumFile, Statistics};
+use diffraction_atlas::stages::run::pipeline::{self, Helpers};
 use diffraction_brdf::error::Error;
 use diffraction_build::ground::progress::Silent;
 use diffraction_build::height::HeightField;

@@ -3,7 +3,7 @@
 use crate::common::surfaces::{laser, random, tables_config};
 use assert_cmd::Command;
 use diffraction_atlas::stages::forecast_run::{ReferenceForecast, reference_forecast};
-use diffraction_atlas::stages::scenes::{reference_samples, render_tables};
+use diffraction_atlas::stages::pictures::scenes::{reference_samples, render_tables};
 use diffraction_atlas::stages::serve::Source;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};

@@ -61,7 +61,7 @@ fn a_run_killed_at_any_moment_leaves_the_published_versions_and_the_next_run_com
 fn two_runs_into_one_atlas_do_not_meet() {
     let place = Place::with_scans();
     place.write("m.toml", &manifest(0));
-    let held = diffraction_atlas::stages::publish::begin(&place.path("out/small")).unwrap();
+    let held = diffraction_atlas::stages::archive::publish::begin(&place.path("out/small")).unwrap();
     let refused = place.call("run m.toml").ended(1);
     assert!(refused.stderr.contains("another run is publishing into this atlas"), "{}", refused.stderr);
     assert_eq!(refused.stdout, "");

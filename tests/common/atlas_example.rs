@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use diffraction_atlas::stages::specimen::{self, SpecimenFile};
-use diffraction_atlas::stages::worked;
+use diffraction_atlas::stages::archive::specimen_file::{self, SpecimenFile};
+use diffraction_atlas::stages::archive::worked;
 use diffraction_brdf::atlas::{AtlasIndex, InputRecord, SpecimenEntry};
 use diffraction_brdf::direction::from_angles_deg;
 use diffraction_brdf::specimen::{CheckValue, SCHEMA};
@@ -99,7 +99,7 @@ pub fn write_specimen(version: &Path, name: &str, set: &TableSet, storage: Stora
         check_values: check_values(&rounded, 3),
         warnings: vec!["Made up.".to_owned()],
     };
-    specimen::write(&folder, &file).unwrap();
+    specimen_file::write(&folder, &file).unwrap();
     file
 }
 

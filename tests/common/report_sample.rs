@@ -5,10 +5,11 @@ use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
 use diffraction_atlas::report::pictures::{height_map, spectrum_half_range_per_um, spectrum_picture};
-use diffraction_atlas::stages::gpu_check::{CpuPictures, compare, compare_with_reference};
-use diffraction_atlas::stages::gpu_results::{FrameComparison, MethodFrame};
+use diffraction_atlas::stages::gpu::check::{CpuPictures, compare, compare_with_reference};
+use diffraction_atlas::stages::gpu::results::{FrameComparison, MethodFrame};
 use diffraction_atlas::stages::results::*;
 use diffraction_atlas::stages::serve::Cost;
+use diffraction_atlas::stages::stage::Stage;
 use diffraction_build::accuracy::rows::{ErrorRow, PowerSum};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
@@ -55,7 +56,7 @@ fn make_sample() -> Sample {
         cache: None,
         failures: vec![Failure {
             specimen: Some("torn_scan".into()),
-            stage: "read scans".into(),
+            stage: Stage::ReadAndPrepare,
             message: "scans/torn.tif: the file ends after 31 of 512 rows\n  copy the scan again from the instrument"
                 .into(),
         }],
@@ -372,27 +373,27 @@ fn sphere(side: usize, period: &Period, shift: f64) -> Array3<u8> {
 
 fn stages(specimens: &[SpecimenResult]) -> Vec<StageTime> {
     let per_specimen = [
-        ("read scans", 0.031),
-        ("prepare heights", 0.22),
-        ("build tables", 21.4),
-        ("measure errors", 14.8),
-        ("render scenes", 1.6),
-        ("render references", 9.1),
-        ("write files", 0.42),
+        (Stage::ReadAndPrepare, 0.251),
+        (Stage::BuildTables, 21.4),
+        (Stage::StoreTables, 0.42),
+        (Stage::RenderScenes, 1.6),
+        (Stage::EvaluateReference, 9.1),
+        (Stage::MeasureErrors, 14.8),
+        (Stage::WritePictures, 0.42),
     ];
     let mut stages = Vec::new();
     for (index, specimen) in specimens.iter().enumerate() {
         let count = if specimen.failed.is_some() { 1 } else { 7 };
         for (name, wall_s) in per_specimen.into_iter().take(count) {
             stages.push(StageTime {
-                name: name.into(),
+                name,
                 specimen: Some(specimen.name.clone()),
                 wall_s: wall_s * (1.0 - 0.2 * index as f64),
                 cpu_s: Some(wall_s * 6.5),
             });
         }
     }
-    stages.push(StageTime { name: "publish".into(), specimen: None, wall_s: 0.61, cpu_s: Some(0.2) });
+    stages.push(StageTime { name: Stage::TimeFrames, specimen: None, wall_s: 0.61, cpu_s: Some(0.2) });
     stages
 }
 

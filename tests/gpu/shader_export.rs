@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::Command;
 
 use crate::skip::skipped;
-use diffraction_atlas::stages::shader_export::{README, ShaderLanguage, shader};
+use diffraction_atlas::stages::archive::shader_export::{README, ShaderLanguage, shader};
 
 /// Runs a compiler over a shader; `None` with a loud line where the compiler is not installed.
 fn accepted(tool: &str, arguments: &[&str], file: &Path) -> Option<bool> {

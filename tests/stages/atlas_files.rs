@@ -5,11 +5,11 @@ use std::path::Path;
 use std::process::Command;
 
 use crate::atlas_example::{index, random_tables, write_specimen};
-use diffraction_atlas::stages::format_md::format_md;
-use diffraction_atlas::stages::publish;
-use diffraction_atlas::stages::specimen;
-use diffraction_atlas::stages::verify;
-use diffraction_atlas::stages::worked::work_number;
+use diffraction_atlas::stages::archive::format_md::format_md;
+use diffraction_atlas::stages::archive::publish;
+use diffraction_atlas::stages::archive::specimen_file;
+use diffraction_atlas::stages::archive::verify_files;
+use diffraction_atlas::stages::archive::worked::work_number;
 use diffraction_brdf::atlas;
 use diffraction_brdf::evaluate::{self, Interpolation};
 use diffraction_brdf::files;
@@ -137,7 +137,7 @@ fn publish_example(root: &Path) -> std::path::PathBuf {
 fn a_specimen_is_loaded_as_it_was_written() {
     let root = tempfile::tempdir().unwrap();
     let version = publish_example(root.path());
-    let (file, tables) = specimen::load(&version.join("two")).unwrap();
+    let (file, tables) = specimen_file::load(&version.join("two")).unwrap();
     assert_eq!(tables, random_tables(9, Basis::Taylor, 17));
     assert_eq!((file.name.as_str(), file.check_values.len()), ("two", 20));
     let worked = work_number(&tables, angles(&file.check_values[1]));
@@ -177,7 +177,7 @@ fn the_worked_number_is_what_the_fast_evaluation_gives() {
 fn verify_names_exactly_the_file_with_a_flipped_bit() {
     let root = tempfile::tempdir().unwrap();
     let version = publish_example(root.path());
-    let sound = verify::verify_files(&version).unwrap();
+    let sound = verify_files::verify_files(&version).unwrap();
     let all = bytes_of(&version);
     assert_eq!((sound.files_checked, sound.failures.len()), (all.len(), 0));
     let mut random = fastrand::Rng::with_seed(10);
@@ -185,11 +185,11 @@ fn verify_names_exactly_the_file_with_a_flipped_bit() {
         let mut changed = bytes.clone();
         changed[random.usize(..bytes.len())] ^= 1 << random.u8(..8);
         fs::write(version.join(path), &changed).unwrap();
-        let failures = verify::verify_files(&version).unwrap().failures;
+        let failures = verify_files::verify_files(&version).unwrap().failures;
         assert_eq!(failures.iter().map(|failure| &failure.file).collect::<Vec<_>>(), [path]);
         fs::write(version.join(path), bytes).unwrap();
     }
-    assert_eq!(verify::verify_files(&version).unwrap(), sound);
+    assert_eq!(verify_files::verify_files(&version).unwrap(), sound);
 }
 
 #[test]
@@ -199,7 +199,7 @@ fn verify_sees_missing_added_and_cut_files() {
     fs::remove_file(version.join("one/table.001.exr")).unwrap();
     fs::write(version.join("one/table.004.exr"), "x").unwrap();
     fs::write(version.join("report.html"), "<p>rep").unwrap();
-    let failures = verify::verify_files(&version).unwrap().failures;
+    let failures = verify_files::verify_files(&version).unwrap().failures;
     let found: Vec<_> = failures.iter().map(|failure| (failure.file.as_str(), failure.what.as_str())).collect();
     let expected = [
         ("one/table.001.exr", "it is missing"),
@@ -216,7 +216,7 @@ fn verify_finds_what_was_published_unreadable() {
     write_specimen(staging.path(), "one", &random_tables(11, Basis::Taylor, 5), Storage::Half);
     fs::write(staging.path().join("picture.exr"), "no picture").unwrap();
     let version = root.path().join(publish::publish(staging, index("aa", &["one", "lost"])).unwrap().version());
-    let failures = verify::verify_files(&version).unwrap().failures;
+    let failures = verify_files::verify_files(&version).unwrap().failures;
     assert_eq!(
         failures.iter().map(|failure| failure.file.as_str()).collect::<Vec<_>>(),
         ["lost/specimen.json", "picture.exr"]
@@ -229,7 +229,7 @@ fn the_format_page_holds_the_worked_number() {
     let folder = tempfile::tempdir().unwrap();
     let set = random_tables(12, Basis::Chebyshev, 33);
     let file = write_specimen(folder.path(), "one", &set, Storage::Half);
-    let (_, stored) = specimen::load(&folder.path().join("one")).unwrap();
+    let (_, stored) = specimen_file::load(&folder.path().join("one")).unwrap();
     let worked = work_number(&stored, [40.0, 10.0, 40.5, 190.2]);
     assert!(worked.lobe.as_ref().unwrap().lookup.is_some(), "the example shows the lobe");
     let page = format_md(&file, &worked);
@@ -264,8 +264,8 @@ fn python_reads_the_images_and_meets_the_check_values() {
 
     // A check value that is off by a millionth must not pass.
     let path = version.join("one");
-    let mut file = specimen::read(&path).unwrap();
+    let mut file = specimen_file::read(&path).unwrap();
     file.check_values[7].xyz[1] *= 1.000_001;
-    specimen::write(&path, &file).unwrap();
+    specimen_file::write(&path, &file).unwrap();
     assert!(!run(&version).status.success());
 }

@@ -6,10 +6,10 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 
 use crate::atlas_example::{index, random_tables, write_specimen};
-use diffraction_atlas::stages::diff::diff;
-use diffraction_atlas::stages::publish;
-use diffraction_atlas::stages::publish::{Published, Staging};
-use diffraction_atlas::stages::verify;
+use diffraction_atlas::stages::archive::diff::diff;
+use diffraction_atlas::stages::archive::publish;
+use diffraction_atlas::stages::archive::publish::{Published, Staging};
+use diffraction_atlas::stages::archive::verify_files;
 use diffraction_brdf::atlas;
 use diffraction_brdf::files;
 use diffraction_build::tables::model::{Basis, Storage};
@@ -176,7 +176,7 @@ fn a_killed_run_leaves_every_version_whole() {
         let found = atlas::version_numbers(root).unwrap();
         assert!(found.starts_with(&known), "{known:?} became {found:?}");
         for &number in &found {
-            let report = verify::verify_files(&root.join(atlas::version_name(number))).unwrap();
+            let report = verify_files::verify_files(&root.join(atlas::version_name(number))).unwrap();
             assert_eq!(report.failures, []);
         }
         known = found;

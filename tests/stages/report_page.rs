@@ -43,11 +43,7 @@ fn make_hostile(results: &mut RunResults) {
     results.manifest_text = HOSTILE.into();
     for failure in &mut results.failures {
         failure.specimen = Some(HOSTILE.into());
-        failure.stage = HOSTILE.into();
         failure.message = HOSTILE.into();
-    }
-    for stage in &mut results.stages {
-        stage.name = HOSTILE.into();
     }
     if let GpuResult::Checked { gpu, rows, frames } = &mut results.gpu {
         for text in [&mut gpu.adapter, &mut gpu.backend, &mut gpu.driver, &mut gpu.kind] {

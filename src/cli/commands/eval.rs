@@ -8,8 +8,8 @@ use crate::cli::Global;
 use crate::cli::directions;
 use crate::cli::output::{self, Outcome};
 use crate::manifest::{self, convert::specimen_config};
+use crate::stages::archive::specimen_file;
 use crate::stages::ingest::ingest;
-use crate::stages::specimen;
 use diffraction_brdf::atlas;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::{Error, Result};
@@ -142,7 +142,7 @@ fn xyz_table(values: impl IntoIterator<Item = Xyz>) -> Table {
 fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<Table> {
     let folder = output::version_folder(atlas)?;
     let index = atlas::read_index(&folder)?;
-    let (_, set) = specimen::load(&atlas::specimen_folder(&folder, &index, &args.specimen)?)?;
+    let (_, set) = specimen_file::load(&atlas::specimen_folder(&folder, &index, &args.specimen)?)?;
     warn_beyond(set.usable_radius, pairs);
     let interpolation = match args.interpolation {
         Lookup::Bilinear => Interpolation::Bilinear,

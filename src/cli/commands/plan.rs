@@ -11,7 +11,7 @@ use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::forecast_run::{ReferenceForecast, reference_forecast};
 use crate::stages::ingest::ingest;
 use crate::stages::measured;
-use crate::stages::scenes::reference_samples;
+use crate::stages::pictures::scenes::reference_samples;
 use crate::stages::serve::{self, Budget, Cost, Source};
 use diffraction_brdf::error::Result;
 use diffraction_build::tables::build;

@@ -8,10 +8,10 @@ use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
 use crate::manifest::convert::{run_config, specimen_config};
 use crate::manifest::{self, Manifest};
+use crate::stages::archive::specimen_file::{self, SpecimenFile};
+use crate::stages::archive::verify_files::{self, VerifyReport};
 use crate::stages::ingest::ingest;
 use crate::stages::serve;
-use crate::stages::specimen::{self, SpecimenFile};
-use crate::stages::verify::{self, VerifyReport};
 use diffraction_brdf::atlas::{self, AtlasIndex};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
@@ -55,7 +55,7 @@ pub struct VerifyArgs {
 /// A folder that is no atlas, or scans that cannot be read any more.
 pub fn run(args: &VerifyArgs, _global: &Global) -> Result<Outcome> {
     let folder = target(&args.atlas)?;
-    let files = verify::verify_files(&folder)?;
+    let files = verify_files::verify_files(&folder)?;
     let mut report = Report { folder: folder.display().to_string(), files, specimens: Vec::new(), remarks: Vec::new() };
     // Damaged files would only be evaluated to nonsense.
     if report.files.failures.is_empty() {
@@ -133,7 +133,7 @@ fn evaluate(args: &VerifyArgs, folder: &Path, report: &mut Report) -> Result<()>
     let index = atlas::read_index(folder)?;
     let manifest = matching_manifest(args, &index, report)?;
     for entry in &index.specimens {
-        let (file, set) = specimen::load(&folder.join(&entry.name))?;
+        let (file, set) = specimen_file::load(&folder.join(&entry.name))?;
         let mut check = SpecimenCheck {
             name: entry.name.clone(),
             check_values: file.check_values.len(),

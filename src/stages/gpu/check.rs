@@ -4,9 +4,9 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use ndarray::{Array3, Axis, Slice};
-use serde::{Deserialize, Serialize};
 
-use super::scenes::{every, reference_stride};
+use super::results::{GpuSceneCheck, ReferenceCheck};
+use crate::stages::pictures::scenes::{every, reference_stride};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::Interpolation;
 use diffraction_brdf::shader::table_image;
@@ -27,78 +27,6 @@ const BAND_SAMPLES: usize = 1 << 20;
 
 /// XYZ picture of samples by the GPU.
 pub type Shade<'a> = &'a dyn Fn(&Arc<ShadingSamples>) -> Result<Array3<f32>>;
-
-/// How a scene on the GPU compares with the CPU. Differences are those of X, Y or Z, as shares of the display's white.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct GpuSceneCheck {
-    /// The scene's name.
-    pub scene: String,
-    /// Pixels compared.
-    pub pixels: usize,
-    /// Samples shaded.
-    pub samples: usize,
-    /// Largest difference.
-    pub worst: f64,
-    /// Mean difference.
-    pub mean: f64,
-    /// Largest difference that a pixel was allowed, derived from the hardware's rounding and filtering.
-    pub tolerance: f64,
-    /// Mean difference that the pixels were allowed.
-    pub tolerance_mean: f64,
-    /// The largest share that a difference takes of what its own pixel was allowed; above 1 fails.
-    pub worst_of_tolerance: f64,
-    /// Row and column of that pixel among those compared.
-    pub worst_pixel: [usize; 2],
-    /// Values from the GPU that are not finite; any fails.
-    pub not_finite: usize,
-    /// Colour differences between the two pictures.
-    pub ciede2000: ColourDifference,
-    /// Whether every value is finite and within its pixel's tolerance.
-    pub passed: bool,
-    /// Picture of the differences where the check fails, for a PNG: see [`difference_picture`].
-    #[serde(skip)]
-    pub difference: Option<Array3<u8>>,
-}
-
-/// How a scene on the GPU compares with the reference. Differences are those of X, Y or Z, as shares of the display's
-/// white, or of the value itself where that is brighter.
-///
-/// What separates the two pictures are the tables (what the manifest's tolerance is about), the linear look-ups of
-/// graphics hardware (their difference from cubic ones, found on the CPU at the same pixel), and the GPU's rounding (its
-/// bound). Where every value is within a relative limit so is their sum, hence: what look-up and rounding leave of the
-/// differences must be within [`ReferenceCheck::limit`] of the light shown. A mean or quantile over pixels would not do:
-/// gratings leave most of them dark.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ReferenceCheck {
-    /// Pixels compared.
-    pub pixels: usize,
-    /// Largest difference of the GPU's picture from the reference.
-    pub worst: f64,
-    /// Mean difference.
-    pub mean: f64,
-    /// Mean difference of the CPU's picture from the reference, with the same linear look-ups.
-    pub mean_by_cpu: f64,
-    /// Mean share of the linear look-ups.
-    pub look_up_mean: f64,
-    /// Sum of what look-ups and rounding leave unexplained, over the light shown: the sum of all values, white where they
-    /// are brighter.
-    pub unexplained: f64,
-    /// What that share may be: see [`reference_limit`].
-    pub limit: f64,
-    /// The largest share that `|GPU - reference|` takes of `|CPU - reference|` and the GPU's bound together; above 1 fails.
-    pub worst_of_tolerance: f64,
-    /// Root of the summed squared differences over the root of the summed squares.
-    pub relative_l2: f64,
-    /// Colour differences between the two pictures.
-    pub ciede2000: ColourDifference,
-    /// Whether the GPU adds no more than its bound.
-    pub passed: bool,
-    /// Whether the tables are as good as the tolerance says: `unexplained <= limit`.
-    pub accurate: bool,
-    /// Picture of the differences where the check fails.
-    #[serde(skip)]
-    pub difference: Option<Array3<u8>>,
-}
 
 /// Checks every scene of a table set, its pictures by the CPU made here.
 ///

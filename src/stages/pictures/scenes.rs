@@ -6,8 +6,8 @@ use std::time::Instant;
 use ndarray::Array3;
 use serde_json::json;
 
-use super::config::RunConfig;
-use super::results::{SceneError, SceneResult};
+use crate::stages::config::RunConfig;
+use crate::stages::results::{SceneError, SceneResult};
 use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::{Error, Result};

@@ -6,7 +6,7 @@ use std::path::Path;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::stages::specimen;
+use crate::stages::archive::specimen_file;
 use diffraction_brdf::atlas::{self, FileRecord, INDEX_FILE};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::exr_image;
@@ -75,7 +75,7 @@ fn check_file(version_folder: &Path, file: &FileRecord) -> std::result::Result<(
     let readable = if file.path.ends_with(".exr") {
         exr_image::check_file(&path).map(|_| ())
     } else if file.path.ends_with(&format!("/{}", diffraction_brdf::specimen::FILE)) {
-        specimen::read(path.parent().unwrap_or(version_folder)).map(|_| ())
+        specimen_file::read(path.parent().unwrap_or(version_folder)).map(|_| ())
     } else {
         Ok(())
     };

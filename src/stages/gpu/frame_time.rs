@@ -9,11 +9,11 @@
 
 use std::path::Path;
 
-use super::config::{RunConfig, SpecimenConfig};
-use super::gpu_results::{FrameComparison, MethodFrame};
-use super::gpu_stage::GpuStage;
-use super::ingest::ingest;
-use super::specimen;
+use super::device::GpuDevice;
+use super::results::{FrameComparison, MethodFrame};
+use crate::stages::archive::specimen_file;
+use crate::stages::config::{RunConfig, SpecimenConfig};
+use crate::stages::ingest::ingest;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
@@ -30,9 +30,6 @@ use diffraction_render::render::gpu_tables::upload;
 use diffraction_render::scene::gbuffer::{GBuffer, gbuffer};
 use diffraction_render::scene::model::{Light, Scene, Shape};
 
-/// Name of the stage, in times and failures.
-pub const STAGE: &str = "time frames";
-
 /// Side of the frame.
 const SIZE_PX: usize = 1024;
 
@@ -45,12 +42,12 @@ const EQUAL: f64 = 1.05;
 /// # Errors
 /// `Error::Gpu`; those of the scans and of the reference. A published method that is refused is part of the result.
 pub fn compare(
-    stage: &GpuStage,
+    device: &GpuDevice,
     config: &RunConfig,
     specimen: &SpecimenConfig,
     folder: &Path,
 ) -> Result<FrameComparison> {
-    let (_, atlas) = specimen::load(folder)?;
+    let (_, atlas) = specimen_file::load(folder)?;
     let fields = ingest(specimen)?.fields;
     let plan = build::plan(&fields, &specimen.optics, &config.tables)?;
     let directions = ErrorDirections::of_regions(&atlas);
@@ -72,7 +69,7 @@ pub fn compare(
     let light = Light::point([0.3, 0.2, 1.0]);
     let surfaces = gbuffer(&Scene::still("frame", Shape::Snake, vec![light], SIZE_PX))?;
     let ((atlas_time, taylor_time), copy_gb_per_s) =
-        stage.thread().run("time frames", move |gpu| time(gpu, &surfaces, &atlas_image, taylor_image.as_ref()))?;
+        device.thread().run("time frames", move |gpu| time(gpu, &surfaces, &atlas_image, taylor_image.as_ref()))?;
     let taylor = taylor.zip(taylor_time).map(|((_, error_p95), time)| MethodFrame { error_p95, time });
     Ok(FrameComparison {
         specimen: specimen.name.clone(),

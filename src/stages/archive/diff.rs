@@ -7,7 +7,7 @@ use ndarray::Array3;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::stages::specimen::{self, SpecimenFile};
+use crate::stages::archive::specimen_file::{self, SpecimenFile};
 use diffraction_brdf::atlas::{self, AtlasIndex};
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::{Error, Result};
@@ -118,8 +118,8 @@ pub fn diff(a: &Path, b: &Path) -> Result<DiffReport> {
     let (names_a, names_b) = (names(&index_a), names(&index_b));
     let mut specimens = Vec::new();
     for name in names_a.iter().filter(|name| names_b.contains(name)) {
-        let loaded_a = specimen::load(&atlas::specimen_folder(&a, &index_a, name)?)?;
-        let loaded_b = specimen::load(&atlas::specimen_folder(&b, &index_b, name)?)?;
+        let loaded_a = specimen_file::load(&atlas::specimen_folder(&a, &index_a, name)?)?;
+        let loaded_b = specimen_file::load(&atlas::specimen_folder(&b, &index_b, name)?)?;
         specimens.extend(specimen_change(name, &loaded_a, &loaded_b)?);
     }
     Ok(DiffReport {

@@ -1,11 +1,32 @@
 //! The page `FORMAT.md`: how to evaluate an atlas in any renderer, with one number worked out.
 
-use crate::stages::specimen::SpecimenFile;
-use crate::stages::worked::{Lookup, WorkedNumber};
+use std::path::Path;
+
+use super::specimen_file::{self, SpecimenFile};
+use super::worked::{Lookup, WorkedNumber, work_number};
 use diffraction_brdf::direction::Xyz;
+use diffraction_brdf::error::Result;
+use diffraction_brdf::files;
 use diffraction_brdf::storage::{StoredLobe, StoredServed, StoredTables};
 use diffraction_build::optics::config::Material;
 use diffraction_build::tables::model::Basis;
+
+/// Directions of the worked number in degrees, where tables answer for every direction.
+const WORKED_DEG: [f64; 4] = [35.0, 20.0, 61.0, 250.0];
+
+/// Writes the page into a version's folder, with the specimen in `specimen_folder` as its example.
+///
+/// # Errors
+/// The disk's.
+pub(crate) fn write_format(specimen_folder: &Path, version_folder: &Path) -> Result<()> {
+    let (file, set) = specimen_file::load(specimen_folder)?;
+    let angles = match (&set.served, file.check_values.first()) {
+        (Some(_), Some(c)) => [c.theta_i_deg, c.phi_i_deg, c.theta_r_deg, c.phi_r_deg],
+        _ => WORKED_DEG,
+    };
+    let text = format_md(&file, &work_number(&set, angles));
+    files::replace(&version_folder.join("FORMAT.md"), text.as_bytes())
+}
 
 /// The page, with `example`'s own sizes and `worked` as its number.
 pub fn format_md(example: &SpecimenFile, worked: &WorkedNumber) -> String {

@@ -7,8 +7,10 @@ use std::path::Path;
 
 use ndarray::Array3;
 
-use super::results::{Failure, SceneResult, SharedSceneResult};
 use super::scenes::SceneWork;
+use crate::stages::log::Log;
+use crate::stages::results::{SceneResult, SharedSceneResult};
+use crate::stages::stage::Stage;
 use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
@@ -108,25 +110,23 @@ impl SharedScenes {
     ///
     /// # Errors
     /// The disk's.
-    pub fn finish(self, version_folder: &Path) -> Result<(Vec<SharedSceneResult>, Vec<Failure>)> {
-        let (mut results, mut failures) = (Vec::new(), Vec::new());
+    pub fn finish(self, version_folder: &Path, log: &mut Log) -> Result<Vec<SharedSceneResult>> {
+        let mut results = Vec::new();
         for Sum { scene, shares, total } in self.0 {
             let specimens = specimens_of(&scene).to_vec();
-            let failure = |message: String| Failure { specimen: None, stage: "render scenes".into(), message };
+            let mut fail = |message: String| log.fail(Stage::RenderScenes, None, message);
             let Some(total) = total.filter(|_| shares == specimens.len()) else {
                 let (name, all) = (&scene.name, specimens.join(", "));
-                failures.push(failure(format!(
-                    "scene \"{name}\" is left out: it shows {all}, not all of which could be built"
-                )));
+                fail(format!("scene \"{name}\" is left out: it shows {all}, not all of which could be built"));
                 continue;
             };
             match write(&scene, total, version_folder) {
                 Ok(picture) => results.push(SharedSceneResult { specimens, picture }),
                 Err(error) if error.is_of_disk_below(version_folder) => return Err(error),
-                Err(error) => failures.push(failure(error.to_string())),
+                Err(error) => fail(error.to_string()),
             }
         }
-        Ok((results, failures))
+        Ok(results)
     }
 }
 

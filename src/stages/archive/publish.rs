@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
-use crate::stages::verify;
+use crate::stages::archive::verify_files;
 use diffraction_brdf::atlas::{self, AtlasIndex, LATEST_FILE};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
@@ -86,7 +86,7 @@ pub fn publish(staging: Staging, mut index: AtlasIndex) -> Result<Published> {
     index.files = atlas::record_files(&staging.folder)?;
     if let Some((newest, published)) = atlas::newest_version(&staging.root)?
         && published.content() == index.content()
-        && verify::verify_files(&staging.root.join(&newest))?.failures.is_empty()
+        && verify_files::verify_files(&staging.root.join(&newest))?.failures.is_empty()
     {
         return Ok(Published::Unchanged(newest));
     }

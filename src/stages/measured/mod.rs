@@ -2,31 +2,20 @@
 //!
 //! The model is the BRDF at each wavelength straight from the scan, not the tables: those hold XYZ.
 
-pub mod compare;
-pub mod figures;
+mod compare;
+mod config;
+mod figures;
 pub mod model;
-pub mod peaks;
+mod peaks;
 pub mod read;
 
-use std::path::PathBuf;
-
+pub use config::MeasuredConfig;
 pub use figures::{CurveResult, MeasuredColumn, MeasuredResult, PeakPair};
 pub use read::{Measurement, read};
 
 use diffraction_brdf::error::Result;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::OpticsConfig;
-
-/// The file, and what the instrument averaged over.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
-pub struct MeasuredConfig {
-    /// CSV file; see [`read()`].
-    pub file: PathBuf,
-    /// Full angle of the cone that the detector collects, uniformly; 0 for a single direction.
-    pub acceptance_deg: f64,
-    /// Full width at half maximum of the triangular slit function; 0 for a single wavelength.
-    pub bandwidth_nm: f64,
-}
 
 /// Compares a specimen's scans with its measurement; `file` is the name for the report.
 ///
