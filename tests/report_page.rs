@@ -6,6 +6,7 @@ mod report_sample;
 
 use diffraction_atlas::report::render_html;
 use diffraction_atlas::stages::results::{GpuResult, RunResults, from_json, to_json};
+use diffraction_build::accuracy::directions::Group;
 use report_sample::{Sample, sample};
 
 /// Names and messages with everything that markup and terminals trip over.
@@ -72,8 +73,7 @@ fn make_hostile(results: &mut RunResults) {
         specimen.warnings = vec![HOSTILE.into()];
         specimen.failed = Some(HOSTILE.into());
         for row in &mut specimen.errors {
-            row.what = HOSTILE.into();
-            row.region = HOSTILE.into();
+            row.group = Group::Scene(HOSTILE.into());
         }
         for scene in &mut specimen.scenes {
             scene.name = HOSTILE.into();

@@ -32,7 +32,8 @@ use diffraction_brdf::evaluate::Interpolation;
 use diffraction_brdf::files;
 use diffraction_brdf::storage::read_tables;
 use diffraction_build::accuracy::directions::{DIRECTIONS, ErrorDirections};
-use diffraction_build::accuracy::measure;
+use diffraction_build::accuracy::power_sums::power_sums;
+use diffraction_build::accuracy::rows;
 use diffraction_build::ground::memory;
 use diffraction_build::ground::progress::Progress;
 use diffraction_build::height::HeightField;
@@ -118,7 +119,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
                 }
                 helpers.progress.message(&done_line(&label, &done, specimen_started.elapsed().as_secs_f64()));
                 record_unserved(&mut results, &done.result);
-                results.failures.extend(measure::disagreement(&done.result.errors).map(|message| Failure {
+                results.failures.extend(rows::disagreement(&done.result.errors).map(|message| Failure {
                     specimen: Some(specimen.name.clone()),
                     stage: "measure errors".into(),
                     message,
@@ -295,22 +296,22 @@ fn run_specimen(
     };
     let served = directions.pairs.clone();
     let mut result = describe(specimen, &ingested, &tables, &set, pigment, &stored, &done.record, &plan);
-    let yardstick = match config.report.reference {
+    let reference = match config.report.reference {
         false => None,
         true => Some(clock.stage("evaluate the reference", 0, || {
             let pictures = works.iter().flat_map(SceneWork::pairs);
-            known.yardstick(&source, &plan, built.tables.len(), directions, pictures)
+            known.reference(&source, &plan, built.tables.len(), directions, pictures)
         })?),
     };
     result.warnings.extend(scan_warnings(&ingested, optics));
     result.warnings.extend(scenes::warnings(&wanted, optics));
     clock.stage("measure errors", 0, || {
-        if let Some(yardstick) = &yardstick {
-            result.errors = measure::error_rows(yardstick, &set, built);
-            result.errors.push(known.direct_row(&source, yardstick)?);
-            result.warnings.extend(measure::broken_tolerances(&result.errors, tables.tolerance));
+        if let Some(reference) = &reference {
+            result.errors = rows::error_rows(reference, &set, built);
+            result.errors.push(known.direct_row(&source, reference)?);
+            result.warnings.extend(rows::broken_tolerances(&result.errors, tables.tolerance));
         }
-        let (sums, lobe_share) = measure::power_sums(&set);
+        let (sums, lobe_share) = power_sums(&set);
         result.power_sums = sums;
         if let Some(lobe) = &mut result.lobe {
             lobe.power_share = lobe_share;
@@ -329,12 +330,12 @@ fn run_specimen(
         for work in works {
             let own = next..next + work.pair_count();
             next = own.end;
-            let reference = yardstick.as_ref().map(|yardstick| &yardstick.xyz[own]);
+            let exact = reference.as_ref().map(|reference| &reference.xyz[own]);
             if work.is_share() {
-                let expected = reference.map(|reference| work.expected(reference));
+                let expected = exact.map(|exact| work.expected(exact));
                 shares.push(shared_scenes::share(work, expected));
             } else {
-                result.scenes.push(work.finish(reference, &folder, &specimen.name)?);
+                result.scenes.push(work.finish(exact, &folder, &specimen.name)?);
             }
         }
         result.preview_png = preview(surface, &result, &folder)?;
