@@ -9,7 +9,9 @@ use crate::report::{budget_facts, frames, gpu_facts, measured, numbers, plots};
 use crate::stages::cache::CacheUse;
 use crate::stages::results::{RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
 use diffraction_brdf::error::{Error, Result};
-use diffraction_build::accuracy::rows::ErrorRow;
+use diffraction_build::accuracy::directions::Group;
+use diffraction_build::accuracy::rows::{Cause, ErrorRow};
+use diffraction_build::ground::sampling::Region;
 
 const TEMPLATE: &str = include_str!("templates/report.html");
 
@@ -243,7 +245,7 @@ fn specimen_section(
             .iter()
             .enumerate()
             .map(|(index, &(row, over))| {
-                let first = index == 0 || errors[index - 1].0.what != row.what;
+                let first = index == 0 || errors[index - 1].0.cause != row.cause;
                 error_view(row, first, over)
             })
             .collect::<Vec<_>>(),
@@ -315,8 +317,8 @@ fn shared_view(shared: &SharedSceneResult, album: &mut Album) -> Result<Value> {
 /// A table row; only the first of a cause names it.
 fn error_view(row: &ErrorRow, first: bool, over: bool) -> Value {
     context! {
-        what => if first { row.what.as_str() } else { "" },
-        region => &row.region,
+        what => if first { row.cause.name() } else { "" },
+        region => row.group.to_string(),
         directions => numbers::count(row.directions as u64),
         p50 => numbers::percent(row.p50),
         p95 => numbers::percent(row.p95),
@@ -329,9 +331,9 @@ fn error_view(row: &ErrorRow, first: bool, over: bool) -> Value {
 
 /// The row for the summary: everything together, over the whole hemisphere.
 fn headline_error(rows: &[ErrorRow]) -> Option<&ErrorRow> {
-    let mut totals = rows.iter().filter(|row| row.what == "total");
+    let mut totals = rows.iter().filter(|row| row.cause == Cause::Total);
     let first = totals.clone().next();
-    totals.find(|row| row.region == "whole hemisphere").or(first)
+    totals.find(|row| row.group == Group::Region(Region::Hemisphere)).or(first)
 }
 
 fn failures(results: &RunResults) -> Vec<Value> {
@@ -459,8 +461,12 @@ mod tests {
 
     #[test]
     fn the_headline_is_the_whole_hemisphere() {
-        let row = |what, region| facts::tests::error_row(what, region, 0.0);
-        let rows = [row("basis", "whole hemisphere"), row("total", "grazing"), row("total", "whole hemisphere")];
+        let row = |cause, region| facts::tests::error_row(cause, region, 0.0);
+        let rows = [
+            row(Cause::Basis, Region::Hemisphere),
+            row(Cause::Total, Region::Grazing),
+            row(Cause::Total, Region::Hemisphere),
+        ];
         assert_eq!(headline_error(&rows), Some(&rows[2]));
         assert_eq!(headline_error(&rows[..2]), Some(&rows[1]));
         assert_eq!(headline_error(&rows[..1]), None);

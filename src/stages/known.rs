@@ -19,8 +19,8 @@ use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
 use diffraction_build::accuracy::directions::ErrorDirections;
-use diffraction_build::accuracy::measure::{self, Yardstick};
-use diffraction_build::accuracy::rows::ErrorRow;
+use diffraction_build::accuracy::reference::{self as accuracy_reference, Reference};
+use diffraction_build::accuracy::rows::{self, ErrorRow};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::reference;
 use diffraction_build::tables::build::{self, Advance, BuildPlan};
@@ -119,20 +119,21 @@ impl<'a> Known<'a> {
         Ok(built)
     }
 
-    /// [`measure::yardstick`], evaluated where it is not known.
+    /// [`accuracy_reference::evaluate`], asked where it is not known.
     ///
     /// # Errors
     /// Those of the transforms.
-    pub fn yardstick(
+    pub fn reference(
         &self,
         source: &Source,
         plan: &BuildPlan,
         nodes: usize,
         errors: ErrorDirections,
         pictures: impl IntoIterator<Item = Pair>,
-    ) -> Result<Yardstick> {
-        let evaluate =
-            |errors, pictures| measure::yardstick(source.fields, source.optics, plan, nodes, errors, pictures);
+    ) -> Result<Reference> {
+        let evaluate = |errors, pictures| {
+            accuracy_reference::evaluate(source.fields, source.optics, plan, nodes, errors, pictures)
+        };
         if !self.cache.is_on() {
             return evaluate(errors, pictures.into_iter().collect::<Vec<_>>());
         }
@@ -160,18 +161,18 @@ impl<'a> Known<'a> {
         });
         let wanted = if is_counted { ErrorDirections::default() } else { errors };
         let fresh = match wanted.pairs.is_empty() && missing.is_empty() {
-            true => Yardstick::default(),
+            true => Reference::default(),
             false => evaluate(wanted, missing.clone())?,
         };
         let first = fresh.pairs.len() - missing.len();
         let found = missing.iter().zip(fresh.xyz[first..].iter().copied());
         known.extend(found.map(|(pair, xyz)| (bits(pair), xyz)));
-        let mut yardstick = counted.unwrap_or_else(|| fresh.counted(fixed));
+        let mut all = counted.unwrap_or_else(|| fresh.counted(fixed));
         if !is_counted {
-            self.cache.store(&errors_key, &encode_counted(&yardstick));
+            self.cache.store(&errors_key, &encode_counted(&all));
         }
-        yardstick.xyz.extend(pictures.iter().map(|pair| known[&bits(pair)]));
-        yardstick.pairs.extend(&pictures);
+        all.xyz.extend(pictures.iter().map(|pair| known[&bits(pair)]));
+        all.pairs.extend(&pictures);
         if !missing.is_empty() {
             if (known.len() * PAIR_BYTES) as u64 > self.cache.limit_bytes() / PAIRS_SHARE {
                 let asked: HashSet<[u64; 6]> = pictures.iter().map(bits).collect();
@@ -184,15 +185,15 @@ impl<'a> Known<'a> {
             }
             self.cache.store(&pairs_key, &encode_pairs(&known));
         }
-        Ok(yardstick)
+        Ok(all)
     }
 
-    /// [`measure::direct_row`] with the direct sum's values where they are known.
+    /// [`rows::direct_row`] with the direct sum's values where they are known.
     ///
     /// # Errors
     /// Those of the reference.
-    pub fn direct_row(&self, source: &Source, yardstick: &Yardstick) -> Result<ErrorRow> {
-        measure::direct_row(yardstick, &|pairs| {
+    pub fn direct_row(&self, source: &Source, reference_set: &Reference) -> Result<ErrorRow> {
+        rows::direct_row(reference_set, &|pairs| {
             let sum = || reference::brdf_xyz_batch(source.fields, source.optics, pairs);
             if !self.cache.is_on() {
                 return sum();
@@ -291,18 +292,18 @@ fn decode_pairs(bytes: &[u8]) -> Option<HashMap<[u64; 6], Xyz>> {
     rest.is_empty().then(|| rows.iter().map(row).collect())
 }
 
-fn encode_counted(yardstick: &Yardstick) -> Vec<u8> {
-    let numbers = yardstick.xyz.iter().flatten().chain(yardstick.diffuse.iter().flatten());
+fn encode_counted(reference: &Reference) -> Vec<u8> {
+    let numbers = reference.xyz.iter().flatten().chain(reference.diffuse.iter().flatten());
     numbers.flat_map(|number| number.to_le_bytes()).collect()
 }
 
-fn decode_counted(bytes: &[u8], errors: &ErrorDirections) -> Option<Yardstick> {
+fn decode_counted(bytes: &[u8], errors: &ErrorDirections) -> Option<Reference> {
     let (numbers, fixed) = (numbers(bytes)?, errors.pairs.len());
     if numbers.len() != 6 * fixed {
         return None;
     }
     let (xyz, diffuse) = numbers.split_at(3 * fixed);
-    Some(Yardstick {
+    Some(Reference {
         groups: errors.groups.clone(),
         pairs: errors.pairs.clone(),
         xyz: triples(xyz, fixed)?,

@@ -10,7 +10,10 @@ use diffraction_atlas::stages::gpu::results::{FrameComparison, MethodFrame};
 use diffraction_atlas::stages::results::*;
 use diffraction_atlas::stages::serve::Cost;
 use diffraction_atlas::stages::stage::Stage;
-use diffraction_build::accuracy::rows::{ErrorRow, PowerSum};
+use diffraction_build::accuracy::directions::Group;
+use diffraction_build::accuracy::power_sums::PowerSum;
+use diffraction_build::accuracy::rows::{Cause, ErrorRow};
+use diffraction_build::ground::sampling::Region;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
@@ -245,17 +248,24 @@ fn build() -> BuildResult {
 }
 
 fn errors() -> Vec<ErrorRow> {
-    let regions = [("whole hemisphere", 1.0), ("near specular", 0.4), ("grazing", 3.2)];
-    [("total", 1.1e-3), ("basis", 6.1e-5), ("wavelength step", 4.0e-4), ("grid", 9.2e-4), ("storage", 2.4e-4)]
+    let regions = [(Region::Hemisphere, 1.0), (Region::NearSpecular, 0.4), (Region::Grazing, 3.2)];
+    let causes = [
+        (Cause::Total, 1.1e-3),
+        (Cause::Basis, 6.1e-5),
+        (Cause::WavelengthStep, 4.0e-4),
+        (Cause::Grid, 9.2e-4),
+        (Cause::Storage, 2.4e-4),
+    ];
+    causes
         .iter()
-        .flat_map(|&(what, median)| {
+        .flat_map(|&(cause, median)| {
             regions.map(|(region, factor)| ErrorRow {
-                what: what.into(),
-                region: region.into(),
+                cause,
+                group: Group::Region(region),
                 directions: 2000,
                 floor_per_sr: 1.5e-4,
-                lit_share: 1.0,
-                dark_directions: 32,
+                share_above: 1.0,
+                directions_below: 32,
                 missed_directions: 0,
                 relative_l2: median * factor * 1.4,
                 p50: median * factor * 0.2,

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use crate::common::surfaces::{random, sampled, tables_config};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
-use diffraction_build::accuracy::directions::{Candidates, ErrorDirections};
-use diffraction_build::accuracy::measure::{error_rows, yardstick};
-use diffraction_build::accuracy::rows::ErrorRow;
+use diffraction_build::accuracy::directions::{Candidates, ErrorDirections, Group};
+use diffraction_build::accuracy::reference;
+use diffraction_build::accuracy::rows::{Cause, ErrorRow, error_rows};
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
@@ -35,12 +35,12 @@ fn rows(field: &HeightField, set: &TableSet) -> Vec<ErrorRow> {
     let fields = std::slice::from_ref(field);
     let plan = plan(fields, &daylight(), &tables_config(1e-3, Some(201))).unwrap();
     let directions = ErrorDirections::of_regions(set);
-    let yardstick = yardstick(fields, &daylight(), &plan, set.tables.len(), directions, []).unwrap();
-    error_rows(&yardstick, set, set)
+    let reference = reference::evaluate(fields, &daylight(), &plan, set.tables.len(), directions, []).unwrap();
+    error_rows(&reference, set, set)
 }
 
 fn total(rows: &[ErrorRow], region: Region) -> &ErrorRow {
-    rows.iter().find(|row| row.what == "total, cubic look-up" && row.region == region.name()).unwrap()
+    rows.iter().find(|row| row.cause == Cause::TotalCubic && row.group == Group::Region(region)).unwrap()
 }
 
 #[test]
@@ -53,7 +53,7 @@ fn a_grating_shows_as_many_lit_directions_as_anything() {
         let row = total(&found, region);
         println!(
             "{}: {} lit of {:.3}, 95 % {:.1e}, L2 {:.1e}",
-            row.region, row.directions, row.lit_share, row.p95, row.relative_l2
+            row.group, row.directions, row.share_above, row.p95, row.relative_l2
         );
         assert!((110..=160).contains(&row.directions) && row.floor_per_sr == floor, "{row:?}");
         assert_eq!(row.missed_directions, 0, "{row:?}");
@@ -61,7 +61,7 @@ fn a_grating_shows_as_many_lit_directions_as_anything() {
     // Drawn as they come, few would be.
     let lit = |&(wi, wo): &_| brdf_xyz(&set, Interpolation::Cubic, wi, wo)[1] > floor;
     let unselected = direction_pairs(Region::Hemisphere, 128).iter().filter(|pair| lit(pair)).count();
-    assert!(unselected < 32 && total(&found, Region::Hemisphere).lit_share < 0.25, "{unselected}");
+    assert!(unselected < 32 && total(&found, Region::Hemisphere).share_above < 0.25, "{unselected}");
     // 1 % of a matt surface that reflects everything, or more.
     assert!(floor >= 1e-2 / std::f64::consts::PI);
 }
@@ -81,7 +81,7 @@ fn light_that_the_tables_miss_is_found() {
         assert!(good.missed_directions == 0 && good.worst < 0.2 && good.relative_l2 < 0.05, "{good:?}");
         // Of what is dark to these tables, as much is lit as they lack; so many of 32 drawn within four deviations. They
         // call lit what has half of the floor, which makes it a few less.
-        let lacking = (good.lit_share - bad.lit_share) / (1.0 - bad.lit_share);
+        let lacking = (good.share_above - bad.share_above) / (1.0 - bad.share_above);
         let fewest = 32.0 * lacking - 4.0 * (32.0 * lacking * (1.0 - lacking)).sqrt();
         assert!(bad.missed_directions as f64 >= fewest.max(8.0) && bad.worst > 0.9, "{fewest}: {bad:?}");
         assert!(bad.relative_l2 > 4.0 * good.relative_l2, "{} {}", bad.relative_l2, good.relative_l2);
@@ -94,8 +94,8 @@ fn tables_without_light_are_not_right_for_it() {
     let mut dark = tables(&rough);
     dark.tables.iter_mut().for_each(|table| table.fill(0.0));
     dark.lobe = None;
-    for row in rows(&rough, &dark).iter().filter(|row| row.what == "total") {
-        assert!(row.lit_share == 0.0 && row.dark_directions == 160, "{row:?}");
+    for row in rows(&rough, &dark).iter().filter(|row| row.cause == Cause::Total) {
+        assert!(row.share_above == 0.0 && row.directions_below == 160, "{row:?}");
         assert!(row.missed_directions > 80 && row.p50 == 1.0 && row.relative_l2 == 1.0, "{row:?}");
     }
 }
@@ -112,7 +112,7 @@ fn directions_stand_for_their_share_and_depend_on_nothing_else() {
     for group in &many.groups {
         let weights = group.weights();
         let [lit, _] = group.counts;
-        assert!((weights[..lit].iter().sum::<f64>() - group.lit_share).abs() < 1e-12, "{group:?}");
+        assert!((weights[..lit].iter().sum::<f64>() - group.share_above).abs() < 1e-12, "{group:?}");
         assert!(group.counts[1] == 0 || (weights.iter().sum::<f64>() - 1.0).abs() < 1e-12, "{group:?}");
     }
     // Another turn has other directions, not one in common.

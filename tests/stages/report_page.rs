@@ -5,6 +5,7 @@
 use crate::report_sample::{Sample, sample};
 use diffraction_atlas::report::render_html;
 use diffraction_atlas::stages::results::{GpuResult, RunResults, from_json, to_json};
+use diffraction_build::accuracy::directions::Group;
 
 /// Names and messages with everything that markup and terminals trip over.
 const HOSTILE: &str = "<b>&\"'\u{7}\u{1b}[31m{{ 1 }}]]>--><script>";
@@ -66,8 +67,7 @@ fn make_hostile(results: &mut RunResults) {
         specimen.warnings = vec![HOSTILE.into()];
         specimen.failed = Some(HOSTILE.into());
         for row in &mut specimen.errors {
-            row.what = HOSTILE.into();
-            row.region = HOSTILE.into();
+            row.group = Group::Scene(HOSTILE.into());
         }
         for scene in &mut specimen.scenes {
             scene.name = HOSTILE.into();

@@ -17,8 +17,8 @@ use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::files;
 use diffraction_brdf::specimen::CheckValue;
-use diffraction_build::accuracy::directions::{Candidates, DRAWN, ErrorDirections};
-use diffraction_build::accuracy::rows::ErrorRow;
+use diffraction_build::accuracy::directions::{Candidates, DRAWN, ErrorDirections, Group};
+use diffraction_build::accuracy::rows::{Cause, ErrorRow};
 use diffraction_build::ground::metrics;
 use diffraction_build::ground::sampling::{self, Region};
 use diffraction_build::height::read::Provenance;
@@ -209,15 +209,15 @@ fn against_scans(
     let mut plan = build::plan(&fields, &config.optics, &roomy)?;
     plan.spectra.memory_bytes = (manifest.tables.memory_mib as u64) << 20;
     let recorded: Vec<ErrorRow> = serde_json::from_value(file.errors.clone()).unwrap_or_default();
-    let totals = |region: &str| recorded.iter().find(|row| row.what == "total" && row.region == region);
+    let totals = |group: &Group| recorded.iter().find(|row| row.cause == Cause::Total && row.group == *group);
     let mut candidates = match set.served {
         None => hemisphere_candidates(args, set),
         Some(_) => scene_candidates(args, manifest, file, set)?,
     };
-    candidates.retain(|candidates| totals(&candidates.name).is_some());
+    candidates.retain(|candidates| totals(&candidates.group).is_some());
     // What tables that went wrong would call dark is no measure.
     for candidates in &mut candidates {
-        candidates.floor_per_sr = totals(&candidates.name).map_or(0.0, |row| row.floor_per_sr);
+        candidates.floor_per_sr = totals(&candidates.group).map_or(0.0, |row| row.floor_per_sr);
     }
     let ErrorDirections { groups, pairs } = ErrorDirections::drawn(set, candidates, args.samples);
     let exact = spectral::brdf_xyz_batch(&fields, &config.optics, &plan.spectra, &pairs)?;
@@ -229,8 +229,8 @@ fn against_scans(
             (exact[1] > group.floor_per_sr || exact[1].is_nan()).then(|| (ours - exact[1]).abs() / exact[1])
         });
         let errors = errors.collect();
-        if let Some(recorded) = totals(&group.name) {
-            check.reference.push(reference_check(&group.name, errors, recorded));
+        if let Some(recorded) = totals(&group.group) {
+            check.reference.push(reference_check(&group.group, errors, recorded));
         }
     }
     Ok(())
@@ -243,7 +243,7 @@ const TURNS: u64 = 1 << 16;
 fn hemisphere_candidates(args: &VerifyArgs, set: &TableSet) -> Vec<Candidates> {
     Candidates::of_regions(set, 1 + (args.seed % TURNS) as usize)
         .into_iter()
-        .filter(|candidates| candidates.name != Region::Grazing.name())
+        .filter(|candidates| candidates.group != Group::Region(Region::Grazing))
         .collect()
 }
 
@@ -268,7 +268,7 @@ fn scene_candidates(
     scenes.iter().map(of_scene).collect()
 }
 
-fn reference_check(region: &str, errors: Vec<f64>, recorded: &ErrorRow) -> ReferenceCheck {
+fn reference_check(group: &Group, errors: Vec<f64>, recorded: &ErrorRow) -> ReferenceCheck {
     let plausible = |quantile: f64, limit: f64| {
         let limit = limit.max(ERROR_FLOOR);
         let above = errors.iter().filter(|&&error| error.is_nan() || error > limit).count();
@@ -277,7 +277,7 @@ fn reference_check(region: &str, errors: Vec<f64>, recorded: &ErrorRow) -> Refer
     let passed = plausible(0.5, recorded.p50) && plausible(0.95, recorded.p95);
     let quantiles = metrics::quantiles(errors);
     ReferenceCheck {
-        region: region.to_owned(),
+        region: group.to_string(),
         directions: quantiles.count,
         p50: quantiles.p50,
         p95: quantiles.p95,
@@ -358,14 +358,13 @@ mod tests {
     use super::*;
 
     fn recorded(directions: usize, p50: f64, p95: f64) -> ErrorRow {
-        let (what, region) = ("total".into(), Region::Hemisphere.name().into());
         ErrorRow {
-            what,
-            region,
+            cause: Cause::Total,
+            group: Group::Region(Region::Hemisphere),
             directions,
             floor_per_sr: 0.0,
-            lit_share: 1.0,
-            dark_directions: 0,
+            share_above: 1.0,
+            directions_below: 0,
             missed_directions: 0,
             relative_l2: 0.0,
             p50,
@@ -383,7 +382,7 @@ mod tests {
     #[test]
     fn errors_as_recorded_pass_and_larger_ones_fail() {
         let row = recorded(128, 1e-3, 1e-3 * 10f64.powf(1.35));
-        let passed = |errors| reference_check("whole hemisphere", errors, &row).passed;
+        let passed = |errors| reference_check(&row.group, errors, &row).passed;
         assert!(passed(errors(64, 1e-3)));
         assert!(passed(errors(64, 1e-4)));
         assert!(!passed(errors(64, 1e-2)));

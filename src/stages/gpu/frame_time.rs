@@ -20,7 +20,7 @@ use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::shader::{TableImage, table_image};
 use diffraction_brdf::storage::round_to_half;
 use diffraction_build::accuracy::directions::{ErrorDirections, ErrorGroup};
-use diffraction_build::accuracy::measure;
+use diffraction_build::accuracy::reference;
 use diffraction_build::ground::metrics;
 use diffraction_build::tables::build;
 use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
@@ -52,7 +52,7 @@ pub fn compare(
     let plan = build::plan(&fields, &specimen.optics, &config.tables)?;
     let directions = ErrorDirections::of_regions(&atlas);
     let (groups, pairs) = (directions.groups.clone(), directions.pairs.clone());
-    let exact = measure::yardstick(&fields, &specimen.optics, &plan, atlas.tables.len(), directions, [])?.xyz;
+    let exact = reference::evaluate(&fields, &specimen.optics, &plan, atlas.tables.len(), directions, [])?.xyz;
     let atlas = as_on_gpu(atlas);
     let errors = |set: &TableSet| errors_p95(set, &groups, &pairs, &exact);
     let atlas_errors = errors(&atlas);

@@ -1,4 +1,4 @@
-//! Scenes rendered from the tables, and from the yardstick on a coarser lattice of the same pixels.
+//! Scenes rendered from the tables, and from the reference on a coarser lattice of the same pixels.
 
 use std::path::Path;
 use std::time::Instant;
@@ -29,7 +29,7 @@ use diffraction_render::scene::model::{Animation, Moving, Scene, Shape, exposure
 use diffraction_render::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
 use diffraction_render::scene::turn::Axis;
 
-/// Most pairs of directions that one scene may ask of the yardstick: sets the lattice of its picture.
+/// Most pairs of directions that one scene may ask of the reference: sets the lattice of its picture.
 const REFERENCE_SAMPLES_MAX: usize = 40_000;
 
 /// Share of white at which the difference map reaches its brightest colour.

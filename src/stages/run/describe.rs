@@ -22,7 +22,7 @@ use crate::stages::serve::{self, Budget, Cost};
 use crate::stages::stage::Stage;
 use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::error::{Error, Result};
-use diffraction_build::accuracy::measure;
+use diffraction_build::accuracy::rows;
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::tables::forecast::forecast_of;
 use diffraction_build::tables::model::Basis;
@@ -95,7 +95,7 @@ fn warnings(job: &Job, ingested: &Ingested, planned: &Planned, measured: &Measur
     let mut warnings = table_warnings(set, files, &ingested.tables, planned.plan.texels.grid.texel());
     warnings.extend(scan_warnings(&ingested.scans, optics));
     warnings.extend(scenes::warnings(&scenes, optics));
-    warnings.extend(measure::broken_tolerances(&measured.errors, ingested.tables.tolerance));
+    warnings.extend(rows::broken_tolerances(&measured.errors, ingested.tables.tolerance));
     warnings
 }
 

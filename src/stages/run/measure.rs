@@ -9,8 +9,9 @@ use crate::stages::stage::Stage;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::Result;
 use diffraction_build::accuracy::directions::{DIRECTIONS, ErrorDirections};
-use diffraction_build::accuracy::measure::{self, Yardstick};
-use diffraction_build::accuracy::rows::{ErrorRow, PowerSum};
+use diffraction_build::accuracy::power_sums::{PowerSum, power_sums};
+use diffraction_build::accuracy::reference::Reference;
+use diffraction_build::accuracy::rows::{ErrorRow, error_rows};
 
 /// What the stored tables show, and how far that is from the reference.
 pub(super) struct Measured {
@@ -46,19 +47,19 @@ pub(super) fn measure(
         None => None,
         Some(exact) => Some(clock.stage(Stage::EvaluateReference, || {
             let pictures = works.iter().flat_map(SceneWork::pairs);
-            planned.known.yardstick(&planned.source, &planned.plan, exact.tables.len(), directions, pictures)
+            planned.known.reference(&planned.source, &planned.plan, exact.tables.len(), directions, pictures)
         })?),
     };
     let (errors, (power_sums, lobe_share)) = clock.stage(Stage::MeasureErrors, || {
         let errors = match (&reference, &exact) {
             (Some(reference), Some(exact)) => {
-                let mut errors = measure::error_rows(reference, &stored.set, exact);
+                let mut errors = error_rows(reference, &stored.set, exact);
                 errors.push(planned.known.direct_row(&planned.source, reference)?);
                 errors
             }
             _ => Vec::new(),
         };
-        Ok((errors, measure::power_sums(&stored.set)))
+        Ok((errors, power_sums(&stored.set)))
     })?;
     let measured = match &ingested.measurement {
         None => None,
@@ -88,7 +89,7 @@ fn render(job: &Job, ingested: &Ingested, stored: &Stored, clock: &mut Clock) ->
 /// Each scene with the reference's values at its own pairs, which follow the first `counted` ones, scene after scene.
 fn with_reference(
     works: Vec<SceneWork>,
-    reference: Option<&Yardstick>,
+    reference: Option<&Reference>,
     counted: usize,
 ) -> Vec<(SceneWork, Option<Vec<Xyz>>)> {
     let mut next = counted;

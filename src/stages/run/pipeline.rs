@@ -25,7 +25,7 @@ use crate::stages::stage::Stage;
 use diffraction_brdf::atlas::{AtlasIndex, InputRecord, SpecimenEntry};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
-use diffraction_build::accuracy::measure;
+use diffraction_build::accuracy::rows;
 use diffraction_build::ground::memory;
 use diffraction_build::ground::progress::Progress;
 
@@ -159,7 +159,7 @@ impl<'a> Run<'a> {
             let message = format!("{name}: {pixels} pixels ask for directions that the tables do not serve");
             self.log.fail(Stage::RenderScenes, Some(&specimen.name), message);
         }
-        if let Some(message) = measure::disagreement(&result.errors) {
+        if let Some(message) = rows::disagreement(&result.errors) {
             self.log.fail(Stage::MeasureErrors, Some(&specimen.name), message);
         }
         self.inputs.extend(inputs);

@@ -1,6 +1,6 @@
 //! Whether a tolerance is kept: tables with automatic settings, measured afterwards, and what they cost.
 //!
-//! Unlike the comparison of methods this takes the specimen's own light and windows. The yardstick is
+//! Unlike the comparison of methods this takes the specimen's own light and windows. The reference is
 //! `optics::spectral`. Where the grid resolves the light's lobes, a table promises its tolerance in every direction
 //! under cubic look-ups; where it does not, each texel promises a mean over its own square, and only that.
 
@@ -12,7 +12,9 @@ use super::{StudyConfig, StudySpecimen};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_build::accuracy::directions::ErrorDirections;
-use diffraction_build::accuracy::measure;
+use diffraction_build::accuracy::directions::Group;
+use diffraction_build::accuracy::reference;
+use diffraction_build::accuracy::rows::{Cause, error_rows};
 use diffraction_build::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::optics::config::OpticsConfig;
@@ -67,7 +69,7 @@ pub struct ToleranceRow {
     pub floor_per_sr: f64,
     /// 95th percentiles of the shares of basis, wavelength step and storage over the hemisphere.
     pub shares: [f64; 3],
-    /// Everything but the grid: tables at texels against the yardstick, averaged as they are.
+    /// Everything but the grid: tables at texels against the reference, averaged as they are.
     pub on_texels: ErrorQuantiles,
     /// The whole error over the hemisphere with cubic look-ups.
     pub cubic: ErrorQuantiles,
@@ -115,10 +117,10 @@ pub fn row(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<ToleranceR
     let plan = build::plan(fields, optics, tables)?;
     let directions = ErrorDirections::of_regions(&read);
     let floor_per_sr = directions.groups[0].floor_per_sr;
-    let yardstick = measure::yardstick(fields, optics, &plan, built.tables.len(), directions, [])?;
-    let rows = measure::error_rows(&yardstick, &read, &built);
-    let found = |what: &str| {
-        let row = rows.iter().find(|row| row.what == what && row.region == Region::Hemisphere.name());
+    let reference = reference::evaluate(fields, optics, &plan, built.tables.len(), directions, [])?;
+    let rows = error_rows(&reference, &read, &built);
+    let found = |cause: Cause| {
+        let row = rows.iter().find(|row| row.cause == cause && row.group == Group::Region(Region::Hemisphere));
         row.map_or(ErrorQuantiles::default(), |row| ErrorQuantiles {
             p50: row.p50,
             p95: row.p95,
@@ -127,13 +129,13 @@ pub fn row(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<ToleranceR
             count: row.directions,
         })
     };
-    let shares = ["basis", "wavelength step", "storage"].map(|what| found(what).p95);
+    let shares = [Cause::Basis, Cause::WavelengthStep, Cause::Storage].map(|cause| found(cause).p95);
     let texels = Texels::of(&built, optics, plan.filter, &direction_pairs(Region::Hemisphere, DRAWN), floor_per_sr);
     let reference = texels.reference(fields, optics, &plan)?;
     let there: Vec<f64> =
         texels.centres.iter().map(|&(wi, wo)| brdf_xyz(&read, Interpolation::Cubic, wi, wo)[1]).collect();
     let on_texels = relative_error_quantiles(&reference, &there, floor_per_sr);
-    let cubic = found("total, cubic look-up");
+    let cubic = found(Cause::TotalCubic);
     let kept = match built.prefilter_width {
         _ if on_texels.count == 0 || on_texels.p95 > tolerance => Kept::Missed,
         width if width > 0.0 => Kept::TexelMeans,
@@ -154,7 +156,7 @@ pub fn row(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<ToleranceR
         shares,
         on_texels,
         cubic,
-        bilinear: found("total"),
+        bilinear: found(Cause::Total),
         kept,
     })
 }
