@@ -14,7 +14,7 @@ test *ARGS:
 
 # Slow tests too, in a part of the code or everywhere; nothing may be skipped.
 test-all *ARGS:
-    REQUIRE_ALL=1 PROPTEST_CASES=24 cargo test --release --workspace {{ARGS}} -- --include-ignored --skip measuring
+    REQUIRE_ALL=1 cargo test --release --workspace {{ARGS}} -- --include-ignored --skip measuring
 
 # Formatting, lints and documentation, without a warning.
 lint:

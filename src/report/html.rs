@@ -420,7 +420,7 @@ mod tests {
     /// A run with one specimen and two pictures.
     fn small_run() -> RunResults {
         serde_json::from_value(serde_json::json!({
-            "schema": 1, "atlas_name": "small", "version": null, "program_version": "0",
+            "schema": crate::stages::results::RESULTS_SCHEMA, "atlas_name": "small", "version": null, "program_version": "0",
             "started": "2025-01-01T00:00:00Z", "threads": 1, "cpu_count": 1,
             "manifest_text": "", "stages": [], "gpu": { "state": "skipped", "why": "no adapter" },
             "failures": [], "peak_memory_mib": null, "total_wall_s": 1.0,

@@ -310,13 +310,13 @@ mod tests {
     #[test]
     fn an_unknown_layout_is_refused_by_name() {
         for (text, complaint) in [
-            ("{", "report.json: is not JSON"),
-            ("{}", "report.json: has no `schema`"),
-            ("{\"schema\": 99}", "report.json: has schema 99"),
-            ("{\"schema\": 2}", "report.json: does not hold"),
+            ("{", "JSON"),
+            ("{}", "`schema`"),
+            ("{\"schema\": 99}", "schema 99"),
+            (&format!("{{\"schema\": {RESULTS_SCHEMA}}}"), "missing field"),
         ] {
             let error = from_json(text, "report.json").unwrap_err().to_string();
-            assert!(error.starts_with(complaint), "{error}");
+            assert!(error.starts_with("report.json: ") && error.contains(complaint), "{error}");
         }
     }
 }

@@ -8,8 +8,6 @@ use diffraction_brdf::atlas;
 
 use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, WAVE, contents};
 
-const KILLS: usize = 10;
-
 fn manifest(n: usize) -> String {
     // Each differs, so that each run has something to publish.
     let rough = ROUGH.replace("1.5", &format!("1.5{n:02}"));
@@ -18,6 +16,17 @@ fn manifest(n: usize) -> String {
 
 #[test]
 fn a_run_killed_at_any_moment_leaves_the_published_versions_and_the_next_run_completes() {
+    check_kills(3);
+}
+
+#[test]
+#[ignore = "slow: as the one above at more moments"]
+fn a_run_killed_at_many_moments_leaves_the_published_versions_and_the_next_run_completes() {
+    check_kills(20);
+}
+
+/// Kills runs at so many moments, spread over the time that a whole one takes.
+fn check_kills(kills: usize) {
     let place = Place::with_scans();
     let started = Instant::now();
     place.publish(&manifest(0));
@@ -25,7 +34,7 @@ fn a_run_killed_at_any_moment_leaves_the_published_versions_and_the_next_run_com
     let root = place.path("out/small");
     let first = contents(&root.join("v0001"));
     let mut random = fastrand::Rng::with_seed(3);
-    for n in 1..=KILLS {
+    for n in 1..=kills {
         place.write("m.toml", &manifest(n));
         let mut run = std::process::Command::new(assert_cmd::cargo::cargo_bin("diffraction-atlas"))
             .args(["--quiet", "run", "m.toml"])
@@ -33,8 +42,8 @@ fn a_run_killed_at_any_moment_leaves_the_published_versions_and_the_next_run_com
             .stdout(Stdio::null())
             .spawn()
             .unwrap();
-        // One moment in each tenth of the time a whole run took; how far the run is then does not matter.
-        std::thread::sleep(whole.mul_f64((n as f64 - random.f64()) / KILLS as f64).max(Duration::from_millis(1)));
+        // One moment in each part of the time a whole run took; how far the run is then does not matter.
+        std::thread::sleep(whole.mul_f64((n as f64 - random.f64()) / kills as f64).max(Duration::from_millis(1)));
         run.kill().unwrap();
         run.wait().unwrap();
 
@@ -49,7 +58,7 @@ fn a_run_killed_at_any_moment_leaves_the_published_versions_and_the_next_run_com
         assert!(latest == newest || latest + 1 == newest, "latest {latest}, newest {newest}");
         place.call("list out").ended(0);
     }
-    let published = place.publish(&manifest(KILLS + 1));
+    let published = place.publish(&manifest(kills + 1));
     let newest = place.latest();
     assert!(published.stdout.starts_with(&format!("published out/small/{newest} in")), "{}", published.stdout);
     place.call("verify out/small --manifest m.toml").ended(0);

@@ -21,6 +21,7 @@ const SPECIMENS: [(&str, Option<f64>); 8] = [
 const PITCH_MAX_NM: f64 = 95.0;
 
 #[test]
+#[ignore = "slow: whole scans"]
 fn the_real_scans_make_an_atlas() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     if shared("specimens").is_none() {

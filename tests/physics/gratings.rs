@@ -397,16 +397,17 @@ fn ruled_strip(amplitude: f64, half: f64) -> HeightField {
 fn a_surface_of_two_deep_levels_keeps_half_of_its_mirror_image() {
     let optics = OpticsConfig { illuminant: Illuminant::E, ..laser(&[550.0], SIGMA_NM, Edge::Tile, Windows::Grid) };
     let levels = |depth_nm: f64| sampled([16, 4], [100.0, 100.0], |x, _| if x > 0.0 { depth_nm } else { 0.0 });
-    let pairs = [0.0, 10.0, 25.0, 40.0].map(|theta| (from_angles_deg(theta, 0.0), from_angles_deg(theta, 180.0)));
+    let pairs = [10.0, 40.0].map(|theta| (from_angles_deg(theta, 0.0), from_angles_deg(theta, 180.0)));
     let luminance = |depth_nm: f64| -> Vec<f64> {
         brdf_xyz_batch(&[levels(depth_nm)], &optics, &pairs).unwrap().iter().map(|xyz| xyz[1]).collect()
     };
     let flat = luminance(0.0);
-    for depth_nm in [20_000.0, 80_000.0, 150_000.0] {
+    for depth_nm in [20_000.0, 80_000.0] {
         let kept: Vec<f64> = luminance(depth_nm).iter().zip(&flat).map(|(deep, flat)| deep / flat).collect();
         // What is left of a cosine of more than fifty periods over the eye's range, whose ends are dark.
         assert!(kept.iter().all(|kept| (kept - 0.5).abs() < 2e-3), "{depth_nm} nm: {kept:?}");
-    } // The same in tables: the lobe at normal incidence.
+    }
+    // The same in tables: the lobe at normal incidence.
     let normal = |depth_nm: f64| {
         let few = TablesConfig { count: Some(3), ..tables_config(0.1, Some(21)) };
         let set = build(&[levels(depth_nm)], &optics, &few, &|_| ()).unwrap().0;

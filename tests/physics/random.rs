@@ -216,9 +216,19 @@ fn table_error(case: &Drawn, told: &HeightField) -> f64 {
 
 #[test]
 fn tables_meet_the_direct_sum_on_random_surfaces() {
+    check_random_surfaces(2);
+}
+
+#[test]
+#[ignore = "slow: as the one above on more surfaces"]
+fn tables_meet_the_direct_sum_on_many_random_surfaces() {
+    check_random_surfaces(8);
+}
+
+fn check_random_surfaces(cases: u32) {
     const TOLERANCE: f64 = 1e-3;
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[42; 32]);
-    let config = Config { failure_persistence: None, max_shrink_iters: 20, ..Config::with_cases(6) };
+    let config = Config { failure_persistence: None, max_shrink_iters: 20, ..Config::with_cases(cases) };
     let checked = TestRunner::new_with_rng(config, rng).run(&drawn(), |case| {
         let error = table_error(&case, &case.field);
         let (size, o) = (case.field.size(), &case.optics);
@@ -298,10 +308,9 @@ fn spread_over_surfaces(optics: &OpticsConfig, samples: usize) -> f64 {
 
 /// 384 values of a variance whose own deviation is `sqrt(8)` times its mean where powers are exponentially distributed, and
 /// less where several are averaged: 14 % of the variance, 7 % of the deviation, three times that allowed.
-#[test]
-fn the_mean_over_windows_moves_as_speckle_does() {
+fn check_spread(cases: &[(Windows, usize, usize)]) {
     let allowed = 3.0 * 0.5 * (8.0f64 / 384.0).sqrt();
-    for (windows, samples, count) in [(Windows::Centre, 120, 1), (Windows::Grid, 120, 9), (Windows::Grid, 160, 25)] {
+    for &(windows, samples, count) in cases {
         let optics = laser(&[WAVELENGTH_NM], 1000.0, Edge::Fade, windows);
         let field = random([samples; 2], [100.0; 2], 250.0, 40.0, 1);
         let placed: Vec<(usize, Placement)> =
@@ -314,8 +323,19 @@ fn the_mean_over_windows_moves_as_speckle_does() {
         let wrong = speckle_deviation(&placed, 2000.0);
         assert!(count == 1 || (found / wrong - 1.0).abs() > allowed, "{count} windows: {found}, {wrong}");
     }
+}
+
+#[test]
+fn the_mean_over_windows_moves_as_speckle_does() {
+    check_spread(&[(Windows::Centre, 120, 1), (Windows::Grid, 120, 9)]);
     // Scans of their own are independent; all positions of a scan that repeats have nothing left to move.
     let apart: Vec<_> = (0..4).map(|scan| (scan, Placement::TileCentre)).collect();
     assert_eq!(speckle_deviation(&apart, 1000.0), 0.5);
     assert_eq!(speckle_deviation(&[(0, Placement::TileMean)], 1000.0), 0.0);
+}
+
+#[test]
+#[ignore = "slow: 800 windows"]
+fn the_mean_over_many_windows_moves_as_speckle_does() {
+    check_spread(&[(Windows::Grid, 160, 25)]);
 }

@@ -277,51 +277,111 @@ fn any_shape() -> impl Strategy<Value = Shape> {
     ]
 }
 
+/// Tables for a scene show it as tables for every direction do, if it looks at anything.
+fn check_scene(scene: &Scene) -> Result<(), TestCaseError> {
+    let (fields, optics, tables) = ([surface()], daylight(Windows::Grid), config(101));
+    let source = Source { fields: &fields, optics: &optics, tables: &tables };
+    prop_assume!(domain_of(&source, &[scene]).unwrap().texels() > 0);
+    let (set, _) = served(&source, scene);
+    static FULL: std::sync::OnceLock<TableSet> = std::sync::OnceLock::new();
+    let full = FULL.get_or_init(|| {
+        // More tables than the tolerance asks for: what is compared is the served set.
+        let many = TablesConfig { count: Some(8), ..config(101) };
+        build(&[surface()], &daylight(Windows::Grid), &many, &|_| ()).unwrap().0
+    });
+    let worst = difference(&picture(scene, full), &picture(scene, &set), scene.exposure);
+    prop_assert!(worst <= ALLOWED, "{worst:e}");
+    Ok(())
+}
+
+/// A scene with one light or two, where its shape takes two.
+fn any_scene() -> impl Strategy<Value = Scene> {
+    let lights = (direction(), direction(), 0.0..8.0f64, any::<bool>());
+    (any_shape(), lights, 16..48usize).prop_map(|(shape, (a, b, wide, two), size_px)| {
+        let hemisphere = matches!(shape, Shape::Hemisphere | Shape::Screen { .. });
+        let lights = if two && !hemisphere { vec![light(a, wide), light(b, 0.0)] } else { vec![light(a, wide)] };
+        Scene { size_px, ..scene(shape, lights) }
+    })
+}
+
+/// What lies between the samples is served too: another renderer's samples, anywhere in the same pixels and lights.
+fn check_other_samples(scene: Scene) -> Result<(), TestCaseError> {
+    let (fields, optics, tables) = ([surface()], daylight(Windows::Grid), config(101));
+    let source = Source { fields: &fields, optics: &optics, tables: &tables };
+    prop_assume!(domain_of(&source, &[&scene]).unwrap().texels() > 0);
+    let (set, _) = served(&source, &scene);
+    let other = samples(&Scene { pixel_samples: 13, light_samples: 13, ..scene }).unwrap();
+    let asked = other.weight.len();
+    let missed = other
+        .wi
+        .iter()
+        .zip(&other.wo)
+        .filter(|(wi, wo)| !serves(&set, Interpolation::Bilinear, wi.map(f64::from), wo.map(f64::from)));
+    // At the outline of a ball a pixel's surface turns away without end: its last half pixel is not foreseen.
+    let missed = missed.count();
+    prop_assert!(missed * 100 <= asked, "{missed} of {asked}");
+    Ok(())
+}
+
+fn ball_or_patch() -> impl Strategy<Value = Scene> {
+    let shape = prop_oneof![
+        Just(Shape::Sphere),
+        Just(Shape::Patch { width_mm: 10.0, distance_mm: 30.0, tilt_deg: -20.0, turn_deg: 30.0 }),
+    ];
+    (shape, direction(), 0.0..5.0f64)
+        .prop_map(|(shape, a, wide)| Scene { size_px: 32, ..scene(shape, vec![light(a, wide)]) })
+}
+
+/// Two scenes that tables once served badly: a beam along the horizon, and a patch turned away from its light.
+#[test]
+fn scenes_at_the_horizon_look_the_same() {
+    let grazing = [0.999_799_979_995_999, 0.0, 0.02];
+    let screen = Shape::Screen {
+        distance_mm: 24.133_629_829_311_886,
+        width_mm: 80.0,
+        beam_diameter_mm: 1.0,
+        hole_diameter_mm: None,
+        incidence_deg: 39.863_292_560_652_12,
+    };
+    let patch = Shape::Patch {
+        width_mm: 10.0,
+        distance_mm: 26.769_978_677_030_654,
+        tilt_deg: -32.985_597_566_792_83,
+        turn_deg: 0.0,
+    };
+    let away = [-0.428_234_836_387_242_1, -0.830_646_150_672_190_8, 0.355_867_195_001_268_6];
+    for (shape, direction, size_px) in [(screen, grazing, 21), (patch, away, 16)] {
+        check_scene(&Scene { size_px, ..scene(shape, vec![light(direction, 0.0)]) }).unwrap();
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(6) })]
 
     /// Random cameras and lights, down to grazing: the same picture, and every sample has an answer.
     #[test]
-    fn random_scenes_look_the_same(
-        shape in any_shape(), a in direction(), b in direction(), wide in 0.0..8.0f64, two in any::<bool>(), px in 16..48usize,
-    ) {
-        let hemisphere = matches!(shape, Shape::Hemisphere | Shape::Screen { .. });
-        let lights = if two && !hemisphere { vec![light(a, wide), light(b, 0.0)] } else { vec![light(a, wide)] };
-        let scene = Scene { size_px: px, ..scene(shape, lights) };
-        let (fields, optics, tables) = ([surface()], daylight(Windows::Grid), config(101));
-        let source = Source { fields: &fields, optics: &optics, tables: &tables };
-        prop_assume!(domain_of(&source, &[&scene]).unwrap().texels() > 0);
-        let (set, _) = served(&source, &scene);
-        static FULL: std::sync::OnceLock<TableSet> = std::sync::OnceLock::new();
-        let full = FULL.get_or_init(|| {
-            // More tables than the tolerance asks for: what is compared is the served set.
-            let many = TablesConfig { count: Some(8), ..config(101) };
-            build(&[surface()], &daylight(Windows::Grid), &many, &|_| ()).unwrap().0
-        });
-        let worst = difference(&picture(&scene, full), &picture(&scene, &set), scene.exposure);
-        prop_assert!(worst <= ALLOWED, "{worst:e}");
+    fn random_scenes_look_the_same(scene in any_scene()) {
+        check_scene(&scene)?;
     }
 
-    /// What lies between the samples is served too: another renderer's samples, anywhere in the same pixels and lights.
     #[test]
-    fn other_samples_of_the_same_scene_are_served(
-        a in direction(), wide in 0.0..5.0f64, shape in prop_oneof![
-            Just(Shape::Sphere),
-            Just(Shape::Patch { width_mm: 10.0, distance_mm: 30.0, tilt_deg: -20.0, turn_deg: 30.0 }),
-        ],
-    ) {
-        let scene = Scene { size_px: 32, ..scene(shape, vec![light(a, wide)]) };
-        let (fields, optics, tables) = ([surface()], daylight(Windows::Grid), config(101));
-        let source = Source { fields: &fields, optics: &optics, tables: &tables };
-        prop_assume!(domain_of(&source, &[&scene]).unwrap().texels() > 0);
-        let (set, _) = served(&source, &scene);
-        let other = samples(&Scene { pixel_samples: 13, light_samples: 13, ..scene }).unwrap();
-        let asked = other.weight.len();
-        let missed = other.wi.iter().zip(&other.wo).filter(|(wi, wo)| {
-            !serves(&set, Interpolation::Bilinear, wi.map(f64::from), wo.map(f64::from))
-        });
-        // At the outline of a ball a pixel's surface turns away without end: its last half pixel is not foreseen.
-        let missed = missed.count();
-        prop_assert!(missed * 100 <= asked, "{missed} of {asked}");
+    fn other_samples_of_the_same_scene_are_served(scene in ball_or_patch()) {
+        check_other_samples(scene)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    #[ignore = "slow: as the one above in more scenes"]
+    fn many_random_scenes_look_the_same(scene in any_scene()) {
+        check_scene(&scene)?;
+    }
+
+    #[test]
+    #[ignore = "slow: as the one above in more scenes"]
+    fn other_samples_of_many_scenes_are_served(scene in ball_or_patch()) {
+        check_other_samples(scene)?;
     }
 }
