@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::config::{GpuCheck, RunConfig, Serve};
 use super::known::Built;
-use super::pictures::shared_scenes::scenes_for;
+use super::pictures::sharing::scenes_for;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
 use diffraction_build::ground::null_for_nan;

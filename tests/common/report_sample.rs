@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
-use diffraction_atlas::report::pictures::{height_map, spectrum_half_range_per_um, spectrum_picture};
+use diffraction_atlas::report::pictures::height_map;
+use diffraction_atlas::report::spectrum_picture::{spectrum_half_range_per_um, spectrum_picture};
 use diffraction_atlas::stages::gpu::check::{CpuPictures, compare, compare_with_reference};
 use diffraction_atlas::stages::gpu::results::{FrameComparison, MethodFrame};
 use diffraction_atlas::stages::results::*;

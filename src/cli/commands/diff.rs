@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::cli::Global;
+use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use crate::stages::archive::diff::diff;
 use diffraction_brdf::error::Result;

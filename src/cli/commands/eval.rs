@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use crate::cli::Global;
 use crate::cli::directions;
+use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
 use crate::manifest::{self, convert::specimen_config};
 use crate::stages::archive::specimen_file;
@@ -100,7 +100,7 @@ impl EvalArgs {
             (Method::Tables, Some(atlas), None) => Ok(EvalSource::Tables(atlas)),
             (Method::Reference, Some(_), _) => wrong("`--atlas` goes with `--method tables`"),
             (Method::Reference, None, manifest) => {
-                Ok(EvalSource::Reference(manifest.as_deref().unwrap_or(Path::new(super::MANIFEST))))
+                Ok(EvalSource::Reference(manifest.as_deref().unwrap_or(Path::new(MANIFEST))))
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::cli::Global;
+use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use crate::stages::archive::shader_data::write_shader_data;
 use crate::stages::archive::shader_export::{README, ShaderLanguage, shader};

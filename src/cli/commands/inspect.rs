@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use crate::cli::Global;
 use crate::cli::lengths::PitchNm;
+use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use crate::stages::archive::specimen_file;
 use diffraction_brdf::atlas;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use crate::cli::Global;
+use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome, bytes_in_words};
 use crate::manifest::{self, convert::run_config};
 use crate::stages::config::{RunConfig, SpecimenConfig};
@@ -25,7 +25,7 @@ use diffraction_render::scene::samples::ShadingSamples;
 #[command(after_help = "Example:\n  diffraction-atlas plan snakes.toml --json")]
 pub struct PlanArgs {
     /// What to plan for
-    #[arg(default_value = super::MANIFEST)]
+    #[arg(default_value = MANIFEST)]
     pub manifest: PathBuf,
     /// Print the plan as JSON
     #[arg(long)]

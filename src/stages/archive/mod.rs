@@ -6,5 +6,7 @@ pub mod publish;
 pub mod shader_data;
 pub mod shader_export;
 pub mod specimen_file;
+pub(crate) mod verify;
 pub mod verify_files;
+pub(crate) mod verify_scans;
 pub mod worked;

@@ -8,7 +8,7 @@ use super::published::{beyond_limits, check_files};
 use super::results::{FrameComparison, GpuResult, GpuRow};
 use crate::stages::config::{FrameTiming, GpuCheck, RunConfig, SpecimenConfig};
 use crate::stages::log::Log;
-use crate::stages::pictures::shared_scenes::specimens_of;
+use crate::stages::pictures::sharing::specimens_of;
 use crate::stages::serve;
 use crate::stages::stage::Stage;
 use diffraction_brdf::error::Result;

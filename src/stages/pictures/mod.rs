@@ -3,3 +3,4 @@
 pub(crate) mod preview;
 pub mod scenes;
 pub mod shared_scenes;
+pub(crate) mod sharing;

@@ -8,13 +8,14 @@ use std::path::Path;
 use ndarray::Array3;
 
 use super::scenes::SceneWork;
+use super::sharing::specimens_of;
 use crate::stages::log::Log;
 use crate::stages::results::{SceneResult, SharedSceneResult};
 use crate::stages::stage::Stage;
 use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
-use diffraction_render::scene::model::{Scene, Shape, share_of};
+use diffraction_render::scene::model::{Scene, Shape};
 
 /// Folder of these pictures, beside those of the specimens.
 pub const FOLDER: &str = "scenes";
@@ -34,30 +35,6 @@ struct Sum {
 
 /// The shares of every scene so far.
 pub struct SharedScenes(Vec<Sum>);
-
-/// Names of the specimens that share a scene; none where each has its own picture.
-pub fn specimens_of(scene: &Scene) -> &[String] {
-    match &scene.shape {
-        Shape::Mesh(mesh) => &mesh.specimens,
-        _ => &[],
-    }
-}
-
-/// What a specimen renders: its scenes, and its shares of others.
-pub fn scenes_for(scenes: &[Scene], specimen: &str) -> Vec<Scene> {
-    let mut wanted = Vec::new();
-    for scene in scenes {
-        let sharing = specimens_of(scene);
-        if sharing.is_empty() {
-            if scene.specimen.as_ref().is_none_or(|name| name == specimen) {
-                wanted.push(scene.clone());
-            }
-        } else if let Some(index) = sharing.iter().position(|name| name == specimen) {
-            wanted.push(share_of(scene, index));
-        }
-    }
-    wanted
-}
 
 /// The files that scenes are made of, each once, with paths relative to `base` where they are below it.
 pub fn inputs(scenes: &[Scene], base: &Path) -> Vec<InputRecord> {

@@ -1,7 +1,7 @@
 //! The work of `study`: from a manifest to the study's folder.
 
-use super::StudyArgs;
-use crate::cli::Global;
+use super::args::StudyArgs;
+use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
 use crate::manifest;
