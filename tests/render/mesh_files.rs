@@ -224,7 +224,11 @@ fn faulty_gltf_files_name_what_is_missing() {
         ("\"byteStride\": 8", "\"byteStride\": 4", "its elements overlap"),
         ("\"componentType\": 5123", "\"componentType\": 5126", "component type 5126"),
         ("\"type\": \"VEC2\"", "\"type\": \"VEC3\"", "its type is \"VEC3\""),
-        ("\"type\": \"VEC2\"", "\"type\": \"VEC2\", \"sparse\": {}", "sparse arrays are not supported"),
+        (
+            "\"type\": \"VEC2\"",
+            "\"type\": \"VEC2\", \"sparse\": { \"count\": 1, \"indices\": { \"bufferView\": 0, \"componentType\": 5123 }, \"values\": { \"bufferView\": 0 } }",
+            "sparse arrays are not supported",
+        ),
         ("\"byteLength\": 140", "\"byteLength\": 141", "buffer 0: it has 140 bytes, 141 are expected"),
         ("data:application/octet-stream;base64,", "data:,", "no base64"),
         ("data:application/octet-stream;base64,", "https://example.org/", "beside or below the mesh"),

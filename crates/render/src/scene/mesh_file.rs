@@ -2,7 +2,6 @@
 
 mod gltf;
 mod gltf_arrays;
-mod gltf_document;
 mod growing;
 mod obj;
 mod opened;
