@@ -67,7 +67,7 @@ impl RegularSurface {
     }
 }
 
-/// The orders of one wave at one depth of phase: `J_m²(z)` at multiples of its frequency.
+/// The orders of one wave at one phase scale `k w`: `J_m²(z)` at multiples of its frequency.
 struct Orders {
     frequency: [f64; 2],
     z: f64,

@@ -57,7 +57,7 @@ fn surfaces() -> Vec<StabilityCase> {
         what: "a pitch for each axis; square pixels as large",
         without: &|found| found.other(&square, &light, &settings),
     };
-    // The nodes in depth follow from peak to valley; counted from the rms height of 310 nm they are too few.
+    // The nodes follow from peak to valley; counted from the rms height of 310 nm they are too few.
     let spike = at(10_000.0, &|x, y| f64::from(u8::from(x == 20 && y == 9)));
     let whole_range =
         TakenOut { what: "tables for the whole range; for the rms height", without: &|found| found.with_tables(6) };
