@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::config::{GpuCheck, RunConfig, Serve};
 use super::known::Built;
-use super::shared_scenes::scenes_for;
+use super::pictures::sharing::scenes_for;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
 use diffraction_build::tables::coverage::budget::{self, Budget, Cost};

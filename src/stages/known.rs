@@ -11,13 +11,14 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use super::cache::{Cache, CacheUse};
-use super::error_directions::ErrorDirections;
-use super::measure::{self, Yardstick};
-use super::results::ErrorRow;
+use super::stage::Stage;
 use super::usage::{self, Stopwatch};
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
+use diffraction_build::accuracy::directions::ErrorDirections;
+use diffraction_build::accuracy::reference::{self as accuracy_reference, Reference};
+use diffraction_build::accuracy::rows::{self, ErrorRow};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::reference;
 use diffraction_build::tables::build;
@@ -59,7 +60,7 @@ impl Built {
         let build = || build::build_planned(input, plan, advance);
         let (built, memory_bytes) = usage::with_heap_bytes(build);
         let (set, record) = built?;
-        let time = stopwatch.read("build tables", None);
+        let time = stopwatch.read(Stage::BuildTables, None);
         Ok(Self { set, record, seconds: time.wall_s, processor_s: time.cpu_s, memory_bytes })
     }
 }
@@ -118,19 +119,20 @@ impl<'a> Known<'a> {
         Ok(built)
     }
 
-    /// [`measure::yardstick`], evaluated where it is not known.
+    /// [`accuracy_reference::evaluate`], asked where it is not known.
     ///
     /// # Errors
     /// Those of the transforms.
-    pub fn yardstick(
+    pub fn reference(
         &self,
         input: &BuildInput,
         plan: &BuildPlan,
         nodes: usize,
         errors: ErrorDirections,
         pictures: impl IntoIterator<Item = Pair>,
-    ) -> Result<Yardstick> {
-        let evaluate = |errors, pictures| measure::yardstick(input.fields, input.optics, plan, nodes, errors, pictures);
+    ) -> Result<Reference> {
+        let evaluate =
+            |errors, pictures| accuracy_reference::evaluate(input.fields, input.optics, plan, nodes, errors, pictures);
         if !self.cache.is_on() {
             return evaluate(errors, pictures.into_iter().collect::<Vec<_>>());
         }
@@ -138,8 +140,11 @@ impl<'a> Known<'a> {
         let [pairs_key, errors_key] = self.reference_keys(input, plan, nodes, &errors);
         let mut known = self.cache.load(&pairs_key).and_then(|bytes| decode_pairs(&bytes)).unwrap_or_default();
         let mut asked = HashSet::new();
-        let is_new = |pair: &Pair| !known.contains_key(&bits(pair)) && asked.insert(bits(pair));
-        let missing: Vec<Pair> = pictures.iter().copied().filter(is_new).collect();
+        let missing: Vec<Pair> = pictures
+            .iter()
+            .copied()
+            .filter(|pair| !known.contains_key(&bits(pair)) && asked.insert(bits(pair)))
+            .collect();
         let counted = self.cache.load(&errors_key).and_then(|bytes| decode_counted(&bytes, &errors));
         let (fixed, is_counted) = (errors.pairs.len(), counted.is_some());
         self.count(|used| {
@@ -149,18 +154,18 @@ impl<'a> Known<'a> {
         });
         let wanted = if is_counted { ErrorDirections::default() } else { errors };
         let fresh = match wanted.pairs.is_empty() && missing.is_empty() {
-            true => Yardstick::default(),
+            true => Reference::default(),
             false => evaluate(wanted, missing.clone())?,
         };
         let first = fresh.pairs.len() - missing.len();
         let found = missing.iter().zip(fresh.xyz[first..].iter().copied());
         known.extend(found.map(|(pair, xyz)| (bits(pair), xyz)));
-        let mut yardstick = counted.unwrap_or_else(|| fresh.counted(fixed));
+        let mut all = counted.unwrap_or_else(|| fresh.counted(fixed));
         if !is_counted {
-            self.cache.store(&errors_key, &encode_counted(&yardstick));
+            self.cache.store(&errors_key, &encode_counted(&all));
         }
-        yardstick.xyz.extend(pictures.iter().map(|pair| known[&bits(pair)]));
-        yardstick.pairs.extend(&pictures);
+        all.xyz.extend(pictures.iter().map(|pair| known[&bits(pair)]));
+        all.pairs.extend(&pictures);
         if !missing.is_empty() {
             // Other plans hold other frequencies: what asks for more than this one has is nothing for them.
             let held = |pair: &Pair| plan.spectra.holds(input.optics, wave_vector_change(pair.0, pair.1));
@@ -169,7 +174,7 @@ impl<'a> Known<'a> {
             }
             self.keep_pairs(&pairs_key, known, &pictures);
         }
-        Ok(yardstick)
+        Ok(all)
     }
 
     /// Keys of the values at pictures' pairs, and of those on which errors are counted.
@@ -197,12 +202,12 @@ impl<'a> Known<'a> {
         self.cache.store(key, &encode_pairs(&known));
     }
 
-    /// [`measure::direct_row`] with the direct sum's values where they are known.
+    /// [`rows::direct_row`] with the direct sum's values where they are known.
     ///
     /// # Errors
     /// Those of the reference.
-    pub fn direct_row(&self, input: &BuildInput, yardstick: &Yardstick) -> Result<ErrorRow> {
-        measure::direct_row(yardstick, &|pairs| {
+    pub fn direct_row(&self, input: &BuildInput, reference_set: &Reference) -> Result<ErrorRow> {
+        rows::direct_row(reference_set, &|pairs| {
             let sum = || reference::brdf_xyz_batch(input.fields, input.optics, pairs);
             if !self.cache.is_on() {
                 return sum();
@@ -291,18 +296,18 @@ fn decode_pairs(bytes: &[u8]) -> Option<HashMap<[u64; 6], Xyz>> {
     rest.is_empty().then(|| rows.iter().map(row).collect())
 }
 
-fn encode_counted(yardstick: &Yardstick) -> Vec<u8> {
-    let numbers = yardstick.xyz.iter().flatten().chain(yardstick.diffuse.iter().flatten());
+fn encode_counted(reference: &Reference) -> Vec<u8> {
+    let numbers = reference.xyz.iter().flatten().chain(reference.diffuse.iter().flatten());
     numbers.flat_map(|number| number.to_le_bytes()).collect()
 }
 
-fn decode_counted(bytes: &[u8], errors: &ErrorDirections) -> Option<Yardstick> {
+fn decode_counted(bytes: &[u8], errors: &ErrorDirections) -> Option<Reference> {
     let (numbers, fixed) = (numbers(bytes)?, errors.pairs.len());
     if numbers.len() != 6 * fixed {
         return None;
     }
     let (xyz, diffuse) = numbers.split_at(3 * fixed);
-    Some(Yardstick {
+    Some(Reference {
         groups: errors.groups.clone(),
         pairs: errors.pairs.clone(),
         xyz: triples(xyz, fixed)?,

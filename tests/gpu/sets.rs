@@ -2,10 +2,11 @@
 
 use std::sync::OnceLock;
 
+use crate::skip::skipped;
 use diffraction_atlas::stages::coverage::cover;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::{build, build_planned};
 use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
@@ -19,7 +20,7 @@ pub fn gpu(test: &str) -> Option<&'static Gpu> {
     static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
     let gpu = GPU.get_or_init(|| Gpu::open().expect("an adapter that is there must open")).as_ref();
     if gpu.is_none() {
-        eprintln!("SKIPPED {test}: no Vulkan adapter");
+        skipped(format_args!("{test}: no Vulkan adapter"));
     }
     gpu
 }
@@ -45,6 +46,7 @@ pub fn optics(windows: Windows, material: Material, shadowing: bool) -> OpticsCo
         windows,
         material,
         shadowing,
+        factor: Factor::Scalar,
     }
 }
 

@@ -203,7 +203,7 @@ mod tests {
     use super::*;
     use crate::ground::spectrum::Illuminant;
     use crate::height::HeightField;
-    use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
+    use crate::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
     use crate::optics::spectra::{SpectraConfig, transform};
     use crate::optics::window::Placement;
     use ndarray::Array2;
@@ -222,6 +222,7 @@ mod tests {
             windows: Windows::Grid,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         };
         let config = SpectraConfig {
             phase_scale_per_nm: [0.0, 0.033],

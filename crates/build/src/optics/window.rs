@@ -8,7 +8,7 @@ use diffraction_brdf::error::{Error, Result};
 
 /// Half width, in σ, beyond which a window's samples are left out where the scan is larger: the
 /// amplitude there is `exp(-5.5²/2) = 2.7e-7`.
-pub(crate) const SUPPORT_SIGMAS: f64 = 5.5;
+pub const SUPPORT_SIGMAS: f64 = 5.5;
 
 /// Half width, in σ, that must fit into a scan on each side under `Edge::Fade`.
 pub const FADE_SIGMAS: f64 = 4.0;
@@ -223,6 +223,7 @@ mod tests {
     use super::*;
     use crate::ground::spectrum::Illuminant;
     use crate::optics::config::Material;
+    use diffraction_brdf::front_factor::Factor;
     use ndarray::Array2;
 
     fn optics(sigma_nm: f64, windows: Windows) -> OpticsConfig {
@@ -234,6 +235,7 @@ mod tests {
             windows,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         }
     }
 

@@ -1,7 +1,6 @@
 //! Tables floor: planning, building, restricting to scenes, storage.
 
 pub mod accumulate;
-pub mod baselines;
 pub mod build;
 mod coefficients;
 pub mod coverage;
