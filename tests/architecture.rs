@@ -95,7 +95,7 @@ fn arrows_that_are_known_to_be_there_are_found() {
     assert!(is_there("src/main.rs", "src/cli/mod.rs"));
     assert!(is_there("src/cli/mod.rs", "src/cli/commands/run.rs"));
     assert!(is_there("src/cli/commands/run.rs", "crates/render/src/render/png_image.rs"));
-    assert!(is_there("crates/build/src/tables/build.rs", "crates/build/src/height/mod.rs"));
+    assert!(is_there("crates/build/src/tables/build.rs", "crates/build/src/optics/spectra.rs"));
 }
 
 fn made_up(files: &[(&str, &str)]) -> Vec<Source> {
