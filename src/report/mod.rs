@@ -2,7 +2,7 @@
 
 mod budget_facts;
 mod colour_maps;
-pub mod html;
+pub(crate) mod html;
 pub mod pictures;
 #[cfg(feature = "study")]
 pub mod study_page;

@@ -67,7 +67,7 @@ impl Built {
 
 /// What the cache knows of one specimen.
 #[derive(Debug)]
-pub struct Known<'a> {
+pub(crate) struct Known<'a> {
     cache: &'a Cache,
     /// The prepared heights, by their digest.
     heights: String,
@@ -192,7 +192,7 @@ impl<'a> Known<'a> {
     ///
     /// # Errors
     /// Those of the reference.
-    pub fn direct_row(&self, source: &Source, reference_set: &Reference) -> Result<ErrorRow> {
+    pub(crate) fn direct_row(&self, source: &Source, reference_set: &Reference) -> Result<ErrorRow> {
         rows::direct_row(reference_set, &|pairs| {
             let sum = || reference::brdf_xyz_batch(source.fields, source.optics, pairs);
             if !self.cache.is_on() {

@@ -6,7 +6,7 @@
 //! ([`log`], [`stage`], [`usage`]).
 
 pub mod archive;
-pub mod cache;
+pub(crate) mod cache;
 pub mod config;
 pub mod forecast_run;
 pub mod gpu;
@@ -15,7 +15,7 @@ pub mod known;
 pub(crate) mod log;
 pub mod measured;
 pub mod pictures;
-pub mod reached;
+pub(crate) mod reached;
 pub mod results;
 pub mod run;
 pub mod serve;

@@ -27,7 +27,7 @@ use diffraction_render::scene::model::{Exposure, Scene};
 use diffraction_render::scene::reach::reach;
 
 /// The scenes that a specimen's tables must serve, or its shares of them; `None` where they serve every direction.
-pub fn served_scenes(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
+pub(crate) fn served_scenes(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
     let shown = scenes_for(&config.scenes, specimen);
     match &config.serve {
         Serve::All => None,
@@ -37,12 +37,12 @@ pub fn served_scenes(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
 }
 
 /// The scenes that are pictured with a specimen's tables: those they serve.
-pub fn pictured_scenes(config: &RunConfig, specimen: &str) -> Vec<Scene> {
+pub(crate) fn pictured_scenes(config: &RunConfig, specimen: &str) -> Vec<Scene> {
     served_scenes(config, specimen).unwrap_or_else(|| scenes_for(&config.scenes, specimen))
 }
 
 /// What is asked of a specimen's tables: the tolerance of the scene that asks for most where they serve scenes.
-pub fn tables_for(config: &RunConfig, specimen: &str) -> TablesConfig {
+pub(crate) fn tables_for(config: &RunConfig, specimen: &str) -> TablesConfig {
     let tolerance = |scene: Scene| scene.tolerance.unwrap_or(config.tables.tolerance);
     let strictest =
         served_scenes(config, specimen).and_then(|scenes| scenes.into_iter().map(tolerance).reduce(f64::min));
@@ -50,7 +50,7 @@ pub fn tables_for(config: &RunConfig, specimen: &str) -> TablesConfig {
 }
 
 /// Whether anything is asked of a specimen: always, unless tables serve scenes and none of them shows it.
-pub fn is_asked_for(config: &RunConfig, specimen: &str) -> bool {
+pub(crate) fn is_asked_for(config: &RunConfig, specimen: &str) -> bool {
     served_scenes(config, specimen).is_none_or(|scenes| !scenes.is_empty())
 }
 

@@ -23,7 +23,7 @@ use diffraction_render::scene::samples::ShadingSamples;
 /// Arguments of `plan`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
 #[command(after_help = "Example:\n  diffraction-atlas plan snakes.toml --json")]
-pub struct PlanArgs {
+pub(crate) struct PlanArgs {
     /// What to plan for
     #[arg(default_value = MANIFEST)]
     pub manifest: PathBuf,
@@ -60,7 +60,7 @@ struct SpecimenPlan {
 ///
 /// # Errors
 /// A wrong manifest. A specimen that would fail is part of the plan, and of the exit status.
-pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
     let config = run_config(manifest, text);
     let threads = rayon::current_num_threads();

@@ -24,7 +24,7 @@ use diffraction_render::scene::samples::samples;
 
 /// Which directions are evaluated anew.
 #[derive(Debug, Clone, Copy)]
-pub struct Sampling {
+pub(crate) struct Sampling {
     /// Directions above the floor, of each group.
     pub count: usize,
     /// Chooses them.

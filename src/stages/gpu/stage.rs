@@ -18,7 +18,7 @@ use diffraction_render::scene::model::Scene;
 
 /// A GPU, or why there is none.
 #[derive(Debug)]
-pub enum Opened {
+pub(crate) enum Opened {
     /// Ready.
     Ready(GpuDevice),
     /// Not wanted, not there or not usable; what the results say of it.
@@ -35,7 +35,7 @@ impl Opened {
     }
 
     /// What the results say, given what was found out on it.
-    pub fn into_result(self, rows: Vec<GpuRow>, frames: Option<FrameComparison>) -> GpuResult {
+    pub(crate) fn into_result(self, rows: Vec<GpuRow>, frames: Option<FrameComparison>) -> GpuResult {
         match self {
             Self::Ready(device) => {
                 let (gpu, frames) = (Box::new(device.info().clone()), frames.map(Box::new));

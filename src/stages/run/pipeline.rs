@@ -30,7 +30,7 @@ use diffraction_build::ground::memory;
 use diffraction_build::ground::progress::Progress;
 
 /// Writes the report of a run into its folder; given by the floor that knows how.
-pub type WriteReport<'a> = &'a (dyn Fn(&RunResults, &Path) -> Result<()> + Sync);
+pub(crate) type WriteReport<'a> = &'a (dyn Fn(&RunResults, &Path) -> Result<()> + Sync);
 
 /// What the floors above lend to the pipeline.
 #[derive(Clone, Copy)]
