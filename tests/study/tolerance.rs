@@ -44,7 +44,7 @@ fn print(name: &str, row: &ToleranceRow) {
 /// Small tables of point samples: as hard on basis and wavelengths as large ones, and no filter that would smooth over what
 /// is wrong.
 fn small(specimen: &StudySpecimen, tolerance: f64) -> TablesConfig {
-    let config = StudyConfig { size_max: 201, ..StudyConfig::quick() };
+    let config = StudyConfig { size_max: 151, ..StudyConfig::quick() };
     TablesConfig { prefilter: Prefilter::None, ..automatic(&specimen.optics, &config, tolerance) }
 }
 
@@ -103,10 +103,10 @@ fn fewer_wavelengths_keep_no_grating() {
     }
 }
 
-/// `cargo test --release --test stages tolerance -- --ignored --nocapture`: the table of docs/accuracy.md.
+/// `cargo test --release measuring_real -- --ignored --nocapture`: the table of docs/accuracy.md.
 #[test]
 #[ignore = "minutes of measuring"]
-fn real_scans_at_every_tolerance() {
+fn measuring_real_scans_at_every_tolerance() {
     let manifest = "tests/real_scans.toml";
     if crate::skip::shared("specimens").is_none() {
         return;
