@@ -8,6 +8,7 @@
 pub mod archive;
 pub(crate) mod cache;
 pub mod config;
+pub mod coverage;
 pub mod forecast_run;
 pub mod gpu;
 pub mod ingest;
@@ -18,7 +19,6 @@ pub mod pictures;
 pub(crate) mod reached;
 pub mod results;
 pub mod run;
-pub mod serve;
 pub mod stage;
 #[cfg(feature = "study")]
 pub mod study;

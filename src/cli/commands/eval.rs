@@ -16,7 +16,7 @@ use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, serves};
 use diffraction_brdf::files;
 use diffraction_build::optics::reference;
-use diffraction_build::tables::plan::usable_radius;
+use diffraction_build::tables::resolution::usable_radius;
 
 /// Arguments of `eval`.
 #[derive(Debug, Clone, PartialEq, clap::Args)]

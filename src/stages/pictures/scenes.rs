@@ -20,7 +20,7 @@ use diffraction_build::ground::metrics;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::{Pigment, Surface, pigment_xyz};
 use diffraction_build::tables::model::TableSet;
-use diffraction_build::tables::plan::lobe_width;
+use diffraction_build::tables::resolution::lobe_width;
 use diffraction_render::render::cpu;
 use diffraction_render::render::png_image::{encode_animation, heat_map, side_by_side, write_png};
 use diffraction_render::scene::animation;
