@@ -25,8 +25,7 @@ use std::path::Path;
 use toml::de::DeTable;
 
 pub use model::{
-    AtlasSection, CacheConfig, DespikeSection, ExposureSection, FrameTiming, GpuCheck, GpuSection, HeightSection,
-    HeightUnit, LevelSection, LightSection, Manifest, ReportConfig, SceneSection, Serve, ShapeSection, SpecimenSection,
+    AtlasSection, CacheConfig, FrameTiming, GpuCheck, GpuSection, Manifest, ReportConfig, Serve, SpecimenConfig,
 };
 
 use diffraction_brdf::error::{Error, Result};

@@ -47,7 +47,7 @@ impl RunConfig {
 }
 
 /// One specimen.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct SpecimenConfig {
     /// Name, and its folder in the atlas.
     pub name: String,

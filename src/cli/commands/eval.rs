@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use crate::cli::Global;
 use crate::cli::directions;
 use crate::cli::output::{self, Outcome};
-use crate::manifest::{self, convert::specimen_config};
+use crate::manifest;
 use crate::stages::ingest::ingest;
 use crate::stages::specimen;
 use diffraction_brdf::atlas;
@@ -168,7 +168,7 @@ fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<
 
 fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<Table> {
     let (manifest, _) = manifest::load(path)?;
-    let Some(section) = manifest.specimens.iter().find(|section| section.name == args.specimen) else {
+    let Some(config) = manifest.specimens.iter().find(|config| config.name == args.specimen) else {
         let known: Vec<&str> = manifest.specimens.iter().map(|section| section.name.as_str()).collect();
         return Err(Error::Call(format!(
             "{}: no specimen is called `{}`; there are {}",
@@ -177,7 +177,6 @@ fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Resul
             known.join(", ")
         )));
     };
-    let config = specimen_config(section);
     let fields = ingest(&config)?.fields;
     let usable = fields.iter().map(|f| usable_radius(&config.optics, f.pitch_nm)).fold(2.0, f64::min);
     warn_beyond(usable, pairs);

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
-use crate::manifest::{self, convert::run_config, convert::specimen_config};
+use crate::manifest::{self, convert::run_config};
 use crate::report::study_page::{PAGE, write_study};
 use crate::stages::ingest::ingest;
 use crate::stages::stability::{StabilityCase, Verdict, run_stability};
@@ -48,7 +48,7 @@ pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
     let mut failures = Vec::new();
     let mut specimens = Vec::new();
     for section in manifest.specimens.iter().filter(|s| args.specimen.is_empty() || args.specimen.contains(&s.name)) {
-        match ingest(&specimen_config(section)) {
+        match ingest(section) {
             Ok(ingested) => specimens.push(StudySpecimen {
                 name: section.name.clone(),
                 fields: ingested.fields,

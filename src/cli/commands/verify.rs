@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::cli::Global;
 use crate::cli::output::{self, Outcome};
-use crate::manifest::convert::{run_config, specimen_config};
+use crate::manifest::convert::run_config;
 use crate::manifest::{self, Manifest};
 use crate::stages::error_directions::{Candidates, DRAWN, ErrorDirections};
 use crate::stages::ingest::ingest;
@@ -188,10 +188,9 @@ fn against_scans(
     set: &TableSet,
     check: &mut SpecimenCheck,
 ) -> Result<()> {
-    let Some(section) = manifest.specimens.iter().find(|section| section.name == file.name) else {
+    let Some(config) = manifest.specimens.iter().find(|config| config.name == file.name) else {
         return Ok(());
     };
-    let config = specimen_config(section);
     let ingested = ingest(&config)?;
     let recorded: Vec<&str> = file
         .provenance
