@@ -1,5 +1,6 @@
 //! The report: a self-contained page about a run, its plots, and pictures of the data.
 
+mod axes;
 mod budget_facts;
 mod colour_maps;
 pub(crate) mod html;

@@ -45,7 +45,7 @@ pub fn study_files(study: &Study, stability: &Stability) -> Result<Vec<File>> {
         let first = pictures.len();
         let name = file_name(&specimen.name);
         for (key, figure) in figures(specimen) {
-            pictures.push((format!("{name}.{key}.svg"), svg(&figure)?.into_bytes()));
+            pictures.push((format!("{name}.{key}.svg"), svg(&figure).into_bytes()));
         }
         let svgs = pictures[first..].iter();
         of_specimens.push(svgs.map(|(_, svg)| String::from_utf8_lossy(svg).into_owned()).collect());
@@ -53,7 +53,7 @@ pub fn study_files(study: &Study, stability: &Stability) -> Result<Vec<File>> {
     }
     let mut of_stability = BTreeMap::new();
     for (key, figure) in stability_figures(stability) {
-        let picture = svg(&figure)?;
+        let picture = svg(&figure);
         of_stability.insert(key, picture.clone());
         pictures.push((format!("stability.{key}.svg"), picture.into_bytes()));
     }
