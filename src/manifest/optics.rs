@@ -71,7 +71,7 @@ pub fn factor(optics: Option<&Item>, basis: Basis) -> Result<Factor> {
 }
 
 /// Reads `coherence`, `windows`, and `material`, which `[optics]` and `[[specimen]]` share.
-pub fn read_overrides(section: &Section, optics: &mut OpticsConfig) -> Result<()> {
+pub(crate) fn read_overrides(section: &Section, optics: &mut OpticsConfig) -> Result<()> {
     if let Some(item) = section.get("coherence") {
         let section = item.section(&keys::COHERENCE, "{ sigma_um = 16.25, edge = \"tile\" }")?;
         if let Some(item) = section.get("sigma_um") {

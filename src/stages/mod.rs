@@ -6,8 +6,9 @@
 //! ([`log`], [`stage`], [`usage`]).
 
 pub mod archive;
-pub mod cache;
+pub(crate) mod cache;
 pub mod config;
+pub mod coverage;
 pub mod forecast_run;
 pub mod gpu;
 pub mod ingest;
@@ -15,10 +16,9 @@ pub mod known;
 pub(crate) mod log;
 pub mod measured;
 pub mod pictures;
-pub mod reached;
+pub(crate) mod reached;
 pub mod results;
 pub mod run;
-pub mod serve;
 pub mod stage;
 #[cfg(feature = "study")]
 pub mod study;

@@ -13,7 +13,7 @@ const UNSERVED_RGB: [u8; 3] = [70, 70, 74];
 const OUTSIDE_RGB: [u8; 3] = [255, 255, 255];
 
 /// The square [-2, 2]² of (u, v), +v up; `None` where every direction is served.
-pub fn reached_picture(set: &TableSet) -> Option<Array3<u8>> {
+pub(crate) fn reached_picture(set: &TableSet) -> Option<Array3<u8>> {
     let served = set.served.as_ref()?;
     let table = set.tables.first()?;
     // The first polynomial is 1: its table is the mean over the depths served.

@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 
 use super::cache::CacheUse;
 pub use super::gpu::results::{GpuResult, GpuRow};
-use super::serve::{Budget, Cost};
 use super::stage::Stage;
 use crate::stages::measured::MeasuredResult;
 use diffraction_brdf::error::{Error, Result};
@@ -17,6 +16,7 @@ use diffraction_build::ground::null_for_nan;
 pub use diffraction_build::height::statistics::{Period, Statistics};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::Pigment;
+use diffraction_build::tables::coverage::budget::{Budget, Cost};
 use diffraction_build::tables::model::{Basis, BuildRecord, Rounding, Storage};
 
 /// Version of the layout of `report.json`; raised when a field changes its meaning or disappears.

@@ -15,6 +15,7 @@ use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{ReadConfig, read_scan};
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::tables::build::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 use ndarray::Array3;
 use rayon::prelude::*;
@@ -55,7 +56,7 @@ fn built(name: &str, material: Material, level: Level, blend_nm: Option<f64>) ->
         prefilter: Prefilter::Auto,
         memory_mib: 512,
     };
-    Brdf::new(build(&[field], &optics, &config, &|_| ()).unwrap().0).unwrap()
+    Brdf::new(build(&BuildInput::new(&[field], &optics, &config), &|_| ()).unwrap().0).unwrap()
 }
 
 /// All bundled specimens with the materials of pipeline.toml, and the made-up one, which has shadowing and a cross term.

@@ -36,9 +36,9 @@ use diffraction_build::ground::sampling::Region;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::optics::window::FADE_SIGMAS;
-use diffraction_build::tables::build::AUTOMATIC_SIZE_MAX;
 use diffraction_build::tables::model::{Basis, Storage};
-use diffraction_build::tables::plan::{lobe_width, usable_radius};
+use diffraction_build::tables::plan::AUTOMATIC_SIZE_MAX;
+use diffraction_build::tables::resolution::{lobe_width, usable_radius};
 
 /// Standard deviations of the narrowest lobe per texel of the study's tables: cubic interpolation then errs by
 /// about `3/128 · 0.5⁴ · 3` = 0.4 % of a lobe's peak at worst, and far less at the median.

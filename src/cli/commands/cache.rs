@@ -11,7 +11,7 @@ use diffraction_brdf::error::Result;
 /// Arguments of `cache`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
 #[command(after_help = "Example:\n  diffraction-atlas cache pipeline.toml --clear")]
-pub struct CacheArgs {
+pub(crate) struct CacheArgs {
     /// Manifest whose runs keep them
     #[arg(default_value = MANIFEST)]
     pub manifest: PathBuf,
@@ -24,7 +24,7 @@ pub struct CacheArgs {
 ///
 /// # Errors
 /// A wrong manifest, or the disk's.
-pub fn run(args: &CacheArgs) -> Result<Outcome> {
+pub(crate) fn run(args: &CacheArgs) -> Result<Outcome> {
     let (manifest, _) = manifest::load(&args.manifest)?;
     let config = &manifest.cache;
     let folder = config.folder.display();

@@ -23,7 +23,9 @@ use diffraction_build::accuracy::directions::{ErrorDirections, ErrorGroup};
 use diffraction_build::accuracy::reference;
 use diffraction_build::ground::metrics;
 use diffraction_build::tables::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
+use diffraction_build::tables::plan;
 use diffraction_render::render::gpu::Gpu;
 use diffraction_render::render::gpu_frame::{Frame, FramePlan, FrameTime, copy_gb_per_s, time_frames};
 use diffraction_render::render::gpu_tables::upload;
@@ -49,7 +51,7 @@ pub fn compare(
 ) -> Result<FrameComparison> {
     let (_, atlas) = specimen_file::load(folder)?;
     let fields = ingest(specimen)?.fields;
-    let plan = build::plan(&fields, &specimen.optics, &config.tables)?;
+    let plan = plan::plan(&BuildInput::new(&fields, &specimen.optics, &config.tables))?;
     let directions = ErrorDirections::of_regions(&atlas);
     let (groups, pairs) = (directions.groups.clone(), directions.pairs.clone());
     let exact = reference::evaluate(&fields, &specimen.optics, &plan, atlas.tables.len(), directions, [])?.xyz;
@@ -59,7 +61,7 @@ pub fn compare(
     // Wavelengths, grid and averages over it stay as they are; the tables come in full precision and are then rounded.
     let wanted =
         TablesConfig { basis: Basis::Taylor, storage: Some(Storage::Float), count: None, ..config.tables.clone() };
-    let (taylor, refused) = match build::build(&fields, &specimen.optics, &wanted, &|_| ()) {
+    let (taylor, refused) = match build::build(&BuildInput::new(&fields, &specimen.optics, &wanted), &|_| ()) {
         Ok((set, _)) => (Some(at_equal_error(as_on_gpu(set), atlas_errors, errors)), None),
         Err(error @ Error::Limit { .. }) => (None, Some(error.to_string())),
         Err(error) => return Err(error),

@@ -2,5 +2,5 @@
 
 pub(crate) mod preview;
 pub mod scenes;
-pub mod shared_scenes;
+pub(crate) mod shared_scenes;
 pub(crate) mod sharing;

@@ -20,7 +20,7 @@ use diffraction_build::ground::metrics;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::{Pigment, Surface, pigment_xyz};
 use diffraction_build::tables::model::TableSet;
-use diffraction_build::tables::plan::lobe_width;
+use diffraction_build::tables::resolution::lobe_width;
 use diffraction_render::render::cpu;
 use diffraction_render::render::png_image::{encode_animation, heat_map, side_by_side, write_png};
 use diffraction_render::scene::animation;
@@ -82,19 +82,19 @@ pub fn reference_samples(scene: &Scene) -> Result<ShadingSamples> {
 }
 
 /// The pairs of directions of samples, in order.
-pub fn pairs_of(samples: &ShadingSamples) -> impl Iterator<Item = (Vec3, Vec3)> + '_ {
+pub(crate) fn pairs_of(samples: &ShadingSamples) -> impl Iterator<Item = (Vec3, Vec3)> + '_ {
     samples.wi.iter().zip(&samples.wo).map(|(wi, wo)| (wi.map(f64::from), wo.map(f64::from)))
 }
 
 /// Of how many pixels in each direction one has a reference.
-pub fn reference_stride(scene: &Scene) -> usize {
+pub(crate) fn reference_stride(scene: &Scene) -> usize {
     let per_pixel = samples_per_pixel(scene).max(1);
     let side = ((REFERENCE_SAMPLES_MAX / per_pixel) as f64).sqrt().max(1.0);
     (scene.size_px as f64 / side).ceil().max(1.0) as usize
 }
 
 /// The directions of scenes to draw from, each with a floor of its own: for tables that serve no others.
-pub fn candidates_of(set: &TableSet, scenes: &[SceneWork]) -> Vec<Candidates> {
+pub(crate) fn candidates_of(set: &TableSet, scenes: &[SceneWork]) -> Vec<Candidates> {
     let of_scene = |scene: &SceneWork| {
         let step = scene.pair_count().div_ceil(DRAWN).max(1);
         Candidates::of_scene(set, scene.name(), scene.pairs().step_by(step).collect())
@@ -114,12 +114,12 @@ impl SceneWork {
     }
 
     /// Number of pairs.
-    pub fn pair_count(&self) -> usize {
+    pub(crate) fn pair_count(&self) -> usize {
         self.subset.wi.len()
     }
 
     /// Whether the scene moves.
-    pub fn is_animated(&self) -> bool {
+    pub(crate) fn is_animated(&self) -> bool {
         self.scene.animation.is_some()
     }
 
@@ -151,7 +151,7 @@ impl SceneWork {
     }
 
     /// Whether this is one specimen's share of a scene that several appear in.
-    pub fn is_share(&self) -> bool {
+    pub(crate) fn is_share(&self) -> bool {
         matches!(&self.scene.shape, Shape::Mesh(mesh) if mesh.shown.is_some())
     }
 
@@ -310,7 +310,7 @@ pub fn inputs(config: &RunConfig) -> Vec<InputRecord> {
 }
 
 /// The word the manifest uses for a shape.
-pub fn shape_name(shape: &Shape) -> &'static str {
+pub(crate) fn shape_name(shape: &Shape) -> &'static str {
     match shape {
         Shape::Hemisphere => "hemisphere",
         Shape::Sphere => "sphere",

@@ -13,17 +13,18 @@ use super::warnings::{scan_warnings, table_warnings};
 use crate::stages::archive::specimen_file::{self, SpecimenFile};
 use crate::stages::cache::CacheUse;
 use crate::stages::config::SpecimenConfig;
+use crate::stages::coverage;
 use crate::stages::pictures::preview::write_preview;
 use crate::stages::pictures::scenes;
 use crate::stages::pictures::shared_scenes::{self, Share};
 use crate::stages::reached::reached_picture;
 use crate::stages::results::{BuildResult, HeightMapFile, LobeResult, SceneResult, SpecimenResult, SpectrumFile};
-use crate::stages::serve::{self, Budget, Cost};
 use crate::stages::stage::Stage;
 use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::accuracy::rows;
 use diffraction_build::optics::pigment::Surface;
+use diffraction_build::tables::coverage::budget::{Budget, Cost};
 use diffraction_build::tables::forecast::forecast_of;
 use diffraction_build::tables::model::Basis;
 use diffraction_render::render::png_image::write_png;
@@ -73,10 +74,10 @@ pub(super) fn describe(
     })?;
     let budget = match &planned.coverage {
         None => None,
-        Some(coverage) => Some(clock.stage(Stage::AccountSavings, || {
+        Some(covered) => Some(clock.stage(Stage::AccountSavings, || {
             let scenes: Vec<&Scene> = ingested.scenes.iter().collect();
             let (whole, cost) = (&job.config.tables, measured.stored.took.cost);
-            serve::account(&planned.source, &scenes, coverage, whole, cost, job.config.report.savings)
+            coverage::account(&planned.input, &scenes, covered, whole, cost, job.config.report.savings)
         })?),
     };
     Ok(Described {
@@ -206,11 +207,11 @@ fn result(
 }
 
 fn build_result(ingested: &Ingested, planned: &Planned, stored: &Stored) -> BuildResult {
-    let Planned { source, plan, .. } = planned;
+    let Planned { input, plan, .. } = planned;
     // The published series is built another way, which no forecast knows.
-    let predicted = (source.tables.basis == Basis::Chebyshev).then(|| {
+    let predicted = (input.tables.basis == Basis::Chebyshev).then(|| {
         let threads = rayon::current_num_threads();
-        Cost::predicted(&forecast_of(source.fields, source.optics, source.tables, plan, threads))
+        Cost::predicted(&forecast_of(input, plan, threads))
     });
     BuildResult {
         basis: stored.set.basis,

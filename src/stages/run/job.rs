@@ -9,7 +9,7 @@ use diffraction_brdf::error::Result;
 use diffraction_build::height::HeightField;
 
 /// Draws a specimen's heights and their spectrum into its folder; given by the floor that knows how.
-pub type Illustrate<'a> =
+pub(crate) type Illustrate<'a> =
     &'a (dyn Fn(&HeightField, &Statistics, &Path, &str) -> Result<(HeightMapFile, SpectrumFile)> + Sync);
 
 /// One specimen of a run.

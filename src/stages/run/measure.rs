@@ -47,14 +47,14 @@ pub(super) fn measure(
         None => None,
         Some(exact) => Some(clock.stage(Stage::EvaluateReference, || {
             let pictures = works.iter().flat_map(SceneWork::pairs);
-            planned.known.reference(&planned.source, &planned.plan, exact.tables.len(), directions, pictures)
+            planned.known.reference(&planned.input, &planned.plan, exact.tables.len(), directions, pictures)
         })?),
     };
     let (errors, (power_sums, lobe_share)) = clock.stage(Stage::MeasureErrors, || {
         let errors = match (&reference, &exact) {
             (Some(reference), Some(exact)) => {
                 let mut errors = error_rows(reference, &stored.set, exact);
-                errors.push(planned.known.direct_row(&planned.source, reference)?);
+                errors.push(planned.known.direct_row(&planned.input, reference)?);
                 errors
             }
             _ => Vec::new(),

@@ -12,7 +12,7 @@ use rustfft::num_complex::Complex;
 
 use super::config::OpticsConfig;
 use super::kernel::Kernel;
-use super::spectra::bandwidth_nm;
+use super::spectra::half_height_range_nm;
 use super::window::{Placement, WindowAxis, placements, window_axis};
 use crate::ground::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers};
 use crate::height::HeightField;
@@ -77,7 +77,7 @@ pub fn resolving_count(optics: &OpticsConfig, q: Vec3, half_range_nm: f64, step:
 /// # Errors
 /// A scan too small for the window, or an invisible light.
 pub fn brdf_xyz(fields: &[HeightField], optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> Result<Xyz> {
-    let half_range_nm = fields.iter().map(bandwidth_nm).fold(0.0, f64::max);
+    let half_range_nm = fields.iter().map(half_height_range_nm).fold(0.0, f64::max);
     let quadrature = resolving_wavelengths(optics, wave_vector_change(wi, wo), half_range_nm, FULL_STEP)?;
     let spectrum = brdf_spectrum(fields, optics, wi, wo, &quadrature.wavelengths_nm)?;
     let mut xyz = [0.0; 3];

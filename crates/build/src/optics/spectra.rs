@@ -73,8 +73,8 @@ pub struct Spectra {
     pub axes: [WindowAxis; 2],
 }
 
-/// Half the peak-to-valley range of the heights in nm: the bandwidth in `s` after centring.
-pub fn bandwidth_nm(field: &HeightField) -> f64 {
+/// Half the peak-to-valley range of the heights in nm: the bandwidth in the phase scale, measured from mid-range.
+pub fn half_height_range_nm(field: &HeightField) -> f64 {
     let [low, high] = range_nm(field);
     0.5 * (high - low).max(0.0)
 }
@@ -187,7 +187,7 @@ pub fn smooth_size(size: usize) -> usize {
 
 /// Number of nodes in `s` that a field takes.
 pub fn nodes_for(field: &HeightField, config: &SpectraConfig) -> usize {
-    chebyshev::nodes_for_exponential(bandwidth_nm(field), config.s[1] - config.s[0], config.tolerance)
+    chebyshev::nodes_for_exponential(half_height_range_nm(field), config.s[1] - config.s[0], config.tolerance)
 }
 
 /// Refuses what [`transform`] would refuse.
@@ -248,7 +248,7 @@ pub fn transform(
         kernel,
         mean_phasor: Vec::with_capacity(nodes),
         lobe_peak_nm2: plans.iter().map(|p| p.window.integral_nm.powi(2) / p.window.norm_nm).product(),
-        half_range_nm: bandwidth_nm(field),
+        half_range_nm: half_height_range_nm(field),
         mean_power: placement == Placement::TileMean,
         axes: [plans[0].window.clone(), plans[1].window.clone()],
     };

@@ -12,8 +12,9 @@ use glam::Vec4;
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
-use super::domain::{Texels, inner_columns};
-use super::plan::{Grid, Ring};
+use super::grid::Grid;
+use super::rings::Ring;
+use super::texels::{Texels, inner_columns};
 use crate::optics::kernel::{Kernel, Taps};
 use crate::optics::spectra::Spectra;
 
@@ -85,7 +86,7 @@ pub struct RingSum<'a> {
 /// Adds one window's contribution over a ring, for the values of `w` in `w_nodes`.
 pub fn add_ring(spectra: &Spectra, what: RingSum, w_nodes: &[f64], sums: &mut PowerSums) {
     let quadrature = &what.ring.quadrature;
-    let Some(part) = RingTexels::new(what.texels, what.ring.rho) else { return };
+    let Some(part) = RingTexels::new(what.texels, what.ring.radius) else { return };
     let mut scratch = vec![Vec::new(); WAVES];
     let bands = quadrature.wavelengths_nm.chunks(WAVES).zip(quadrature.weights.chunks(WAVES));
     for (wavelengths_nm, weights) in bands {
@@ -316,7 +317,7 @@ impl<'a> Wave<'a> {
         // Half a texel more for the box samples around a texel's centre.
         let slack = reach * self.wavelength_nm + grid.texel();
         let (nearest, farthest) = ((v - slack).max(0.0), v + slack);
-        let [inner, outer] = self.ring.rho;
+        let [inner, outer] = self.ring.radius;
         let outer = grid.columns_within((outer * outer - nearest * nearest).max(0.0).sqrt());
         let hole = inner_columns(grid, inner, farthest);
         let own = &self.part.columns;

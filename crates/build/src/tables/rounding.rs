@@ -9,9 +9,10 @@ use std::path::Path;
 use ndarray::Array3;
 use rayon::prelude::*;
 
+use super::grid::Grid;
 use super::model::{Basis, Rounding, Storage, TableSet};
-use super::pilot::{LIT, PLACES_TESTED, quantile, spread_texels};
-use super::plan::{Grid, RIM_TEXELS};
+use super::order::{LIT, PLACES_TESTED, quantile, spread_texels};
+use super::plan::RIM_TEXELS;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::{Xyz, max_abs_w};
 use diffraction_brdf::error::Result;

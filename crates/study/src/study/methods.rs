@@ -25,7 +25,9 @@ use diffraction_build::optics::reference::FULL_STEP;
 use diffraction_build::optics::spectra::{Spectra, transform};
 use diffraction_build::optics::spectral::add_window;
 use diffraction_build::tables::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+use diffraction_build::tables::plan;
 
 /// Radii and azimuths of the power sum.
 const POWER_GRID: [usize; 2] = [96, 128];
@@ -193,7 +195,8 @@ impl Context<'_> {
     /// Tables of one basis and number, stored in both formats.
     fn table_rows(&self, basis: Basis, count: usize) -> Result<(TableSet, Vec<MethodRow>)> {
         let config = TablesConfig { count: Some(count), ..self.tables_config(basis) };
-        let (set, cost) = measured(|| Ok(build::build(self.fields, self.optics, &config, &|_| ())?.0))?;
+        let (set, cost) =
+            measured(|| Ok(build::build(&BuildInput::new(self.fields, self.optics, &config), &|_| ())?.0))?;
         let mut rows = Vec::new();
         for storage in [Storage::Float, Storage::Half] {
             let packed = PackedTables::new(&set, count, storage);
@@ -311,7 +314,7 @@ impl Context<'_> {
     /// warped radii, dense at the lobe.
     fn power_sum(&self, batch: Batch) -> f64 {
         let limits =
-            self.fields.iter().map(|f| diffraction_build::tables::plan::usable_radius(self.optics, f.pitch_nm));
+            self.fields.iter().map(|f| diffraction_build::tables::resolution::usable_radius(self.optics, f.pitch_nm));
         let rim = limits.fold(0.999, f64::min);
         let [radii, azimuths] = POWER_GRID;
         let (mut pairs, mut areas) = (Vec::new(), Vec::new());
@@ -352,7 +355,7 @@ pub fn tables_config(config: &StudyConfig, basis: Basis) -> TablesConfig {
 /// The transforms of all windows, and what they took.
 pub fn transforms(fields: &[HeightField], optics: &OpticsConfig, config: &StudyConfig) -> Result<(Vec<Spectra>, Cost)> {
     measured(|| {
-        let plan = build::plan(fields, optics, &tables_config(config, Basis::Chebyshev))?;
+        let plan = plan::plan(&BuildInput::new(fields, optics, &tables_config(config, Basis::Chebyshev)))?;
         let windows = plan.windows.iter();
         windows.map(|&(scan, place)| transform(&fields[scan], place, optics, &plan.spectra)).collect()
     })

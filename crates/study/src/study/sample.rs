@@ -11,7 +11,7 @@ use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::reference::brdf_xyz_batch;
-use diffraction_build::tables::plan::usable_radius;
+use diffraction_build::tables::resolution::usable_radius;
 
 /// Directions summed between two words of progress.
 const PART: usize = 16;

@@ -15,7 +15,7 @@ use diffraction_study::stability::{StabilityCase, Verdict, run_stability};
 use diffraction_study::study::{GpuClock, SceneSamples, StudyConfig, StudySpecimen, run_study};
 
 /// As [`super::run`].
-pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
     let (manifest, _) = manifest::load(&args.manifest)?;
     if let Some(unknown) = args.specimen.iter().find(|name| manifest.specimens.iter().all(|s| s.name != **name)) {
         return Err(Error::Call(format!("{}: no specimen is called `{unknown}`", args.manifest.display())));
