@@ -69,7 +69,7 @@
 //! ```
 //!
 //! From files: [`height::read`] and [`height::prepare`] give height fields, [`tables::storage`] keeps tables as EXR,
-//! [`stages::pipeline`] does it all for a [`manifest`].
+//! [`stages::run::pipeline`] does it all for a [`manifest`].
 //!
 //! # Floors
 //!

@@ -335,9 +335,7 @@ fn taken(built: &BuildResult) -> String {
     };
     let seconds = built.predicted.iter().map(|cost| format!("predicted {}", numbers::seconds(cost.seconds)));
     let processor = built.build_cpu_s.iter().map(|s| format!("{} of processor time", numbers::seconds(*s)));
-    let known = (built.known_share > 0.0)
-        .then(|| format!("{:.0} % of the sums were known", (100.0 * built.known_share).floor()));
-    let mut taken = numbers::seconds(built.build_s) + &in_brackets(seconds.chain(processor).chain(known).collect());
+    let mut taken = numbers::seconds(built.build_s) + &in_brackets(seconds.chain(processor).collect());
     if let Some(bytes) = built.memory_bytes {
         let memory =
             built.predicted.iter().map(|cost| format!("predicted {}", numbers::bytes(cost.memory_bytes as u64)));

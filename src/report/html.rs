@@ -343,7 +343,7 @@ fn failures(results: &RunResults) -> Vec<Value> {
         .map(|failure| {
             let place = match &failure.specimen {
                 Some(specimen) => format!("{specimen}, {}", failure.stage),
-                None => failure.stage.clone(),
+                None => failure.stage.to_string(),
             };
             context! { place => place, message => &failure.message }
         })
@@ -352,16 +352,8 @@ fn failures(results: &RunResults) -> Vec<Value> {
 
 /// What was kept from earlier runs.
 fn cache_line(used: &CacheUse) -> String {
-    let sums = match used.texels_found {
-        0 => String::new(),
-        known => format!(
-            "sums at {} of {} texels of tables that were built, ",
-            numbers::count(known),
-            numbers::count(known + used.texels_summed)
-        ),
-    };
     format!(
-        "From earlier runs: tables of {} of {}, {sums}{} of {} values of the reference ({} read, {} written).",
+        "From earlier runs: tables of {} of {}, {} of {} values of the reference ({} read, {} written).",
         used.tables_found,
         plural((used.tables_found + used.tables_built) as usize, "specimen"),
         numbers::count(used.pairs_found),
@@ -386,13 +378,13 @@ fn own_stages<'a>(stages: &'a [StageTime], specimen: &str) -> Vec<&'a StageTime>
     stages.iter().filter(|stage| stage.specimen.as_deref() == Some(specimen)).collect()
 }
 
-/// Elapsed seconds per stage name, in the order in which the names first occur.
+/// Elapsed seconds per stage, in the order in which the stages first occur.
 fn by_stage(stages: &[&StageTime]) -> Vec<(String, f64)> {
     let mut sums: Vec<(String, f64)> = Vec::new();
     for stage in stages {
-        match sums.iter_mut().find(|sum| sum.0 == stage.name) {
+        match sums.iter_mut().find(|sum| sum.0 == stage.name.as_str()) {
             Some(sum) => sum.1 += stage.wall_s,
-            None => sums.push((stage.name.clone(), stage.wall_s)),
+            None => sums.push((stage.name.to_string(), stage.wall_s)),
         }
     }
     sums
@@ -428,7 +420,7 @@ mod tests {
     /// A run with one specimen and two pictures.
     fn small_run() -> RunResults {
         serde_json::from_value(serde_json::json!({
-            "schema": 1, "atlas_name": "small", "version": null, "program_version": "0",
+            "schema": crate::stages::results::RESULTS_SCHEMA, "atlas_name": "small", "version": null, "program_version": "0",
             "started": "2025-01-01T00:00:00Z", "threads": 1, "cpu_count": 1,
             "manifest_text": "", "stages": [], "gpu": { "state": "skipped", "why": "no adapter" },
             "failures": [], "peak_memory_mib": null, "total_wall_s": 1.0,

@@ -16,7 +16,7 @@ mod gpu_facts;
 mod measured;
 mod numbers;
 mod plots;
-mod spectrum_picture;
+pub mod spectrum_picture;
 mod svg;
 
 pub use html::render_html;

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use minijinja::{Environment, Value, context};
 
-use super::embed::base64;
+use super::embed::data_uri;
 use super::study_plots::{
     Figure, cost_figure, cost_figure_on_texels, knob_figure, stability_figures, svg, tables_figure, tolerance_figure,
 };
@@ -114,7 +114,7 @@ fn strip(specimen: &SpecimenStudy) -> Result<Vec<Shown>> {
                 }
                 _ => "reference".into(),
             };
-            let href = format!("data:image/png;base64,{}", base64(&encode_png(&picture.rgb)?));
+            let href = data_uri(&encode_png(&picture.rgb)?);
             shown.push(Shown { caption, scene: picture.scene.clone(), href });
         }
     }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::scenes::pairs_of;
+use super::pictures::scenes::pairs_of;
 use super::serve::Source;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::{Vec3, wave_vector_change};

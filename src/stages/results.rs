@@ -6,8 +6,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::cache::CacheUse;
-pub use super::gpu_results::{GpuResult, GpuRow};
+pub use super::gpu::results::{GpuResult, GpuRow};
 use super::serve::{Budget, Cost};
+use super::stage::Stage;
 use crate::stages::measured::MeasuredResult;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::accuracy::power_sums::PowerSum;
@@ -28,7 +29,7 @@ pub struct RunResults {
     pub schema: u32,
     /// Name of the atlas, from the manifest.
     pub atlas_name: String,
-    /// The version this run published, such as `v0003`; `None` where it published none.
+    /// The version that this run publishes if anything has changed, such as `v0003`; `None` where every specimen failed.
     pub version: Option<String>,
     /// Version of the program.
     pub program_version: String,
@@ -66,8 +67,8 @@ pub struct RunResults {
 /// Duration of one stage.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StageTime {
-    /// A verb phrase: "build tables".
-    pub name: String,
+    /// Which stage.
+    pub name: Stage,
     /// The specimen it worked on; `None` for what concerns the whole atlas.
     pub specimen: Option<String>,
     /// Elapsed seconds.
@@ -82,7 +83,7 @@ pub struct Failure {
     /// The specimen it concerns, if any.
     pub specimen: Option<String>,
     /// The stage that failed.
-    pub stage: String,
+    pub stage: Stage,
     /// What happened and what to do about it.
     pub message: String,
 }
@@ -170,9 +171,6 @@ pub struct BuildResult {
     /// threads. `None` where the system does not tell.
     #[serde(default)]
     pub build_cpu_s: Option<f64>,
-    /// Share of the texels whose sums earlier runs had left, for tables that serve scenes.
-    #[serde(default)]
-    pub known_share: f64,
     /// Most bytes that building held on the heap, its tables included, the scans not; `None` where nobody counted them.
     #[serde(default)]
     pub memory_bytes: Option<u64>,
@@ -312,13 +310,13 @@ mod tests {
     #[test]
     fn an_unknown_layout_is_refused_by_name() {
         for (text, complaint) in [
-            ("{", "report.json: is not JSON"),
-            ("{}", "report.json: has no `schema`"),
-            ("{\"schema\": 99}", "report.json: has schema 99"),
-            ("{\"schema\": 2}", "report.json: does not hold"),
+            ("{", "JSON"),
+            ("{}", "`schema`"),
+            ("{\"schema\": 99}", "schema 99"),
+            (&format!("{{\"schema\": {RESULTS_SCHEMA}}}"), "missing field"),
         ] {
             let error = from_json(text, "report.json").unwrap_err().to_string();
-            assert!(error.starts_with(complaint), "{error}");
+            assert!(error.starts_with("report.json: ") && error.contains(complaint), "{error}");
         }
     }
 }

@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 use std::time::Instant;
 
 use super::results::StageTime;
+use super::stage::Stage;
 
 /// An allocator that counts what lives on the heap. Installing one takes a program; a library is lent it. The program
 /// does so with the feature `count-memory`, the tests of forecasts always.
@@ -54,15 +55,15 @@ pub struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// Begins.
+    /// From now on.
     pub fn start() -> Self {
         Self { started: Instant::now(), processor_s: processor_s() }
     }
 
     /// What the stage took until now.
-    pub fn read(&self, name: &str, specimen: Option<&str>) -> StageTime {
+    pub fn read(&self, stage: Stage, specimen: Option<&str>) -> StageTime {
         StageTime {
-            name: name.into(),
+            name: stage,
             specimen: specimen.map(Into::into),
             wall_s: self.started.elapsed().as_secs_f64(),
             cpu_s: processor_s().zip(self.processor_s).map(|(now, then)| now - then),
@@ -72,18 +73,18 @@ impl Stopwatch {
 
 #[cfg(all(test, target_os = "linux"))]
 mod tests {
-    use super::Stopwatch;
+    use super::{Stage, Stopwatch};
 
     #[test]
     fn work_takes_processor_time_and_sleep_does_not() {
         let idle = Stopwatch::start();
         std::thread::sleep(std::time::Duration::from_millis(30));
-        let idle = idle.read("sleep", None);
+        let idle = idle.read(Stage::Plan, None);
         assert!(idle.wall_s >= 0.03 && idle.cpu_s.is_some());
         let busy = Stopwatch::start();
         let mut sum = 0u64;
         // Other tests may be counted too: processor time is the process's.
-        while busy.read("work", Some("a")).cpu_s.unwrap() < 0.05 {
+        while busy.read(Stage::BuildTables, Some("a")).cpu_s.unwrap() < 0.05 {
             sum = std::hint::black_box((0..100_000).fold(sum, |a, b| a.wrapping_mul(31) ^ b));
         }
     }

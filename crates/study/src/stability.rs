@@ -43,7 +43,7 @@ pub struct StabilityCase {
 pub struct Guard {
     /// What it is.
     pub what: String,
-    /// The case's figure without it; may be infinite or no number, which JSON writes as `null`.
+    /// The case's figure without it; may be infinite, which JSON writes as `null`. No number shows nothing.
     pub without: f64,
 }
 
@@ -55,18 +55,19 @@ pub enum Verdict {
     Kept,
     /// Beyond the bound, or not a number.
     Broken,
-    /// Within the bound, but so it is without its guard: nothing is shown.
+    /// Within the bound, but without its guard no number beyond it was seen: nothing is shown.
     Blind,
 }
 
 impl StabilityCase {
-    /// Whether the bound was kept, which NaN never is, and is not without the guard.
+    /// Whether the bound was kept, and is exceeded without the guard; NaN does neither.
     pub fn verdict(&self) -> Verdict {
-        let within = |figure: f64| figure <= self.bound;
-        match () {
-            () if !within(self.measured) || self.half.is_some_and(|share| share > 1.0) => Verdict::Broken,
-            () if within(self.guard.without) => Verdict::Blind,
-            () => Verdict::Kept,
+        let kept = self.measured <= self.bound && self.half.is_none_or(|share| share <= 1.0);
+        let exceeded = self.guard.without > self.bound;
+        match (kept, exceeded) {
+            (false, _) => Verdict::Broken,
+            (true, false) => Verdict::Blind,
+            (true, true) => Verdict::Kept,
         }
     }
 }

@@ -25,22 +25,27 @@ fn faults(case: &StabilityCase) -> Vec<String> {
     let wrong = [
         (measured.is_nan() || measured > bound, format!("{name}: {measured:e} of {bound:e}")),
         (!half.is_none_or(|share| share <= 1.0), format!("{name}: halves deviate by {half:?} of their rounding")),
-        (without <= *bound, format!("{name}: {without:e} without {} keeps {bound:e}", guard.what)),
+        (without.is_nan() || without <= *bound, format!("{name}: {without:e} without {} keeps {bound:e}", guard.what)),
         (case.verdict() != Verdict::Kept, format!("{name}: {:?}", case.verdict())),
     ];
     wrong.into_iter().filter(|(wrong, _)| *wrong).map(|(_, message)| message).collect()
 }
 
 #[test]
+#[ignore = "slow: the whole suite"]
 fn every_case_keeps_its_bound_and_fails_where_its_guard_is_taken_out() {
     let cases = &stability().cases;
     let faults: Vec<String> = cases.iter().flat_map(faults).collect();
     assert!(faults.is_empty(), "{faults:#?}");
-    assert!(cases.len() >= 60, "{}", cases.len());
     let mut names: Vec<_> = cases.iter().map(|case| &case.name).collect();
     names.sort_unstable();
     names.dedup();
     assert_eq!(names.len(), cases.len(), "every case has a name of its own");
+    // The extremes are there: four decades of relief, and |w| down to where doubles' rounding would show.
+    let depths = stability().depths.iter().map(|row| row.depth_nm);
+    let [shallow, deep] = depths.fold([f64::MAX, 0.0], |[low, high], depth: f64| [low.min(depth), high.max(depth)]);
+    assert!(deep >= 1e4 * shallow && deep >= 20_000.0, "{shallow} to {deep} nm");
+    assert!(stability().grazing.iter().any(|row| row.t < 1e-3));
 }
 
 #[test]
@@ -55,7 +60,8 @@ fn a_verdict_needs_the_bound_kept_the_halves_right_and_the_guard_missed() {
     };
     for (measured, half, without, verdict) in [
         (1.0, 1.0, 1.1, Verdict::Kept),
-        (0.5, 1.0, f64::NAN, Verdict::Kept),
+        (0.5, 1.0, f64::NAN, Verdict::Blind),
+        (0.5, f64::NAN, 2.0, Verdict::Broken),
         (0.5, 1.0, f64::INFINITY, Verdict::Kept),
         (1.1, 1.0, 2.0, Verdict::Broken),
         (f64::NAN, 1.0, 2.0, Verdict::Broken),
@@ -67,6 +73,7 @@ fn a_verdict_needs_the_bound_kept_the_halves_right_and_the_guard_missed() {
 }
 
 #[test]
+#[ignore = "slow: the whole suite"]
 fn cost_grows_linearly_with_depth() {
     let depths = &stability().depths;
     let [shallow, deep] = [depths.iter().find(|row| row.depth_nm == 1_500.0), depths.last()].map(Option::unwrap);
@@ -79,6 +86,7 @@ fn cost_grows_linearly_with_depth() {
 }
 
 #[test]
+#[ignore = "slow: the whole suite"]
 fn the_published_series_fails_format_by_format_as_forecast() {
     let series = &stability().series;
     for row in series {
@@ -102,6 +110,7 @@ fn the_published_series_fails_format_by_format_as_forecast() {
 
 /// Some seconds and two gigabytes each, one after the other.
 #[test]
+#[ignore = "slow: scans and tables of many megabytes"]
 fn large_scans_and_tables_keep_their_bounds() {
     let started = std::time::Instant::now();
     for case in large_cases() {

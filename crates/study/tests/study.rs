@@ -149,11 +149,11 @@ fn methods_rank_as_theory_says() {
     assert!((16.0..256.0).contains(&(coarse / fine)), "{coarse:e} {fine:e}");
 }
 
-/// `cargo test --release -p diffraction-study --test study deeper -- --ignored --nocapture`: how the gap at equal error widens with depth, on the
+/// `cargo test --release -p diffraction-study measuring_deeper -- --ignored --nocapture`: how the gap at equal error widens with depth, on the
 /// bundled corn snake's structure at several times its height.
 #[test]
 #[ignore = "minutes of measuring, and figures that a busy machine spoils"]
-fn deeper_structures_at_equal_error() {
+fn measuring_deeper_structures_at_equal_error() {
     let (_, structure, size, pitch_nm) = bundled().into_iter().find(|(name, ..)| *name == "corn_snake_like").unwrap();
     let snake = synthesize(&structure, size, pitch_nm).unwrap();
     let config = StudyConfig {
@@ -201,6 +201,8 @@ fn a_deep_surface_lists_the_published_method_as_refused() {
         wavelength_steps_nm: vec![],
         sizes: vec![],
         size: 41,
+        equal_size: 41,
+        tolerances: vec![],
         directions: 4,
         ..config()
     };

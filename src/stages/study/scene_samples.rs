@@ -2,7 +2,7 @@
 
 use ndarray::Array3;
 
-use super::super::scenes::pairs_of;
+use crate::stages::pictures::scenes::pairs_of;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::Result;
 use diffraction_render::scene::model::{Exposure, Scene, exposure_factor};

@@ -4,7 +4,6 @@ pub mod accumulate;
 pub mod build;
 pub mod domain;
 pub mod forecast;
-pub mod kept;
 pub mod lobe;
 pub mod model;
 pub mod pilot;
