@@ -5,7 +5,7 @@ use diffraction_atlas::stages::study::{FrameClock, drawn};
 use diffraction_build::ground::progress::Silent;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_render::scene::model::{Light, Scene, Shape};
 use diffraction_study::stability::{DepthRow, GrazingRow, Guard, SeriesRow, Stability, StabilityCase};
 use diffraction_study::study::{GpuClock, PURPOSES, Study, StudyConfig, StudySpecimen, run_study};
@@ -35,6 +35,7 @@ fn specimen(depth_nm: f64) -> StudySpecimen {
             windows: Windows::Grid,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         },
         scenes: vec![Box::new(drawn(&ball(), 1_000).unwrap())],
     }

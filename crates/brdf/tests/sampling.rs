@@ -3,6 +3,7 @@
 #[path = "tiny_atlas/mod.rs"]
 mod tiny_atlas;
 
+use diffraction_brdf::front_factor::Factor;
 use std::f64::consts::PI;
 use std::path::Path;
 use std::sync::OnceLock;
@@ -42,6 +43,7 @@ fn built(name: &str, material: Material, level: Level, blend_nm: Option<f64>) ->
         windows: Windows::Grid,
         material,
         shadowing: false,
+        factor: Factor::Scalar,
     };
     let config = TablesConfig {
         basis: Basis::Chebyshev,
@@ -287,7 +289,7 @@ fn a_black_surface_is_sampled_evenly() {
     let mut set = tiny_atlas::tiny_tables();
     set.tables.iter_mut().for_each(|table| table.fill(0.0));
     set.lobe = None;
-    set.front_factor = FrontFactor { material: Material::Ideal, shadowing: false };
+    set.front_factor = FrontFactor { material: Material::Ideal, shadowing: false, factor: Factor::Scalar };
     let brdf = Brdf::new(set).unwrap();
     let sample = brdf.sample(from_angles_deg(60.0, 10.0), [0.3, 0.4, 0.5]).unwrap();
     assert!((sample.pdf - 0.5 / PI).abs() < 1e-15 && sample.weight == [0.0; 3]);

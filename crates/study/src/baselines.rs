@@ -64,7 +64,7 @@ pub fn integrate_spectra(
     let mut by_count: BTreeMap<usize, SpectralQuadrature> = BTreeMap::new();
     for (pair, xyz) in pairs.iter().zip(xyz) {
         let q = wave_vector_change(pair.0, pair.1);
-        let front = optics.front_factor().value(pair.0, pair.1);
+        let front = optics.front_factor().diffuse(pair.0, pair.1);
         if front == 0.0 {
             continue;
         }

@@ -1,6 +1,7 @@
 //! The study measures what is known: the order of the methods, and the limits of the published one.
 
 use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg};
+use diffraction_brdf::front_factor::Factor;
 use diffraction_build::ground::colour::auto_exposure;
 use diffraction_build::ground::progress::Silent;
 use diffraction_build::ground::spectrum::Illuminant;
@@ -75,6 +76,7 @@ fn specimen(depth_nm: f64) -> StudySpecimen {
             windows: Windows::Grid,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         },
         scenes: vec![Box::new(Dome::new())],
     }

@@ -225,7 +225,7 @@ impl Reflectance {
             let cos: f64 = (k as f64 / 64.0).max(0.01);
             let sin = (1.0 - cos * cos).sqrt();
             // 1 + wi.wo = 2 cos², so that the geometry factor is 4 cos².
-            front_factor.value([sin, 0.0, cos], [-sin, 0.0, cos]) / (4.0 * cos * cos)
+            front_factor.diffuse([sin, 0.0, cos], [-sin, 0.0, cos]) / (4.0 * cos * cos)
         };
         Self((0..=64).map(at).collect())
     }

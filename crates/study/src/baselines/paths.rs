@@ -53,6 +53,7 @@ impl OpticalPaths {
 mod tests {
     use super::*;
     use crate::baselines::tests::{sinusoid, uneven};
+    use diffraction_brdf::front_factor::Factor;
     use diffraction_build::ground::spectrum::{Illuminant, Line};
     use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
     use diffraction_build::optics::reference;
@@ -88,13 +89,14 @@ mod tests {
             windows: Windows::Centre,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         };
         let paths = OpticalPaths::sampled(&field, optics.sigma_nm, 1 << 17);
         let (wi, wo) = ([-0.1, 0.0, 0.99f64.sqrt()], [-0.1995, 0.0, (1.0 - 0.1995f64.powi(2)).sqrt()]);
         let q: Vec3 = std::array::from_fn(|axis| -wi[axis] - wo[axis]);
         let exact = reference::brdf_spectrum(&[field], &optics, wi, wo, &[532.0]).unwrap()[0];
         let brdf =
-            |q: Vec3| optics.front_factor().value(wi, wo) * paths.power_nm2(q, &[532.0])[0] / (532.0 * q[2]).powi(2);
+            |q: Vec3| optics.front_factor().diffuse(wi, wo) * paths.power_nm2(q, &[532.0])[0] / (532.0 * q[2]).powi(2);
         let [found, mirrored] = [brdf(q), brdf([-q[0], q[1], q[2]])].map(|f| (f / exact - 1.0).abs());
         println!("{found:e} {mirrored:e}");
         assert!(found < 1e-2 && mirrored > 0.2, "{found:e} {mirrored:e}");

@@ -196,6 +196,7 @@ impl LightField {
 mod tests {
     use super::*;
     use crate::baselines::tests::{sinusoid, uneven};
+    use diffraction_brdf::front_factor::Factor;
     use diffraction_build::ground::spectrum::{Illuminant, Line};
     use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
     use diffraction_build::optics::reference;
@@ -259,6 +260,7 @@ mod tests {
             windows: Windows::Centre,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         };
         let screen = PhaseScreen::along(&field, [1.0, 0.0], SIGMA_NM);
         // Near the orders -2, -1 and 1.
@@ -267,8 +269,9 @@ mod tests {
             assert_eq!(plane_of_incidence(wi, wo), [1.0, 0.0]);
             let exact = reference::brdf_spectrum(std::slice::from_ref(&field), &optics, wi, wo, &[NM]).unwrap()[0];
             let q: Vec3 = std::array::from_fn(|axis| -wi[axis] - wo[axis]);
-            let brdf =
-                |q: Vec3| optics.front_factor().value(wi, wo) * screen.projected_nm2(q, &[NM])[0] / (NM * q[2]).powi(2);
+            let brdf = |q: Vec3| {
+                optics.front_factor().diffuse(wi, wo) * screen.projected_nm2(q, &[NM])[0] / (NM * q[2]).powi(2)
+            };
             let [found, mirrored] = [brdf(q), brdf([-q[0], q[1], q[2]])].map(|f| (f / exact - 1.0).abs());
             // The scan ends at 4 σ, where the window's amplitude is 3e-4.
             assert!(found < 5e-3 && mirrored > 0.1, "{sine}: {found:e} {mirrored:e}");

@@ -114,7 +114,7 @@ fn lobe_between_texels(set: &TableSet, field: &HeightField) -> StabilityCase {
         let share = u.abs() / texel;
         let rest = window_power(set, Interpolation::Cubic, [u, 0.0, w])[1]
             - lobe_window_power(set, Interpolation::Cubic, [u, 0.0, w])[1];
-        set.front_factor.value(wi, wo) * (rest + (1.0 - share) * left + share * right)
+        set.front_factor.diffuse(wi, wo) * (rest + (1.0 - share) * left + share * right)
     });
     // The lobe carries the light there; what the tables add between their own texels is a few per cent of it.
     case("mirror lobe between texels", "95 % error of Y", found.error(), 5.0 * BOUND)
@@ -133,7 +133,7 @@ fn grazing_mirror(set: &TableSet, field: &HeightField) -> StabilityCase {
         let at = 0.5 * wave_vector_change(wi, wo)[2].abs() * steps;
         let row = |row: f64| lobe_window_power(set, Interpolation::Bilinear, [0.0, 0.0, 2.0 * row / steps])[1];
         let share = at - at.floor();
-        set.front_factor.value(wi, wo) * ((1.0 - share) * row(at.floor()) + share * row(at.floor() + 1.0))
+        set.front_factor.diffuse(wi, wo) * ((1.0 - share) * row(at.floor()) + share * row(at.floor() + 1.0))
     });
     case("grazing mirror, 85 to 89.9 degrees", "95 % error of Y", found.error(), BOUND)
         .guarded("division by w² after the look-up", of_quotients)

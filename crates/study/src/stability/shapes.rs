@@ -206,7 +206,7 @@ fn line() -> StabilityCase {
     on_one_row("a relief of N x 1 samples", &field, "one line along an axis of one sample; its aliases", &|found| {
         found.error_of(&|wi, wo| {
             let power = window_power(found.set, Interpolation::Cubic, wave_vector_change(wi, wo))[1];
-            found.set.front_factor.value(wi, wo) * power * repeated
+            found.set.front_factor.diffuse(wi, wo) * power * repeated
         })
     })
 }

@@ -63,8 +63,8 @@ impl Texels {
         let parts = self.pairs.chunks(nodes).zip(exact.chunks(nodes));
         let mean = |(&(wi, wo), (pairs, exact)): (&Pair, (&[Pair], &[Xyz]))| {
             // Geometry and reflectance are outside the mean.
-            let powers = pairs.iter().zip(exact).map(|(&(wi, wo), xyz)| xyz[1] / optics.front_factor().value(wi, wo));
-            optics.front_factor().value(wi, wo)
+            let powers = pairs.iter().zip(exact).map(|(&(wi, wo), xyz)| xyz[1] / optics.front_factor().diffuse(wi, wo));
+            optics.front_factor().diffuse(wi, wo)
                 * powers.zip(&self.weights).map(|(power, weight)| weight * power).sum::<f64>()
         };
         self.centres.iter().zip(parts).map(mean).collect()
