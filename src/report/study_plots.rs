@@ -1,8 +1,7 @@
 //! Plots of a study as SVG: error against cost, against the number of tables, and against each knob.
 
-use plotters::coord::Shift;
-use plotters::prelude::*;
-
+use super::axes::Axis;
+use super::svg::{at, escape};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::ground::sampling::Region;
 use diffraction_study::stability::{DepthRow, GrazingRow, SeriesRow, Stability};
