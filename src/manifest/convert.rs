@@ -1,22 +1,23 @@
-//! From a manifest to the configuration of its run.
+//! From a manifest to the run it asks for.
 
 use super::model::Manifest;
 use crate::stages::config::RunConfig;
 
 /// The run that a manifest asks for; `text` is the manifest, word for word.
-pub fn run_config(manifest: &Manifest, text: &str) -> RunConfig {
+pub fn run_config(manifest: Manifest, text: String) -> RunConfig {
+    let Manifest { atlas, tables, serve, specimens, scenes, gpu, report, cache, base, .. } = manifest;
     RunConfig {
-        atlas_name: manifest.atlas.name.clone(),
-        atlas_root: manifest.atlas.out.join(&manifest.atlas.name),
-        tables: manifest.tables.clone(),
-        serve: manifest.serve.clone(),
-        specimens: manifest.specimens.clone(),
-        scenes: manifest.scenes.clone(),
-        gpu: manifest.gpu.check,
-        frame_time: manifest.gpu.frame_time,
-        report: manifest.report,
-        cache: manifest.cache.clone(),
-        manifest_text: text.to_owned(),
-        base: manifest.base.clone(),
+        atlas_root: atlas.out.join(&atlas.name),
+        atlas_name: atlas.name,
+        tables,
+        serve,
+        specimens,
+        scenes,
+        gpu: gpu.check,
+        frame_time: gpu.frame_time,
+        report,
+        cache,
+        manifest_text: text,
+        base,
     }
 }

@@ -1,10 +1,10 @@
 //! What holds where a manifest says nothing; docs/manifest.md lists the same values.
 
-use super::model::{FrameTiming, GpuCheck, GpuSection};
-use crate::stages::config::ReportConfig;
+use super::model::GpuSection;
+use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::prepare::Level;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, Prefilter, TablesConfig};
 use diffraction_render::scene::model::{Light, Shape};
 use diffraction_render::scene::turn::Axis;
@@ -78,6 +78,7 @@ pub fn optics() -> OpticsConfig {
         windows: Windows::Grid,
         material: Material::Ideal,
         shadowing: false,
+        factor: Factor::Scalar,
     }
 }
 

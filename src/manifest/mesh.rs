@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::defaults;
 use super::keys;
 use super::reader::{Item, Section};
-use crate::stages::shared_scenes::FOLDER as SHARED_FOLDER;
+use crate::stages::pictures::shared_scenes::FOLDER as SHARED_FOLDER;
 use diffraction_brdf::error::Result;
 use diffraction_render::scene::camera::{self, Camera, Field};
 use diffraction_render::scene::mesh::MeshShape;

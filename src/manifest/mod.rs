@@ -24,10 +24,10 @@ use std::path::Path;
 
 use toml::de::DeTable;
 
-pub use model::{
-    AtlasSection, CacheConfig, FrameTiming, GpuCheck, GpuSection, Manifest, ReportConfig, Serve, SpecimenConfig,
-};
+pub use model::{AtlasSection, GpuSection, Manifest};
 
+use crate::stages::cache::CacheConfig;
+use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
 use diffraction_brdf::error::{Error, Result};
 use reader::Section;
 use source::Source;

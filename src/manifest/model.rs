@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-pub use crate::stages::cache::CacheConfig;
-pub use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve, SpecimenConfig};
+use crate::stages::cache::CacheConfig;
+use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve, SpecimenConfig};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::tables::model::TablesConfig;
 use diffraction_render::scene::model::Scene;

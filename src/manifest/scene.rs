@@ -11,23 +11,16 @@ use super::tables;
 use diffraction_brdf::error::Result;
 use diffraction_render::scene::environment::{self, Environment};
 use diffraction_render::scene::limits::{
-    ANIMATION_PIXELS_MAX, EXPOSURE_MAX_EV, IRRADIANCE_MAX, LENGTH_MM, LIGHT_DIAMETER_MAX_DEG, SAMPLES_MAX, SIZE_MAX_PX,
-    STEEPEST_DEG,
+    ANIMATION_PIXELS_MAX, DIAMETER_MAX_DEG, EV_MAX, FPS_MAX, FRAMES_MAX, IRRADIANCE_MAX, LENGTH_MM, LIGHTS_MAX,
+    SAMPLES_MAX, SIZE_MAX_PX, TILT_MAX_DEG, TURN_MAX_DEG,
 };
 use diffraction_render::scene::model::{
     Animation, Exposure, Light, Moving, Scene, Shape, check_row_samples, check_turn,
 };
 use diffraction_render::scene::turn::{Axis, Turn};
 
-/// Smallest side of a picture in pixels, and the largest.
+/// Width and height of a picture: below, nobody sees anything.
 const SIZE_PX: [usize; 2] = [16, SIZE_MAX_PX];
-
-/// Most lights of one scene.
-const LIGHTS_MAX: usize = 64;
-
-/// Most frames of an animation, and frames per second.
-const FRAMES_MAX: usize = 1000;
-const FPS_MAX: usize = 60;
 
 /// What a shape is called, which keys it takes beside those of every scene, and how many lights.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -120,8 +113,8 @@ fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Res
         lights: lights(section, kind, &shape)?,
         animation: section.get("animate").map(|item| animation(&item, &shape, size_px)).transpose()?,
         shape,
-        turn: Turn::default(),
         size_px,
+        turn: Turn::default(),
         exposure: section.get("exposure").map_or(Ok(Exposure::Auto), |item| exposure(&item))?,
         environment: section.get("environment").map(|item| environment(&item, base)).transpose()?,
         tolerance: section.get("tolerance").map(|item| tables::tolerance(&item)).transpose()?,
@@ -189,8 +182,8 @@ fn shape(section: &Section, kind: Kind) -> Result<Shape> {
         Shape::Patch { width_mm, distance_mm, tilt_deg, turn_deg } => {
             length("width_mm", width_mm)?;
             length("distance_mm", distance_mm)?;
-            angle("tilt_deg", tilt_deg, STEEPEST_DEG)?;
-            angle("turn_deg", turn_deg, 360.0)?;
+            angle("tilt_deg", tilt_deg, TILT_MAX_DEG)?;
+            angle("turn_deg", turn_deg, TURN_MAX_DEG)?;
             if distance_mm <= width_mm {
                 let message = format!(
                     "`distance_mm` ({distance_mm}) must exceed `width_mm` ({width_mm}), or the tilted square could \
@@ -205,7 +198,7 @@ fn shape(section: &Section, kind: Kind) -> Result<Shape> {
             length("beam_diameter_mm", beam_diameter_mm)?;
             let hole = section.get("hole_diameter_mm").map(|item| item.number_within(0.0, LENGTH_MM[1], "mm"));
             *hole_diameter_mm = hole.transpose()?;
-            angle("incidence_deg", incidence_deg, STEEPEST_DEG)?;
+            angle("incidence_deg", incidence_deg, TILT_MAX_DEG)?;
             // The spot is stretched along the tilted specimen, whose rim must stay behind the screen.
             let reach_mm = 0.5 * *beam_diameter_mm * incidence_deg.to_radians().tan().abs();
             if reach_mm >= *distance_mm {
@@ -246,7 +239,7 @@ fn lights(section: &Section, kind: Kind, shape: &Shape) -> Result<Vec<Light>> {
 /// The light that stands for a screen's beam.
 fn beam(section: &Section) -> Result<Light> {
     let divergence =
-        section.get("beam_divergence_deg").map(|item| item.number_within(0.0, LIGHT_DIAMETER_MAX_DEG, "degrees"));
+        section.get("beam_divergence_deg").map(|item| item.number_within(0.0, DIAMETER_MAX_DEG, "degrees"));
     Ok(Light {
         direction: [0.0, 0.0, 1.0],
         angular_diameter_deg: divergence.transpose()?.unwrap_or(defaults::BEAM_DIVERGENCE_DEG),
@@ -257,8 +250,7 @@ fn beam(section: &Section) -> Result<Light> {
 fn light(item: &Item, shape: &Shape) -> Result<Light> {
     let example = "{ direction = [0.3, 0.2, 1.0] }";
     let section = item.section(&keys::LIGHT, example)?;
-    let diameter =
-        section.get("angular_diameter_deg").map(|item| item.number_within(0.0, LIGHT_DIAMETER_MAX_DEG, "degrees"));
+    let diameter = section.get("angular_diameter_deg").map(|item| item.number_within(0.0, DIAMETER_MAX_DEG, "degrees"));
     let irradiance = section.get("irradiance").map(|item| item.number_above(0.0, IRRADIANCE_MAX, ""));
     Ok(Light {
         direction: direction(&section.require("direction", example)?, shape)?,
@@ -276,10 +268,10 @@ fn environment(item: &Item, base: &Path) -> Result<Environment> {
         let section = item.section(&keys::ENVIRONMENT, example)?;
         file = section.require("file", example)?;
         if let Some(item) = section.get("rotate_deg") {
-            rotate_deg = item.number_within(-360.0, 360.0, "degrees")?;
+            rotate_deg = item.number_within(-TURN_MAX_DEG, TURN_MAX_DEG, "degrees")?;
         }
         if let Some(item) = section.get("scale") {
-            scale = item.number_above(0.0, 1e6, "")?;
+            scale = item.number_above(0.0, IRRADIANCE_MAX, "")?;
         }
     }
     let path = base.join(file.text_not_empty()?);
@@ -334,7 +326,7 @@ fn animation(item: &Item, shape: &Shape, size_px: usize) -> Result<Animation> {
         axis,
         frames: whole("frames", [2, FRAMES_MAX], defaults::ANIMATE_FRAMES)?,
         degrees: match section.get("degrees") {
-            Some(item) => item.number_within(-360.0, 360.0, "degrees")?,
+            Some(item) => item.number_within(-TURN_MAX_DEG, TURN_MAX_DEG, "degrees")?,
             None => defaults::ANIMATE_DEGREES,
         },
         fps: whole("fps", [1, FPS_MAX], defaults::ANIMATE_FPS)? as u16,
@@ -362,7 +354,7 @@ fn exposure(item: &Item) -> Result<Exposure> {
     }
     let section = item.section(&keys::EXPOSURE, "{ ev = 0.5 }")?;
     let ev = section.require("ev", "{ ev = 0.5 }")?;
-    ev.number_within(-EXPOSURE_MAX_EV, EXPOSURE_MAX_EV, "stops").map(Exposure::Ev)
+    ev.number_within(-EV_MAX, EV_MAX, "stops").map(Exposure::Ev)
 }
 
 fn one_of(item: &Item, specimens: &[&str]) -> Result<String> {

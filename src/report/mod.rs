@@ -5,8 +5,10 @@ mod budget_facts;
 mod colour_maps;
 pub mod html;
 pub mod pictures;
+#[cfg(feature = "study")]
 pub mod study_page;
-pub mod study_plots;
+#[cfg(feature = "study")]
+mod study_plots;
 
 mod embed;
 mod facts;
@@ -15,7 +17,7 @@ mod gpu_facts;
 mod measured;
 mod numbers;
 mod plots;
-mod spectrum_picture;
+pub mod spectrum_picture;
 mod svg;
 
 pub use html::render_html;

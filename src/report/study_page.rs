@@ -9,10 +9,10 @@ use super::embed::data_uri;
 use super::study_plots::{
     Figure, cost_figure, cost_figure_on_texels, knob_figure, stability_figures, svg, tables_figure, tolerance_figure,
 };
-use crate::stages::stability::{Stability, StabilityCase, Verdict};
-use crate::stages::study::{SpecimenStudy, Study};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_render::render::png_image::encode_png;
+use diffraction_study::stability::{Stability, StabilityCase, Verdict};
+use diffraction_study::study::{PURPOSES, SpecimenStudy, Study};
 
 /// Knobs whose settings are numbers: file key, rows drawn together, axis.
 const KNOB_PLOTS: [(&str, &[&str], &str); 5] = [
@@ -37,7 +37,7 @@ pub type File = (String, Vec<u8>);
 /// well.
 ///
 /// # Errors
-/// `Error::Call` if a plot or the page cannot be made: a defect of the program.
+/// `Error::Call` if the page cannot be made: a defect of the program.
 pub fn study_files(study: &Study, stability: &Stability) -> Result<Vec<File>> {
     let mut pictures: Vec<File> = Vec::new();
     let (mut of_specimens, mut strips) = (Vec::new(), Vec::new());
@@ -192,6 +192,7 @@ fn page(parts: Parts) -> std::result::Result<String, minijinja::Error> {
         stability => template_value(parts.stability),
         cases => template_value(parts.cases),
         of_stability => Value::from_pairs(of_stability),
+        purposes => PURPOSES.map(|(method, purpose)| vec![method, purpose]).to_vec(),
     })
 }
 

@@ -3,15 +3,16 @@
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use crate::cli::Global;
+use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
 use crate::manifest::{self, convert::run_config};
+use crate::report::spectrum_picture::{spectrum_half_range_per_um, spectrum_picture};
 use crate::report::{self, pictures};
+use crate::stages::archive::publish::Published;
 use crate::stages::config::RunConfig;
-use crate::stages::pipeline::{self, Helpers};
-use crate::stages::publish::Published;
 use crate::stages::results::{Failure, HeightMapFile, SpectrumFile, Statistics};
+use crate::stages::run::pipeline::{self, Helpers};
 use diffraction_brdf::error::Result;
 use diffraction_build::height::HeightField;
 use diffraction_render::render::png_image::write_png;
@@ -21,7 +22,7 @@ use diffraction_render::render::png_image::write_png;
 #[command(after_help = "Example:\n  diffraction-atlas run snakes.toml")]
 pub struct RunArgs {
     /// What to compute
-    #[arg(default_value = super::MANIFEST)]
+    #[arg(default_value = MANIFEST)]
     pub manifest: PathBuf,
     /// Compute everything anew, and keep nothing for later runs
     #[arg(long)]
@@ -30,7 +31,7 @@ pub struct RunArgs {
 
 impl Default for RunArgs {
     fn default() -> Self {
-        Self { manifest: super::MANIFEST.into(), no_cache: false }
+        Self { manifest: MANIFEST.into(), no_cache: false }
     }
 }
 
@@ -40,7 +41,7 @@ impl Default for RunArgs {
 /// A wrong manifest, or what concerns the whole run.
 pub fn run(args: &RunArgs, global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
-    let mut config = run_config(&manifest, &text);
+    let mut config = run_config(manifest, text);
     if args.no_cache {
         config.cache.limit_mib = 0;
     }
@@ -86,7 +87,7 @@ fn illustrate(
     let map = pictures::height_map(field)?;
     write_png(&folder.join("heights.png"), &map.rgb)?;
     let periods_nm: Vec<f64> = statistics.dominant_periods.iter().map(|period| period.period_nm).collect();
-    let spectrum = pictures::spectrum_picture(field, pictures::spectrum_half_range_per_um(field, &periods_nm))?;
+    let spectrum = spectrum_picture(field, spectrum_half_range_per_um(field, &periods_nm))?;
     write_png(&folder.join("spectrum.png"), &spectrum.rgb)?;
     let map = HeightMapFile {
         png: format!("{prefix}/heights.png"),
