@@ -57,6 +57,7 @@ fn daylight(sigma_nm: f64, edge: Edge, windows: Windows) -> OpticsConfig {
         illuminant,
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
+        lobe_sigma_nm: None,
         edge,
         windows,
         material,

@@ -73,12 +73,12 @@ pub fn factor(optics: Option<&Item>, basis: Basis) -> Result<Factor> {
 /// Reads `coherence`, `windows`, and `material`, which `[optics]` and `[[specimen]]` share.
 pub(crate) fn read_overrides(section: &Section, optics: &mut OpticsConfig) -> Result<()> {
     if let Some(item) = section.get("coherence") {
-        let section = item.section(&keys::COHERENCE, "{ sigma_um = 16.25, edge = \"tile\" }")?;
+        let section = item.section(&keys::COHERENCE, "{ sigma_um = 16.25, edge = \"auto\" }")?;
         if let Some(item) = section.get("sigma_um") {
             optics.sigma_nm = item.number_within(SIGMA_UM[0], SIGMA_UM[1], "µm")? * 1000.0;
         }
         if let Some(item) = section.get("edge") {
-            optics.edge = item.choice(&[("tile", Edge::Tile), ("fade", Edge::Fade)])?;
+            optics.edge = item.choice(&[("auto", Edge::Auto), ("tile", Edge::Tile), ("fade", Edge::Fade)])?;
         }
     }
     if let Some(item) = section.get("windows") {

@@ -251,14 +251,22 @@ fn light(optics: &OpticsConfig) -> String {
 
 fn coherence(optics: &OpticsConfig) -> String {
     let edge = match optics.edge {
-        Edge::Tile => "the scan repeats beyond its edge",
+        Edge::Auto | Edge::Tile => "the scan repeats beyond its edge",
         Edge::Fade => "the window stays inside the scan",
     };
     let windows = match optics.windows {
         Windows::Grid => "window positions averaged",
         Windows::Centre => "one window in the middle",
     };
-    format!("σ = {} µm, {edge}, {windows}", numbers::round_number(optics.sigma_nm * 1e-3, 4))
+    let sigma = |nm: f64| numbers::round_number(nm * 1e-3, 4);
+    match optics.lobe_sigma_nm {
+        None => format!("σ = {} µm, {edge}, {windows}", sigma(optics.sigma_nm)),
+        Some(light_nm) => format!(
+            "σ = {} µm for the coherent lobe (the light's), {} µm for the rest (as much as the scan resolves), {edge}, {windows}",
+            sigma(light_nm),
+            sigma(optics.sigma_nm)
+        ),
+    }
 }
 
 fn material(optics: &OpticsConfig) -> String {

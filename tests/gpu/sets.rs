@@ -42,6 +42,7 @@ pub fn optics(windows: Windows, material: Material, shadowing: bool) -> OpticsCo
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 1_500.0,
+        lobe_sigma_nm: None,
         edge: Edge::Tile,
         windows,
         material,

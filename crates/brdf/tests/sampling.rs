@@ -40,6 +40,7 @@ fn built(name: &str, material: Material, level: Level, blend_nm: Option<f64>) ->
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 1_500.0,
+        lobe_sigma_nm: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material,

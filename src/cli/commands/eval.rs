@@ -9,7 +9,7 @@ use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
 use crate::manifest;
 use crate::stages::archive::specimen_file;
-use crate::stages::ingest::ingest;
+use crate::stages::ingest::{Scans, ingest};
 use diffraction_brdf::atlas;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::{Error, Result};
@@ -177,14 +177,13 @@ fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Resul
             known.join(", ")
         )));
     };
-    let fields = ingest(specimen)?.fields;
-    let usable = fields.iter().map(|f| usable_radius(&specimen.optics, f.pitch_nm)).fold(2.0, f64::min);
+    let Scans { fields, optics, .. } = ingest(specimen)?;
+    let usable = fields.iter().map(|f| usable_radius(&optics, f.pitch_nm)).fold(2.0, f64::min);
     warn_beyond(usable, pairs);
     if args.wavelengths_nm.is_empty() {
-        return Ok(xyz_table(reference::brdf_xyz_batch(&fields, &specimen.optics, pairs)?));
+        return Ok(xyz_table(reference::brdf_xyz_batch(&fields, &optics, pairs)?));
     }
-    let spectrum =
-        |&(wi, wo): &(Vec3, Vec3)| reference::brdf_spectrum(&fields, &specimen.optics, wi, wo, &args.wavelengths_nm);
+    let spectrum = |&(wi, wo): &(Vec3, Vec3)| reference::brdf_spectrum(&fields, &optics, wi, wo, &args.wavelengths_nm);
     Ok(Table {
         columns: args.wavelengths_nm.iter().map(|nm| format!("f_{nm}_nm")).collect(),
         values: pairs.par_iter().map(spectrum).collect::<Result<_>>()?,

@@ -106,7 +106,7 @@ fn plan_specimen(
     specimen.measured.as_ref().map(measured::read).transpose()?;
     let ingested = ingest(specimen)?;
     let tables = coverage::tables_for(config, &specimen.name);
-    let input = BuildInput::new(&ingested.fields, &specimen.optics, &tables);
+    let input = BuildInput::new(&ingested.fields, &ingested.optics, &tables);
     let (plan, budget) = match coverage::restricted_to(config, &specimen.name) {
         None => (plan::plan(&input)?, None),
         Some(scenes) => {

@@ -101,7 +101,7 @@ pub(super) fn against_scans(
         row.is_some()
     });
     let ErrorDirections { groups, pairs } = ErrorDirections::drawn(set, candidates, sampling.count);
-    let exact = reference(&scans.fields, &specimen.optics, &run.tables, &pairs)?;
+    let exact = reference(&scans.fields, &scans.optics, &run.tables, &pairs)?;
     let mut directions = pairs.iter().zip(&exact);
     let mut reference = Vec::new();
     for group in &groups {

@@ -283,6 +283,7 @@ mod tests {
             illuminant: Illuminant::E,
             wavelength_nm: [380.0, 780.0],
             sigma_nm: 16_250.0,
+            lobe_sigma_nm: None,
             edge: Edge::Tile,
             windows: Windows::Grid,
             material: Material::Ideal,

@@ -83,7 +83,7 @@ pub(super) fn ingest(job: &Job, clock: &mut Clock) -> Step<Ingested> {
 
 /// Plans the tables, for the scenes alone where they are restricted to them.
 pub(super) fn plan<'a>(job: &Job<'a>, ingested: &'a Ingested, clock: &mut Clock) -> Step<Planned<'a>> {
-    let optics = &job.specimen.optics;
+    let optics = &ingested.scans.optics;
     let fields = &ingested.scans.fields;
     let input = BuildInput::new(fields, optics, &ingested.tables);
     let coverage = match job.config.serve {
@@ -109,7 +109,7 @@ pub(super) fn build(planned: &Planned, clock: &mut Clock) -> Step<Built> {
 
 /// Stores the tables and reads them back: from here on they are what a reader gets.
 pub(super) fn store(job: &Job, planned: &Planned, built: Built, clock: &mut Clock) -> Step<Stored> {
-    let optics = &job.specimen.optics;
+    let optics = planned.input.optics;
     let tables = planned.input.tables;
     let chosen = clock.stage(Stage::Round, || {
         Ok(rounding::choose(&built.set, tables.storage, tables.tolerance, lobe_radius(optics)))

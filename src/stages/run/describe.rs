@@ -56,7 +56,7 @@ pub(super) fn describe(
     mut measured: Measured,
     clock: &mut Clock,
 ) -> Step<Described> {
-    let warnings = warnings(job, ingested, planned, &measured);
+    let warnings = warnings(ingested, planned, &measured);
     let pictures = std::mem::take(&mut measured.pictures);
     let (shares, own): (Vec<_>, Vec<_>) = pictures.into_iter().partition(|(work, _)| work.is_share());
     let shares = shares.into_iter().map(|(work, reference)| {
@@ -89,8 +89,8 @@ pub(super) fn describe(
 }
 
 /// What a user must know: of tables, scans, pictures, errors.
-fn warnings(job: &Job, ingested: &Ingested, planned: &Planned, measured: &Measured) -> Vec<String> {
-    let optics = &job.specimen.optics;
+fn warnings(ingested: &Ingested, planned: &Planned, measured: &Measured) -> Vec<String> {
+    let optics = &ingested.scans.optics;
     let Stored { set, files, .. } = &measured.stored;
     let scenes: Vec<&Scene> = ingested.scenes.iter().collect();
     let mut warnings = table_warnings(set, files, &ingested.tables, planned.plan.texels.grid.texel());
@@ -144,7 +144,7 @@ fn specimen_json(
         provenance: to_value(&ingested.scans.provenance),
         preparation: json!({ "settings": specimen.prepare, "done": ingested.scans.preparation }),
         statistics: to_value(&ingested.scans.statistics),
-        optics: specimen.optics.clone(),
+        optics: ingested.scans.optics.clone(),
         pigment: *pigment,
         build: record.clone(),
         tables: files.clone(),
@@ -184,7 +184,7 @@ fn result(
         pitch_nm: field.pitch_nm,
         extent_um: [width_nm * 1e-3, height_nm * 1e-3],
         statistics: ingested.scans.statistics.first().cloned(),
-        optics: Some(specimen.optics.clone()),
+        optics: Some(ingested.scans.optics.clone()),
         pigment: measured.stored.pigment,
         build: Some(build_result(ingested, planned, &measured.stored)),
         lobe: measured.stored.set.lobe.as_ref().map(|lobe| LobeResult {

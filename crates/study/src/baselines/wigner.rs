@@ -256,6 +256,7 @@ mod tests {
             illuminant: Illuminant::Lines(vec![Line { wavelength_nm: NM, power: 1.0 }]),
             wavelength_nm: [380.0, 780.0],
             sigma_nm: SIGMA_NM,
+            lobe_sigma_nm: None,
             edge: Edge::Fade,
             windows: Windows::Centre,
             material: Material::Ideal,

@@ -71,6 +71,7 @@ pub fn optics(sigma_nm: f64) -> OpticsConfig {
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
+        lobe_sigma_nm: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Ideal,

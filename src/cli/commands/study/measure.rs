@@ -7,7 +7,7 @@ use crate::cli::progress::reporter;
 use crate::manifest;
 use crate::report::study_page::{PAGE, write_study};
 use crate::stages::config::SpecimenConfig;
-use crate::stages::ingest::ingest;
+use crate::stages::ingest::{Scans, ingest};
 use crate::stages::study::{FrameClock, drawn};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_render::scene::model::Scene;
@@ -52,10 +52,11 @@ pub(crate) fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
 fn specimen(given: &SpecimenConfig, scenes: &[Scene], config: &StudyConfig) -> Result<StudySpecimen> {
     let shows = |scene: &&Scene| scene.specimen.as_ref().is_none_or(|name| *name == given.name);
     let sampled = |scene| Ok(Box::new(drawn(scene, config.picture_samples)?) as Box<dyn SceneSamples>);
+    let Scans { fields, optics, .. } = ingest(given)?;
     Ok(StudySpecimen {
         name: given.name.clone(),
-        fields: ingest(given)?.fields,
-        optics: given.optics.clone(),
+        fields,
+        optics,
         scenes: scenes.iter().filter(shows).map(sampled).collect::<Result<_>>()?,
     })
 }
