@@ -3,6 +3,7 @@
 pub mod commands;
 pub mod directions;
 pub mod lengths;
+pub mod options;
 pub mod output;
 pub mod progress;
 
@@ -13,6 +14,7 @@ use clap::{Parser, Subcommand};
 
 use commands::{cache, diff, eval, export, inspect, list, plan, run, study, synthesize, verify};
 use diffraction_brdf::error::{Error, Result};
+use options::Global;
 use output::Outcome;
 
 /// Turns height scans of iridescent surfaces into BRDF tables that any renderer can evaluate.
@@ -30,17 +32,6 @@ pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Option<Command>,
-}
-
-/// Options of every command.
-#[derive(Debug, Clone, Copy, Default, clap::Args)]
-pub struct Global {
-    /// No progress and no remarks on stderr; errors still appear
-    #[arg(long, global = true)]
-    pub quiet: bool,
-    /// Threads to use [default: one per core]; the results do not depend on it
-    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub threads: Option<u16>,
 }
 
 /// The commands.

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::stages::progress::{Progress, Silent};
+use diffraction_build::ground::progress::{Progress, Silent};
 
 /// Where there is no terminal, a stage says how far it is this often.
 const LINE_INTERVAL: Duration = Duration::from_secs(20);

@@ -4,8 +4,14 @@ use std::collections::BTreeSet;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
+use glob::{MatchOptions, Pattern};
+
 /// Most files that one pattern may match: far beyond any specimen, and a bound on memory.
 pub const MATCHES_MAX: usize = 100_000;
+
+/// As in a shell: hidden files must be asked for.
+const LIKE_A_SHELL: MatchOptions =
+    MatchOptions { case_sensitive: true, require_literal_separator: true, require_literal_leading_dot: true };
 
 /// The existing files that a path or pattern names, sorted; empty where there is none.
 pub fn expand(base: &Path, pattern: &str) -> io::Result<Vec<PathBuf>> {
@@ -18,20 +24,19 @@ pub fn expand(base: &Path, pattern: &str) -> io::Result<Vec<PathBuf>> {
     }
     let mut found = BTreeSet::from([base.to_owned()]);
     for component in Path::new(pattern).components() {
+        let name = component.as_os_str();
+        let wild = match component {
+            Component::Normal(name) => Some(name.to_string_lossy()).filter(|name| has_wildcard(name)),
+            // A root replaces what stands before it; `..` and `.` are kept as written.
+            _ => None,
+        };
+        let wild = wild.map(|name| compiled(&name));
         let mut next = BTreeSet::new();
         for folder in &found {
-            match component {
-                Component::Normal(name) => {
-                    let name = name.to_string_lossy();
-                    if has_wildcard(&name) {
-                        add_matches(folder, &name, &mut next)?;
-                    } else {
-                        next.insert(folder.join(name.as_ref()));
-                    }
-                }
-                // A root replaces what stands before it; `..` and `.` are kept as written.
-                other => {
-                    next.insert(folder.join(other.as_os_str()));
+            match &wild {
+                Some(pattern) => add_matches(folder, pattern, &mut next)?,
+                None => {
+                    next.insert(folder.join(name));
                 }
             }
             if next.len() > MATCHES_MAX {
@@ -50,7 +55,7 @@ pub fn has_wildcard(text: &str) -> bool {
 }
 
 /// Adds the entries of a folder that match; a folder that does not exist has none.
-fn add_matches(folder: &Path, pattern: &str, found: &mut BTreeSet<PathBuf>) -> io::Result<()> {
+fn add_matches(folder: &Path, pattern: &Pattern, found: &mut BTreeSet<PathBuf>) -> io::Result<()> {
     let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let entries = match std::fs::read_dir(here) {
         Ok(entries) => entries,
@@ -61,12 +66,7 @@ fn add_matches(folder: &Path, pattern: &str, found: &mut BTreeSet<PathBuf>) -> i
     };
     for entry in entries {
         let name = entry?.file_name();
-        let text = name.to_string_lossy();
-        // As in a shell: hidden files must be asked for.
-        if text.starts_with('.') && !pattern.starts_with('.') {
-            continue;
-        }
-        if matches(pattern, &text) {
+        if pattern.matches_with(&name.to_string_lossy(), LIKE_A_SHELL) {
             found.insert(folder.join(&name));
         }
         if found.len() > MATCHES_MAX {
@@ -76,95 +76,22 @@ fn add_matches(folder: &Path, pattern: &str, found: &mut BTreeSet<PathBuf>) -> i
     Ok(())
 }
 
-/// One unit of a pattern.
-#[derive(Debug, Clone, PartialEq)]
-enum Token {
-    Any,
-    One,
-    Exactly(char),
-    Set { negated: bool, ranges: Vec<(char, char)> },
-}
-
-/// Whether a name matches a pattern of `*`, `?`, `[abc]`, `[a-z]`, `[!abc]`.
-fn matches(pattern: &str, name: &str) -> bool {
-    let tokens = tokens(pattern);
-    let name: Vec<char> = name.chars().collect();
-    let (mut token, mut at) = (0, 0);
-    // Where to go on after the last `*` if a later token fails: one more character to the `*`.
-    let mut retry: Option<(usize, usize)> = None;
-    while at < name.len() {
-        match tokens.get(token) {
-            Some(Token::Any) => {
-                retry = Some((token + 1, at + 1));
-                token += 1;
-            }
-            Some(one) if takes(one, name[at]) => {
-                token += 1;
-                at += 1;
-            }
-            _ => {
-                let Some((after_star, from)) = retry else {
-                    return false;
-                };
-                (token, at) = (after_star, from);
-                retry = Some((after_star, from + 1));
+/// A pattern for one component of a path. A bracket that is not closed is a character like any other, and `**` is `*`.
+fn compiled(pattern: &str) -> Pattern {
+    let mut text = pattern.to_owned();
+    while text.contains("**") {
+        text = text.replace("**", "*");
+    }
+    loop {
+        match Pattern::new(&text) {
+            Ok(pattern) => return pattern,
+            // With single stars only a bracket can be wrong.
+            Err(error) => {
+                let at = text.char_indices().nth(error.pos).map_or(text.len(), |(at, _)| at);
+                text.replace_range(at..at + 1, "[[]");
             }
         }
     }
-    tokens[token..].iter().all(|token| *token == Token::Any)
-}
-
-fn takes(token: &Token, c: char) -> bool {
-    match token {
-        Token::Any => false,
-        Token::One => true,
-        Token::Exactly(expected) => *expected == c,
-        Token::Set { negated, ranges } => ranges.iter().any(|(low, high)| (*low..=*high).contains(&c)) != *negated,
-    }
-}
-
-fn tokens(pattern: &str) -> Vec<Token> {
-    let chars: Vec<char> = pattern.chars().collect();
-    let mut tokens = Vec::new();
-    let mut at = 0;
-    while at < chars.len() {
-        match chars[at] {
-            '*' => tokens.push(Token::Any),
-            '?' => tokens.push(Token::One),
-            '[' => {
-                if let Some((set, end)) = set(&chars, at) {
-                    tokens.push(set);
-                    at = end;
-                } else {
-                    // Without its closing bracket it is a character like any other.
-                    tokens.push(Token::Exactly('['));
-                }
-            }
-            other => tokens.push(Token::Exactly(other)),
-        }
-        at += 1;
-    }
-    tokens
-}
-
-/// The set that opens at `start`, and the index of its closing bracket.
-fn set(chars: &[char], start: usize) -> Option<(Token, usize)> {
-    let negated = chars.get(start + 1) == Some(&'!');
-    let first = start + 1 + usize::from(negated);
-    // A closing bracket in first place belongs to the set.
-    let end = (first + 1..chars.len()).find(|&at| chars[at] == ']')?;
-    let mut ranges = Vec::new();
-    let mut at = first;
-    while at < end {
-        if at + 2 < end && chars[at + 1] == '-' {
-            ranges.push((chars[at], chars[at + 2]));
-            at += 3;
-        } else {
-            ranges.push((chars[at], chars[at]));
-            at += 1;
-        }
-    }
-    Some((Token::Set { negated, ranges }, end))
 }
 
 #[cfg(test)]
@@ -184,19 +111,30 @@ mod tests {
             ("[!a-c]?", "b9", false),
             ("[]x]", "]", true),
             ("[ab", "[ab", true),
+            ("[!ab", "[!ab", true),
+            ("a[b[c]*", "a[bc", false),
+            ("a[b[c]*", "a[x", true),
+            ("é[", "é[", true),
+            ("A*", "a", false),
+            ("**.tif", "a.tif", true),
+            ("*", ".hidden", false),
+            ("[.]*", ".hidden", false),
+            (".*", ".hidden", true),
+            ("~*", "~a", true),
             ("*", "", true),
             ("é*", "échelle", true),
             ("", "", true),
             ("", "a", false),
         ] {
-            assert_eq!(matches(pattern, name), expected, "{pattern} {name}");
+            let found = compiled(pattern).matches_with(name, LIKE_A_SHELL);
+            assert_eq!(found, expected, "{pattern} {name}");
         }
     }
 
     #[test]
     fn many_stars_do_not_explode() {
         let pattern = "*a".repeat(30) + "b";
-        assert!(!matches(&pattern, &"a".repeat(300)));
+        assert!(!compiled(&pattern).matches_with(&"a".repeat(300), LIKE_A_SHELL));
     }
 
     #[test]

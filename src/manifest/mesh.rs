@@ -6,10 +6,11 @@ use std::sync::Arc;
 use super::defaults;
 use super::keys;
 use super::reader::{Item, Section};
-use crate::stages::shared_scenes::FOLDER as SHARED_FOLDER;
+use crate::stages::pictures::shared_scenes::FOLDER as SHARED_FOLDER;
 use diffraction_brdf::error::Result;
 use diffraction_render::scene::camera::{self, Camera, Field};
-use diffraction_render::scene::mesh::{self, COORDINATE_MAX, MeshShape, Model};
+use diffraction_render::scene::mesh::MeshShape;
+use diffraction_render::scene::mesh_file::{self, COORDINATE_MAX, Model};
 
 /// How a mesh is given in the shape's place.
 pub const EXAMPLE: &str = "the name of a mesh file such as \"body.obj\"";
@@ -25,7 +26,8 @@ pub fn read(section: &Section, item: &Item, specimens: &[&str], base: &Path) -> 
     if !path.is_file() {
         return Err(item.error(format!("names a file that does not exist: {}", path.display())));
     }
-    let model = mesh::read(&path).map_err(|error| item.error(format!("names a mesh that cannot be shown: {error}")))?;
+    let model =
+        mesh_file::read(&path).map_err(|error| item.error(format!("names a mesh that cannot be shown: {error}")))?;
     let (covering, specimen_of_material) = match section.get("materials") {
         Some(materials) => materials_of(section, &materials, &model, specimens)?,
         None => (Vec::new(), Vec::new()),

@@ -2,7 +2,8 @@
 
 use crate::report::frames::period_letter;
 use crate::report::numbers;
-use crate::stages::results::{BuildResult, ErrorRow, Period, SpecimenResult, Statistics};
+use crate::stages::results::{BuildResult, Period, SpecimenResult, Statistics};
+use diffraction_build::accuracy::rows::{Cause, ErrorRow};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, Rounding, Storage};
@@ -126,7 +127,7 @@ pub fn grid_short(built: &BuildResult) -> String {
 
 /// Error rows with those of one cause together, causes in the order in which they first come.
 pub fn by_cause(rows: &[ErrorRow]) -> Vec<ErrorRow> {
-    let first = |row: &ErrorRow| rows.iter().position(|other| other.what == row.what);
+    let first = |row: &ErrorRow| rows.iter().position(|other| other.cause == row.cause);
     let mut sorted = rows.to_vec();
     sorted.sort_by_key(first);
     sorted
@@ -134,7 +135,7 @@ pub fn by_cause(rows: &[ErrorRow]) -> Vec<ErrorRow> {
 
 /// Which directions the errors count, and how much of each group the tables show lit.
 pub fn counted_directions(rows: &[ErrorRow]) -> String {
-    let totals: Vec<&ErrorRow> = rows.iter().filter(|row| row.what == "total").collect();
+    let totals: Vec<&ErrorRow> = rows.iter().filter(|row| row.cause == Cause::Total).collect();
     let [low, high] = totals
         .iter()
         .fold([f64::INFINITY, 0.0f64], |[low, high], row| [low.min(row.floor_per_sr), high.max(row.floor_per_sr)]);
@@ -143,18 +144,19 @@ pub fn counted_directions(rows: &[ErrorRow]) -> String {
         false => numbers::with_unit(low, 2, "/sr"),
     };
     let shares: Vec<String> =
-        totals.iter().map(|row| format!("{}: {}", row.region, numbers::percent(row.lit_share))).collect();
-    let [dark, missed] =
-        totals.iter().fold([0, 0], |[dark, missed], row| [dark + row.dark_directions, missed + row.missed_directions]);
-    let found = match (dark, missed) {
+        totals.iter().map(|row| format!("{}: {}", row.group, numbers::percent(row.share_above))).collect();
+    let [below, missed] = totals
+        .iter()
+        .fold([0, 0], |[below, missed], row| [below + row.directions_below, missed + row.missed_directions]);
+    let found = match (below, missed) {
         (0, _) => "Nothing is dark.".to_owned(),
-        (_, 0) => format!("Of {dark} dark directions that were evaluated as well, none is brighter than that."),
+        (_, 0) => format!("Of {below} dark directions that were evaluated as well, none is brighter than that."),
         _ => format!(
-            "Of {dark} dark directions that were evaluated as well, {missed} turned out brighter than that, and count."
+            "Of {below} dark directions that were evaluated as well, {missed} turned out brighter than that, and count."
         ),
     };
-    let p95 = |what: &str| rows.iter().find(|row| row.what == what).map_or(f64::NAN, |row| row.p95);
-    let grid = match p95("grid") > 0.5 * p95("total") {
+    let p95 = |cause: Cause| rows.iter().find(|row| row.cause == cause).map_or(f64::NAN, |row| row.p95);
+    let grid = match p95(Cause::Grid) > 0.5 * p95(Cause::Total) {
         true => {
             " Most of the total is the grid’s: it arises between texels, and cubic look-ups or a larger tables.size lower it."
         }
@@ -333,9 +335,7 @@ fn taken(built: &BuildResult) -> String {
     };
     let seconds = built.predicted.iter().map(|cost| format!("predicted {}", numbers::seconds(cost.seconds)));
     let processor = built.build_cpu_s.iter().map(|s| format!("{} of processor time", numbers::seconds(*s)));
-    let known = (built.known_share > 0.0)
-        .then(|| format!("{:.0} % of the sums were known", (100.0 * built.known_share).floor()));
-    let mut taken = numbers::seconds(built.build_s) + &in_brackets(seconds.chain(processor).chain(known).collect());
+    let mut taken = numbers::seconds(built.build_s) + &in_brackets(seconds.chain(processor).collect());
     if let Some(bytes) = built.memory_bytes {
         let memory =
             built.predicted.iter().map(|cost| format!("predicted {}", numbers::bytes(cost.memory_bytes as u64)));
@@ -377,17 +377,18 @@ fn value_text(value: &serde_json::Value) -> String {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::stages::measure;
+    use diffraction_build::accuracy::directions::Group;
+    use diffraction_build::ground::sampling::Region;
 
     /// A row of one direction with this 95th percentile.
-    pub fn error_row(what: &str, region: &str, p95: f64) -> ErrorRow {
+    pub fn error_row(cause: Cause, region: Region, p95: f64) -> ErrorRow {
         ErrorRow {
-            what: what.into(),
-            region: region.into(),
+            cause,
+            group: Group::Region(region),
             directions: 1,
             floor_per_sr: 1.5e-4,
-            lit_share: 1.0,
-            dark_directions: 32,
+            share_above: 1.0,
+            directions_below: 32,
             missed_directions: 0,
             relative_l2: 0.0,
             p50: 0.0,
@@ -398,42 +399,32 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn the_tolerance_governs_basis_and_wavelength_step_only() {
-        let row = |what, p95| error_row(what, "grazing", p95);
-        let rows = [row("basis", 2e-3), row("basis", 1e-3), row("grid", 2e-3), row("wavelength step", 0.5)];
-        assert_eq!(rows.each_ref().map(|row| row.is_over(1e-3)), [true, false, false, true]);
-        let lines = measure::broken_tolerances(&rows, 1e-3);
-        assert_eq!(lines.len(), 2);
-        assert!(lines[1].contains("1e-3 is not kept: wavelength step, grazing") && lines[1].contains("5.0e-1"));
-    }
-
-    #[test]
-    fn a_reference_that_is_off_the_direct_sum_is_a_failure() {
-        let direct = |worst| vec![ErrorRow { worst, ..error_row("yardstick against direct sum", "grazing", 0.0) }];
-        assert!(measure::disagreement(&direct(1e-6)).is_none() && measure::disagreement(&[]).is_none());
-        assert!(measure::disagreement(&direct(0.3)).unwrap().contains("off the direct sum by 3.0e-1"));
-    }
-
-    #[test]
     fn what_is_counted_is_said_with_what_was_missed() {
-        let row = |region, missed_directions| ErrorRow { missed_directions, ..error_row("total", region, 0.0) };
-        let rows = [row("near", 0), row("far", 0)];
+        let row = |region, missed_directions| ErrorRow { missed_directions, ..error_row(Cause::Total, region, 0.0) };
+        let rows = [row(Region::NearSpecular, 0), row(Region::Grazing, 0)];
         let text = counted_directions(&rows).replace('\u{a0}', " ");
-        assert!(text.contains("brighter than 0.00015 /sr. ") && text.contains("near: 100 %; far: 100 %."), "{text}");
+        assert!(
+            text.contains("brighter than 0.00015 /sr. ") && text.contains("near specular: 100 %; grazing: 100 %."),
+            "{text}"
+        );
         assert!(
             text.ends_with("Of 64 dark directions that were evaluated as well, none is brighter than that."),
             "{text}"
         );
-        assert!(counted_directions(&[row("near", 0), row("far", 3)]).contains(", 3 turned out brighter than that"));
+        assert!(
+            counted_directions(&[row(Region::NearSpecular, 0), row(Region::Grazing, 3)])
+                .contains(", 3 turned out brighter than that")
+        );
     }
 
     #[test]
     fn rows_of_a_cause_stand_together_in_their_order() {
-        let row = |what, region| error_row(what, region, 0.0);
-        let rows = [row("total", "near"), row("basis", "near"), row("total", "far"), row("basis", "far")];
-        let sorted = by_cause(&rows);
-        let names: Vec<[&str; 2]> = sorted.iter().map(|row| [row.what.as_str(), row.region.as_str()]).collect();
-        assert_eq!(names, [["total", "near"], ["total", "far"], ["basis", "near"], ["basis", "far"]]);
+        let (near, far) = (Region::NearSpecular, Region::Grazing);
+        let of = |rows: &[ErrorRow]| rows.iter().map(|row| (row.cause, row.group.clone())).collect::<Vec<_>>();
+        let rows = |kinds: [(Cause, Region); 4]| kinds.map(|(cause, region)| error_row(cause, region, 0.0));
+        let (total, basis) = (Cause::Total, Cause::Basis);
+        let sorted = by_cause(&rows([(total, near), (basis, near), (total, far), (basis, far)]));
+        assert_eq!(of(&sorted), of(&rows([(total, near), (total, far), (basis, near), (basis, far)])));
     }
 
     #[test]

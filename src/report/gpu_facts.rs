@@ -4,8 +4,7 @@ use minijinja::{Value, context};
 
 use crate::report::embed::Album;
 use crate::report::numbers;
-use crate::stages::gpu_check::ReferenceCheck;
-use crate::stages::gpu_results::{FrameComparison, GpuResult, GpuRow, MethodFrame};
+use crate::stages::gpu::results::{FrameComparison, GpuResult, GpuRow, MethodFrame, ReferenceCheck};
 use diffraction_brdf::error::Result;
 use diffraction_render::render::gpu::GpuInfo;
 use diffraction_render::render::gpu_frame::Clock;
@@ -163,7 +162,7 @@ mod tests {
     use ndarray::Array3;
 
     use super::*;
-    use crate::stages::gpu_check::{CpuPictures, compare, compare_with_reference};
+    use crate::stages::gpu::check::{CpuPictures, compare, compare_with_reference};
 
     fn checked(rows: Vec<GpuRow>) -> GpuResult {
         let gpu = GpuInfo {

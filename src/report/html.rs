@@ -7,8 +7,11 @@ use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
 use crate::report::{budget_facts, frames, gpu_facts, measured, numbers, plots};
 use crate::stages::cache::CacheUse;
-use crate::stages::results::{ErrorRow, RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
+use crate::stages::results::{RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
 use diffraction_brdf::error::{Error, Result};
+use diffraction_build::accuracy::directions::Group;
+use diffraction_build::accuracy::rows::{Cause, ErrorRow};
+use diffraction_build::ground::sampling::Region;
 
 const TEMPLATE: &str = include_str!("templates/report.html");
 
@@ -242,7 +245,7 @@ fn specimen_section(
             .iter()
             .enumerate()
             .map(|(index, &(row, over))| {
-                let first = index == 0 || errors[index - 1].0.what != row.what;
+                let first = index == 0 || errors[index - 1].0.cause != row.cause;
                 error_view(row, first, over)
             })
             .collect::<Vec<_>>(),
@@ -314,8 +317,8 @@ fn shared_view(shared: &SharedSceneResult, album: &mut Album) -> Result<Value> {
 /// A table row; only the first of a cause names it.
 fn error_view(row: &ErrorRow, first: bool, over: bool) -> Value {
     context! {
-        what => if first { row.what.as_str() } else { "" },
-        region => &row.region,
+        what => if first { row.cause.name() } else { "" },
+        region => row.group.to_string(),
         directions => numbers::count(row.directions as u64),
         p50 => numbers::percent(row.p50),
         p95 => numbers::percent(row.p95),
@@ -328,9 +331,9 @@ fn error_view(row: &ErrorRow, first: bool, over: bool) -> Value {
 
 /// The row for the summary: everything together, over the whole hemisphere.
 fn headline_error(rows: &[ErrorRow]) -> Option<&ErrorRow> {
-    let mut totals = rows.iter().filter(|row| row.what == "total");
+    let mut totals = rows.iter().filter(|row| row.cause == Cause::Total);
     let first = totals.clone().next();
-    totals.find(|row| row.region == "whole hemisphere").or(first)
+    totals.find(|row| row.group == Group::Region(Region::Hemisphere)).or(first)
 }
 
 fn failures(results: &RunResults) -> Vec<Value> {
@@ -340,7 +343,7 @@ fn failures(results: &RunResults) -> Vec<Value> {
         .map(|failure| {
             let place = match &failure.specimen {
                 Some(specimen) => format!("{specimen}, {}", failure.stage),
-                None => failure.stage.clone(),
+                None => failure.stage.to_string(),
             };
             context! { place => place, message => &failure.message }
         })
@@ -349,16 +352,8 @@ fn failures(results: &RunResults) -> Vec<Value> {
 
 /// What was kept from earlier runs.
 fn cache_line(used: &CacheUse) -> String {
-    let sums = match used.texels_found {
-        0 => String::new(),
-        known => format!(
-            "sums at {} of {} texels of tables that were built, ",
-            numbers::count(known),
-            numbers::count(known + used.texels_summed)
-        ),
-    };
     format!(
-        "From earlier runs: tables of {} of {}, {sums}{} of {} values of the reference ({} read, {} written).",
+        "From earlier runs: tables of {} of {}, {} of {} values of the reference ({} read, {} written).",
         used.tables_found,
         plural((used.tables_found + used.tables_built) as usize, "specimen"),
         numbers::count(used.pairs_found),
@@ -383,13 +378,13 @@ fn own_stages<'a>(stages: &'a [StageTime], specimen: &str) -> Vec<&'a StageTime>
     stages.iter().filter(|stage| stage.specimen.as_deref() == Some(specimen)).collect()
 }
 
-/// Elapsed seconds per stage name, in the order in which the names first occur.
+/// Elapsed seconds per stage, in the order in which the stages first occur.
 fn by_stage(stages: &[&StageTime]) -> Vec<(String, f64)> {
     let mut sums: Vec<(String, f64)> = Vec::new();
     for stage in stages {
-        match sums.iter_mut().find(|sum| sum.0 == stage.name) {
+        match sums.iter_mut().find(|sum| sum.0 == stage.name.as_str()) {
             Some(sum) => sum.1 += stage.wall_s,
-            None => sums.push((stage.name.clone(), stage.wall_s)),
+            None => sums.push((stage.name.to_string(), stage.wall_s)),
         }
     }
     sums
@@ -425,7 +420,7 @@ mod tests {
     /// A run with one specimen and two pictures.
     fn small_run() -> RunResults {
         serde_json::from_value(serde_json::json!({
-            "schema": 1, "atlas_name": "small", "version": null, "program_version": "0",
+            "schema": crate::stages::results::RESULTS_SCHEMA, "atlas_name": "small", "version": null, "program_version": "0",
             "started": "2025-01-01T00:00:00Z", "threads": 1, "cpu_count": 1,
             "manifest_text": "", "stages": [], "gpu": { "state": "skipped", "why": "no adapter" },
             "failures": [], "peak_memory_mib": null, "total_wall_s": 1.0,
@@ -466,8 +461,12 @@ mod tests {
 
     #[test]
     fn the_headline_is_the_whole_hemisphere() {
-        let row = |what, region| facts::tests::error_row(what, region, 0.0);
-        let rows = [row("basis", "whole hemisphere"), row("total", "grazing"), row("total", "whole hemisphere")];
+        let row = |cause, region| facts::tests::error_row(cause, region, 0.0);
+        let rows = [
+            row(Cause::Basis, Region::Hemisphere),
+            row(Cause::Total, Region::Grazing),
+            row(Cause::Total, Region::Hemisphere),
+        ];
         assert_eq!(headline_error(&rows), Some(&rows[2]));
         assert_eq!(headline_error(&rows[..2]), Some(&rows[1]));
         assert_eq!(headline_error(&rows[..1]), None);

@@ -4,8 +4,10 @@ mod budget_facts;
 mod colour_maps;
 pub mod html;
 pub mod pictures;
+#[cfg(feature = "study")]
 pub mod study_page;
-pub mod study_plots;
+#[cfg(feature = "study")]
+mod study_plots;
 
 mod embed;
 mod facts;
@@ -14,7 +16,7 @@ mod gpu_facts;
 mod measured;
 mod numbers;
 mod plots;
-mod spectrum_picture;
+pub mod spectrum_picture;
 mod svg;
 
 pub use html::render_html;

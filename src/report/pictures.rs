@@ -3,7 +3,6 @@
 use ndarray::{Array2, Array3, Axis};
 
 use crate::report::colour_maps::{VIRIDIS, colour};
-pub use crate::report::spectrum_picture::{SpectrumPicture, spectrum_half_range_per_um, spectrum_picture};
 use crate::report::svg::round_step;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::height::HeightField;

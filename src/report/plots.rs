@@ -2,7 +2,8 @@
 
 use crate::report::numbers;
 use crate::report::svg::{at, escape, ticks};
-use crate::stages::results::{ErrorRow, PowerSum};
+use diffraction_build::accuracy::power_sums::PowerSum;
+use diffraction_build::accuracy::rows::ErrorRow;
 
 /// Width of every plot in SVG units; text is 12 units high.
 const WIDTH: f64 = 620.0;
@@ -46,21 +47,21 @@ pub fn error_plot(rows: &[ErrorRow], tolerance: Option<f64>) -> String {
             at(TOP - 7.0)
         );
     }
-    let mut previous = "";
+    let mut previous = None;
     for (index, row) in rows.iter().enumerate() {
         let y = TOP + ROW * (index as f64 + 0.5);
-        if row.what != previous {
+        if previous != Some(row.cause) {
             if index > 0 {
                 body += &format!(r#"<path class="grid" d="M0 {}H{WIDTH}"/>"#, at(y - ROW / 2.0));
             }
-            body += &format!(r#"<text class="strong" x="0" y="{}">{}</text>"#, at(y + 4.0), escape(&row.what));
-            previous = &row.what;
+            body += &format!(r#"<text class="strong" x="0" y="{}">{}</text>"#, at(y + 4.0), escape(row.cause.name()));
+            previous = Some(row.cause);
         }
         body += &format!(
             r#"<text x="{}" y="{}" text-anchor="end">{}</text>"#,
             at(LEFT - 8.0),
             at(y + 4.0),
-            escape(&row.region)
+            escape(&row.group.to_string())
         );
         body += &error_range(row, y, &x);
     }
@@ -274,15 +275,18 @@ fn svg(label: &str, height: f64, body: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use diffraction_build::accuracy::directions::Group;
+    use diffraction_build::accuracy::rows::Cause;
+    use diffraction_build::ground::sampling::Region;
 
-    fn row(what: &str, errors: [f64; 4]) -> ErrorRow {
+    fn row(cause: Cause, errors: [f64; 4]) -> ErrorRow {
         ErrorRow {
-            what: what.into(),
-            region: "grazing".into(),
+            cause,
+            group: Group::Region(Region::Grazing),
             directions: 100,
             floor_per_sr: 1.5e-4,
-            lit_share: 1.0,
-            dark_directions: 32,
+            share_above: 1.0,
+            directions_below: 32,
             missed_directions: 0,
             relative_l2: errors[0],
             p50: errors[0],
@@ -312,9 +316,9 @@ mod tests {
     #[test]
     fn a_decade_is_a_decade() {
         let rows = [
-            row("total", [1e-4, 1e-3, 1e-2, 1e-1]),
-            row("basis", [1e-3, 1e-2, 1e-2, 1e-1]),
-            row("grid", [1e-2, 1e-2, 1e-2, 1e-1]),
+            row(Cause::Total, [1e-4, 1e-3, 1e-2, 1e-1]),
+            row(Cause::Basis, [1e-3, 1e-2, 1e-2, 1e-1]),
+            row(Cause::Grid, [1e-2, 1e-2, 1e-2, 1e-1]),
         ];
         let svg = error_plot(&rows, Some(1e-3));
         check(&svg);
@@ -327,8 +331,9 @@ mod tests {
     #[test]
     fn missing_and_zero_errors_are_left_out_of_the_plot() {
         let nan = f64::NAN;
-        check(&error_plot(&[row("a<&", [nan, 0.0, f64::INFINITY, 1e-300])], Some(nan)));
-        assert_eq!(error_plot(&[row("a", [0.0; 4])], None), "");
+        let odd = row(Cause::Total, [nan, 0.0, f64::INFINITY, 1e-300]);
+        check(&error_plot(&[ErrorRow { group: Group::Scene("a<&".into()), ..odd }], Some(nan)));
+        assert_eq!(error_plot(&[row(Cause::Total, [0.0; 4])], None), "");
         assert_eq!(error_plot(&[], None), "");
     }
 

@@ -5,14 +5,14 @@ use std::path::Path;
 
 use minijinja::{Environment, Value, context};
 
-use super::embed::base64;
+use super::embed::data_uri;
 use super::study_plots::{
     Figure, cost_figure, cost_figure_on_texels, knob_figure, stability_figures, svg, tables_figure, tolerance_figure,
 };
-use crate::stages::stability::{Stability, StabilityCase, Verdict};
-use crate::stages::study::{SpecimenStudy, Study};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_render::render::png_image::encode_png;
+use diffraction_study::stability::{Stability, StabilityCase, Verdict};
+use diffraction_study::study::{PURPOSES, SpecimenStudy, Study};
 
 /// Knobs whose settings are numbers: file key, rows drawn together, axis.
 const KNOB_PLOTS: [(&str, &[&str], &str); 5] = [
@@ -114,7 +114,7 @@ fn strip(specimen: &SpecimenStudy) -> Result<Vec<Shown>> {
                 }
                 _ => "reference".into(),
             };
-            let href = format!("data:image/png;base64,{}", base64(&encode_png(&picture.rgb)?));
+            let href = data_uri(&encode_png(&picture.rgb)?);
             shown.push(Shown { caption, scene: picture.scene.clone(), href });
         }
     }
@@ -192,6 +192,7 @@ fn page(parts: Parts) -> std::result::Result<String, minijinja::Error> {
         stability => template_value(parts.stability),
         cases => template_value(parts.cases),
         of_stability => Value::from_pairs(of_stability),
+        purposes => PURPOSES.map(|(method, purpose)| vec![method, purpose]).to_vec(),
     })
 }
 

@@ -44,10 +44,6 @@ pub struct CacheUse {
     pub tables_found: u64,
     /// Specimens whose tables were built.
     pub tables_built: u64,
-    /// Texels whose sums were found, of tables that serve scenes and had to be built.
-    pub texels_found: u64,
-    /// Texels of such tables whose sums were computed.
-    pub texels_summed: u64,
     /// Pairs of directions whose reference values were found.
     pub pairs_found: u64,
     /// Pairs of directions whose reference values were computed.
@@ -64,8 +60,6 @@ impl CacheUse {
         Self {
             tables_found: self.tables_found + other.tables_found,
             tables_built: self.tables_built + other.tables_built,
-            texels_found: self.texels_found + other.texels_found,
-            texels_summed: self.texels_summed + other.texels_summed,
             pairs_found: self.pairs_found + other.pairs_found,
             pairs_computed: self.pairs_computed + other.pairs_computed,
             bytes_read,

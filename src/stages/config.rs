@@ -47,13 +47,13 @@ impl RunConfig {
 }
 
 /// One specimen.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct SpecimenConfig {
-    /// Name, and its folder in the atlas.
+    /// Name, and its folder in the atlas; safe as one.
     pub name: String,
     /// The species, for people.
     pub species: Option<String>,
-    /// Its scans, averaged.
+    /// Its scans: existing files, sorted, none twice; their BRDFs are averaged.
     pub scans: Vec<PathBuf>,
     /// How to read them.
     pub read: ReadConfig,
@@ -78,6 +78,13 @@ pub enum Serve {
     Scenes,
     /// Those of the scenes with these names.
     Named(Vec<String>),
+}
+
+impl Serve {
+    /// Whether tables answer for every direction.
+    pub fn is_all(&self) -> bool {
+        *self == Self::All
+    }
 }
 
 /// What a run finds out besides the tables; what nobody asks for is not computed.

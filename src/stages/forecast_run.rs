@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
-use super::error_directions::{DIRECTIONS, LIT_PER_DARK};
-use super::scenes::pairs_of;
+use super::pictures::scenes::pairs_of;
 use super::serve::Source;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::{Vec3, wave_vector_change};
+use diffraction_build::accuracy::directions::{ABOVE_PER_BELOW, DIRECTIONS};
 use diffraction_build::ground::sampling::{Region, direction_pairs_in};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::optics::kernel::SEMICIRCLE_TAPS;
@@ -91,7 +91,7 @@ pub fn reference_forecast(
 
 /// Pairs as those on which errors are counted: which they are, the tables decide.
 fn counted_pairs(plan: &BuildPlan, pictures: &[&ShadingSamples]) -> Vec<(Vec3, Vec3)> {
-    let count = DIRECTIONS + DIRECTIONS.div_ceil(LIT_PER_DARK);
+    let count = DIRECTIONS + DIRECTIONS.div_ceil(ABOVE_PER_BELOW);
     if plan.domain.is_none() {
         return Region::ALL.into_iter().flat_map(|region| direction_pairs_in(region, 0..count)).collect();
     }
@@ -116,7 +116,7 @@ impl Window<'_> {
     /// Evaluations of a pair at all its wavelengths, and their nanoseconds.
     fn pair(&self, (wi, wo): (Vec3, Vec3), step: WavenumberStep) -> (f64, f64) {
         let optics = self.source.optics;
-        if optics.front_factor().value(wi, wo) == 0.0 {
+        if optics.front_factor().diffuse(wi, wo) == 0.0 {
             return (0.0, 0.0);
         }
         let q = wave_vector_change(wi, wo);

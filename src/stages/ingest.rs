@@ -9,7 +9,7 @@ use diffraction_build::height::statistics::{Statistics, statistics};
 
 /// A specimen's scans, ready for the optics.
 #[derive(Debug, Clone)]
-pub struct Ingested {
+pub struct Scans {
     /// Prepared heights, one per scan.
     pub fields: Vec<HeightField>,
     /// Where each comes from.
@@ -24,17 +24,17 @@ pub struct Ingested {
 ///
 /// # Errors
 /// The first scan that cannot be read or prepared.
-pub fn ingest(specimen: &SpecimenConfig) -> Result<Ingested> {
-    let mut ingested =
-        Ingested { fields: Vec::new(), provenance: Vec::new(), preparation: Vec::new(), statistics: Vec::new() };
+pub fn ingest(specimen: &SpecimenConfig) -> Result<Scans> {
+    let mut scans =
+        Scans { fields: Vec::new(), provenance: Vec::new(), preparation: Vec::new(), statistics: Vec::new() };
     let shortest_nm = specimen.optics.illuminant.reach_nm(specimen.optics.wavelength_nm)[0];
     for path in &specimen.scans {
         let scan = read_scan(path, &specimen.read)?;
         let (field, record) = prepare(&scan.field, &specimen.prepare)?;
-        ingested.statistics.push(statistics(&field, shortest_nm));
-        ingested.fields.push(field);
-        ingested.provenance.push(scan.provenance);
-        ingested.preparation.push(record);
+        scans.statistics.push(statistics(&field, shortest_nm));
+        scans.fields.push(field);
+        scans.provenance.push(scan.provenance);
+        scans.preparation.push(record);
     }
-    Ok(ingested)
+    Ok(scans)
 }

@@ -12,20 +12,19 @@ use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 use super::cache::{Cache, CacheUse};
-use super::error_directions::ErrorDirections;
-use super::known_sums::KnownSums;
-use super::measure::{self, Yardstick};
-use super::results::ErrorRow;
 use super::serve::Source;
+use super::stage::Stage;
 use super::usage::{self, Stopwatch};
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
+use diffraction_build::accuracy::directions::ErrorDirections;
+use diffraction_build::accuracy::reference::{self as accuracy_reference, Reference};
+use diffraction_build::accuracy::rows::{self, ErrorRow};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::reference;
 use diffraction_build::tables::build::{self, Advance, BuildPlan};
 use diffraction_build::tables::domain::Domain;
-use diffraction_build::tables::kept::Keeper;
 use diffraction_build::tables::model::{Basis, BuildRecord, Lobe, TableSet, TablesConfig};
 
 type Pair = (Vec3, Vec3);
@@ -49,8 +48,6 @@ pub struct Built {
     pub processor_s: Option<f64>,
     /// Most bytes on the heap beyond those before; `None` where nobody counts them.
     pub memory_bytes: Option<u64>,
-    /// Texels whose sums were known from earlier builds, and those summed, where tables serve scenes.
-    pub summed: [u64; 2],
 }
 
 impl Built {
@@ -59,25 +56,12 @@ impl Built {
     /// # Errors
     /// Those of building.
     pub fn measured(source: &Source, plan: &BuildPlan, advance: Advance) -> Result<Self> {
-        Self::measured_with(None, source, plan, advance)
-    }
-
-    /// Share of the texels whose sums were known from earlier builds.
-    pub fn known_share(&self) -> f64 {
-        let [known, summed] = self.summed;
-        known as f64 / (known + summed).max(1) as f64
-    }
-
-    /// Builds with the sums that are known from earlier builds, and measures.
-    fn measured_with(known: Option<&KnownSums>, source: &Source, plan: &BuildPlan, advance: Advance) -> Result<Self> {
         let stopwatch = Stopwatch::start();
-        let keeper = known.map(|sums| sums as &dyn Keeper);
-        let build = || build::build_planned(source.fields, source.optics, source.tables, plan, keeper, advance);
+        let build = || build::build_planned(source.fields, source.optics, source.tables, plan, advance);
         let (built, memory_bytes) = usage::with_heap_bytes(build);
         let (set, record) = built?;
-        let time = stopwatch.read("build tables", None);
-        let summed = known.map_or([0, 0], KnownSums::texels);
-        Ok(Self { set, record, seconds: time.wall_s, processor_s: time.cpu_s, memory_bytes, summed })
+        let time = stopwatch.read(Stage::BuildTables, None);
+        Ok(Self { set, record, seconds: time.wall_s, processor_s: time.cpu_s, memory_bytes })
     }
 }
 
@@ -112,49 +96,44 @@ impl<'a> Known<'a> {
         self.cache.key(kind, &json!({ "heights": self.heights, "parts": parts }))
     }
 
-    /// The tables of a plan, and what building them took; `anew` does without sums of earlier builds, for the time that
-    /// all of it takes.
+    /// The tables of a plan, and what building them took.
     ///
     /// # Errors
     /// Those of building.
-    pub fn tables(&self, source: &Source, plan: &BuildPlan, anew: bool, advance: Advance) -> Result<Built> {
+    pub fn tables(&self, source: &Source, plan: &BuildPlan, advance: Advance) -> Result<Built> {
         if !self.cache.is_on() {
             return Built::measured(source, plan, advance);
         }
         // How tables are stored changes nothing before it, but that the series is refused where its format is too coarse.
         let storage = source.tables.storage.filter(|_| source.tables.basis == Basis::Taylor);
         let settings = TablesConfig { storage, ..source.tables.clone() };
-        let parts = json!({ "optics": source.optics, "settings": settings, "plan": plan_parts(plan), "anew": anew });
+        let parts = json!({ "optics": source.optics, "settings": settings, "plan": plan_parts(plan) });
         let key = self.key("tables", &parts);
         if let Some(found) = self.cache.load(&key).and_then(|bytes| decode_tables(&bytes, source, plan)) {
             self.count(|used| used.tables_found += 1);
             return Ok(found);
         }
-        let sums = KnownSums::new(self.cache, &self.heights, source, plan);
-        let built = Built::measured_with((!anew).then_some(&sums), source, plan, advance)?;
+        let built = Built::measured(source, plan, advance)?;
         self.cache.store(&key, &encode_tables(&built));
-        self.count(|used| {
-            used.tables_built += 1;
-            used.texels_found += built.summed[0];
-            used.texels_summed += built.summed[1];
-        });
+        self.count(|used| used.tables_built += 1);
         Ok(built)
     }
 
-    /// [`measure::yardstick`], evaluated where it is not known.
+    /// [`accuracy_reference::evaluate`], asked where it is not known.
     ///
     /// # Errors
     /// Those of the transforms.
-    pub fn yardstick(
+    pub fn reference(
         &self,
         source: &Source,
         plan: &BuildPlan,
         nodes: usize,
         errors: ErrorDirections,
         pictures: impl IntoIterator<Item = Pair>,
-    ) -> Result<Yardstick> {
-        let evaluate =
-            |errors, pictures| measure::yardstick(source.fields, source.optics, plan, nodes, errors, pictures);
+    ) -> Result<Reference> {
+        let evaluate = |errors, pictures| {
+            accuracy_reference::evaluate(source.fields, source.optics, plan, nodes, errors, pictures)
+        };
         if !self.cache.is_on() {
             return evaluate(errors, pictures.into_iter().collect::<Vec<_>>());
         }
@@ -182,18 +161,18 @@ impl<'a> Known<'a> {
         });
         let wanted = if is_counted { ErrorDirections::default() } else { errors };
         let fresh = match wanted.pairs.is_empty() && missing.is_empty() {
-            true => Yardstick::default(),
+            true => Reference::default(),
             false => evaluate(wanted, missing.clone())?,
         };
         let first = fresh.pairs.len() - missing.len();
         let found = missing.iter().zip(fresh.xyz[first..].iter().copied());
         known.extend(found.map(|(pair, xyz)| (bits(pair), xyz)));
-        let mut yardstick = counted.unwrap_or_else(|| fresh.counted(fixed));
+        let mut all = counted.unwrap_or_else(|| fresh.counted(fixed));
         if !is_counted {
-            self.cache.store(&errors_key, &encode_counted(&yardstick));
+            self.cache.store(&errors_key, &encode_counted(&all));
         }
-        yardstick.xyz.extend(pictures.iter().map(|pair| known[&bits(pair)]));
-        yardstick.pairs.extend(&pictures);
+        all.xyz.extend(pictures.iter().map(|pair| known[&bits(pair)]));
+        all.pairs.extend(&pictures);
         if !missing.is_empty() {
             if (known.len() * PAIR_BYTES) as u64 > self.cache.limit_bytes() / PAIRS_SHARE {
                 let asked: HashSet<[u64; 6]> = pictures.iter().map(bits).collect();
@@ -206,15 +185,15 @@ impl<'a> Known<'a> {
             }
             self.cache.store(&pairs_key, &encode_pairs(&known));
         }
-        Ok(yardstick)
+        Ok(all)
     }
 
-    /// [`measure::direct_row`] with the direct sum's values where they are known.
+    /// [`rows::direct_row`] with the direct sum's values where they are known.
     ///
     /// # Errors
     /// Those of the reference.
-    pub fn direct_row(&self, source: &Source, yardstick: &Yardstick) -> Result<ErrorRow> {
-        measure::direct_row(yardstick, &|pairs| {
+    pub fn direct_row(&self, source: &Source, reference_set: &Reference) -> Result<ErrorRow> {
+        rows::direct_row(reference_set, &|pairs| {
             let sum = || reference::brdf_xyz_batch(source.fields, source.optics, pairs);
             if !self.cache.is_on() {
                 return sum();
@@ -245,7 +224,7 @@ fn digest_of(fields: &[HeightField]) -> String {
 
 /// Everything that a value of the transforms depends on besides heights and optics. Frequencies are not among it: which of
 /// them a plan holds changes none. Nor is the memory: a plan that does not fit it is none.
-pub(super) fn transforms_parts(plan: &BuildPlan) -> Value {
+fn transforms_parts(plan: &BuildPlan) -> Value {
     json!({ "s": plan.spectra.s, "tolerance": plan.spectra.tolerance })
 }
 
@@ -313,18 +292,18 @@ fn decode_pairs(bytes: &[u8]) -> Option<HashMap<[u64; 6], Xyz>> {
     rest.is_empty().then(|| rows.iter().map(row).collect())
 }
 
-fn encode_counted(yardstick: &Yardstick) -> Vec<u8> {
-    let numbers = yardstick.xyz.iter().flatten().chain(yardstick.diffuse.iter().flatten());
+fn encode_counted(reference: &Reference) -> Vec<u8> {
+    let numbers = reference.xyz.iter().flatten().chain(reference.diffuse.iter().flatten());
     numbers.flat_map(|number| number.to_le_bytes()).collect()
 }
 
-fn decode_counted(bytes: &[u8], errors: &ErrorDirections) -> Option<Yardstick> {
+fn decode_counted(bytes: &[u8], errors: &ErrorDirections) -> Option<Reference> {
     let (numbers, fixed) = (numbers(bytes)?, errors.pairs.len());
     if numbers.len() != 6 * fixed {
         return None;
     }
     let (xyz, diffuse) = numbers.split_at(3 * fixed);
-    Some(Yardstick {
+    Some(Reference {
         groups: errors.groups.clone(),
         pairs: errors.pairs.clone(),
         xyz: triples(xyz, fixed)?,
@@ -339,7 +318,6 @@ struct Header {
     build_s: f64,
     processor_s: Option<f64>,
     memory_bytes: Option<u64>,
-    summed: [u64; 2],
     tables: Vec<[usize; 3]>,
     coherent: Option<[usize; 3]>,
     cross: Vec<[usize; 3]>,
@@ -354,7 +332,7 @@ fn shape(table: &Array3<f32>) -> [usize; 3] {
 
 /// A line of JSON, then the numbers of all arrays in order.
 fn encode_tables(built: &Built) -> Vec<u8> {
-    let Built { set, record, seconds, processor_s, memory_bytes, summed } = built;
+    let Built { set, record, seconds, processor_s, memory_bytes } = built;
     let lobe = set.lobe.as_ref();
     let cross = lobe.map_or(&[][..], |lobe| &lobe.cross);
     let header = json!({
@@ -362,7 +340,6 @@ fn encode_tables(built: &Built) -> Vec<u8> {
         "build_s": seconds,
         "processor_s": processor_s,
         "memory_bytes": memory_bytes,
-        "summed": summed,
         "tables": set.tables.iter().map(shape).collect::<Vec<_>>(),
         "coherent": lobe.map(|lobe| shape(&lobe.coherent)),
         "cross": cross.iter().map(shape).collect::<Vec<_>>(),
@@ -406,6 +383,6 @@ fn decode_tables(bytes: &[u8], source: &Source, plan: &BuildPlan) -> Option<Buil
         served: plan.domain.as_ref().and_then(Domain::served),
         usable_radius: header.usable_radius,
     };
-    let Header { record, build_s: seconds, processor_s, memory_bytes, summed, .. } = header;
-    rest.is_empty().then_some(Built { set, record, seconds, processor_s, memory_bytes, summed })
+    let Header { record, build_s: seconds, processor_s, memory_bytes, .. } = header;
+    rest.is_empty().then_some(Built { set, record, seconds, processor_s, memory_bytes })
 }

@@ -1,35 +1,25 @@
-//! Stages floor: order of the work, what it found out, the atlas on disk, publishing, comparing versions.
+//! Stages floor: the order of a run, what it found out, and the atlas on disk.
+//!
+//! Each folder is a room: [`run`] the chain from scans to a version, [`pictures`] the scenes, [`gpu`] the check on a GPU,
+//! [`measured`] the comparison with measured reflectance, [`archive`] the files of an atlas. The files beside them are what
+//! the rooms share: what a run is told ([`config`]), its scans ([`ingest`]), what it found out ([`results`]), how it goes on
+//! ([`log`], [`stage`], [`usage`]).
 
+pub mod archive;
 pub mod cache;
 pub mod config;
-pub(crate) mod describe;
-pub mod diff;
-pub mod error_directions;
 pub mod forecast_run;
-pub mod format_md;
-pub mod frame_time;
-pub mod gpu_check;
-pub mod gpu_results;
-pub mod gpu_stage;
+pub mod gpu;
 pub mod ingest;
 pub mod known;
-pub mod known_reach;
-pub mod known_sums;
-pub mod measure;
+pub(crate) mod log;
 pub mod measured;
-pub mod pipeline;
-pub mod progress;
-pub mod publish;
+pub mod pictures;
 pub mod reached;
 pub mod results;
-pub mod scenes;
+pub mod run;
 pub mod serve;
-pub mod shader_data;
-pub mod shader_export;
-pub mod shared_scenes;
-pub mod specimen;
-pub mod stability;
+pub mod stage;
+#[cfg(feature = "study")]
 pub mod study;
 pub mod usage;
-pub mod verify;
-pub mod worked;

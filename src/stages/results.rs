@@ -6,10 +6,14 @@
 use serde::{Deserialize, Serialize};
 
 use super::cache::CacheUse;
-pub use super::gpu_results::{GpuResult, GpuRow};
+pub use super::gpu::results::{GpuResult, GpuRow};
 use super::serve::{Budget, Cost};
+use super::stage::Stage;
 use crate::stages::measured::MeasuredResult;
 use diffraction_brdf::error::{Error, Result};
+use diffraction_build::accuracy::power_sums::PowerSum;
+use diffraction_build::accuracy::rows::ErrorRow;
+use diffraction_build::ground::null_for_nan;
 pub use diffraction_build::height::statistics::{Period, Statistics};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::Pigment;
@@ -25,7 +29,7 @@ pub struct RunResults {
     pub schema: u32,
     /// Name of the atlas, from the manifest.
     pub atlas_name: String,
-    /// The version this run published, such as `v0003`; `None` where it published none.
+    /// The version that this run publishes if anything has changed, such as `v0003`; `None` where every specimen failed.
     pub version: Option<String>,
     /// Version of the program.
     pub program_version: String,
@@ -63,8 +67,8 @@ pub struct RunResults {
 /// Duration of one stage.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StageTime {
-    /// A verb phrase: "build tables".
-    pub name: String,
+    /// Which stage.
+    pub name: Stage,
     /// The specimen it worked on; `None` for what concerns the whole atlas.
     pub specimen: Option<String>,
     /// Elapsed seconds.
@@ -79,7 +83,7 @@ pub struct Failure {
     /// The specimen it concerns, if any.
     pub specimen: Option<String>,
     /// The stage that failed.
-    pub stage: String,
+    pub stage: Stage,
     /// What happened and what to do about it.
     pub message: String,
 }
@@ -167,9 +171,6 @@ pub struct BuildResult {
     /// threads. `None` where the system does not tell.
     #[serde(default)]
     pub build_cpu_s: Option<f64>,
-    /// Share of the texels whose sums earlier runs had left, for tables that serve scenes.
-    #[serde(default)]
-    pub known_share: f64,
     /// Most bytes that building held on the heap, its tables included, the scans not; `None` where nobody counted them.
     #[serde(default)]
     pub memory_bytes: Option<u64>,
@@ -187,69 +188,6 @@ pub struct LobeResult {
     pub cross_tables: usize,
     /// Share of the reflected luminous power at normal incidence that lies in the lobe, where measured.
     pub power_share: Option<f64>,
-}
-
-/// Errors of the stored tables against the reference, over directions of one region.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ErrorRow {
-    /// Which error: "total", "basis", "wavelength step", "grid", "storage".
-    pub what: String,
-    /// Which directions: "whole hemisphere", "near specular", "grazing".
-    pub region: String,
-    /// Directions compared pointwise: those that the reference has above the floor.
-    pub directions: usize,
-    /// Luminance in 1/sr up to which a direction is too dark for that.
-    #[serde(default = "floor_of_older_reports")]
-    pub floor_per_sr: f64,
-    /// Share of the region that the tables call lit: where they show more than half of the floor.
-    #[serde(default, with = "null_for_nan")]
-    pub lit_share: f64,
-    /// Directions evaluated that the tables call dark.
-    #[serde(default)]
-    pub dark_directions: usize,
-    /// Those of them that the reference has above the floor: light that the tables miss.
-    #[serde(default)]
-    pub missed_directions: usize,
-    /// Root of the summed squared differences over the root of the summed squares, over the whole region: lit and dark
-    /// directions count by the share of it that they stand for.
-    #[serde(with = "null_for_nan")]
-    pub relative_l2: f64,
-    /// Median relative error of the luminance.
-    #[serde(with = "null_for_nan")]
-    pub p50: f64,
-    /// Its 95th percentile.
-    #[serde(with = "null_for_nan")]
-    pub p95: f64,
-    /// Its 99th percentile.
-    #[serde(with = "null_for_nan")]
-    pub p99: f64,
-    /// Its maximum.
-    #[serde(with = "null_for_nan")]
-    pub worst: f64,
-}
-
-impl ErrorRow {
-    /// Whether it breaks the tolerance. Only the causes that the tolerance governs can.
-    pub fn is_over(&self, tolerance: f64) -> bool {
-        matches!(self.what.as_str(), "basis" | "wavelength step") && self.p95 > tolerance
-    }
-}
-
-/// What reports had before they told: a few millionths of white.
-fn floor_of_older_reports() -> f64 {
-    1e-6
-}
-
-/// `∫ f cos_theta_o dω_o` for one incidence, relative to the incident power.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct PowerSum {
-    /// Angle of incidence in degrees.
-    pub theta_i_deg: f64,
-    /// Wavelength in nm; `None` for the luminous sum.
-    pub wavelength_nm: Option<f64>,
-    /// The sum.
-    #[serde(with = "null_for_nan")]
-    pub sum: f64,
 }
 
 /// One rendered scene.
@@ -365,63 +303,20 @@ pub fn from_json(text: &str, name: &str) -> Result<RunResults> {
     serde_json::from_value(value).map_err(|error| bad(format!("does not hold the results of a run: {error}")))
 }
 
-/// JSON has no NaN: it is written as `null` and read back as NaN, and infinities likewise.
-pub(crate) mod null_for_nan {
-    use serde::{Deserialize, Deserializer, Serializer};
-
-    pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-        if value.is_finite() { serializer.serialize_f64(*value) } else { serializer.serialize_none() }
-    }
-
-    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
-        Ok(Option::<f64>::deserialize(deserializer)?.unwrap_or(f64::NAN))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn row(worst: f64) -> ErrorRow {
-        let (what, region) = ("total".into(), "grazing".into());
-        ErrorRow {
-            what,
-            region,
-            directions: 3,
-            floor_per_sr: 3e-5,
-            lit_share: 0.5,
-            dark_directions: 1,
-            missed_directions: 0,
-            relative_l2: 1e-6,
-            p50: 1e-7,
-            p95: 1e-6,
-            p99: 1e-6,
-            worst,
-        }
-    }
-
-    #[test]
-    fn a_missing_measurement_is_null_and_comes_back_as_nan() {
-        for missing in [f64::NAN, f64::INFINITY] {
-            let text = serde_json::to_string(&row(missing)).unwrap();
-            assert!(text.contains("\"worst\":null"), "{text}");
-            let back: ErrorRow = serde_json::from_str(&text).unwrap();
-            assert!(back.worst.is_nan());
-        }
-        let back: ErrorRow = serde_json::from_str(&serde_json::to_string(&row(2e-5)).unwrap()).unwrap();
-        assert_eq!(back, row(2e-5));
-    }
-
     #[test]
     fn an_unknown_layout_is_refused_by_name() {
         for (text, complaint) in [
-            ("{", "report.json: is not JSON"),
-            ("{}", "report.json: has no `schema`"),
-            ("{\"schema\": 99}", "report.json: has schema 99"),
-            ("{\"schema\": 2}", "report.json: does not hold"),
+            ("{", "JSON"),
+            ("{}", "`schema`"),
+            ("{\"schema\": 99}", "schema 99"),
+            (&format!("{{\"schema\": {RESULTS_SCHEMA}}}"), "missing field"),
         ] {
             let error = from_json(text, "report.json").unwrap_err().to_string();
-            assert!(error.starts_with(complaint), "{error}");
+            assert!(error.starts_with("report.json: ") && error.contains(complaint), "{error}");
         }
     }
 }

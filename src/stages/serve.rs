@@ -9,10 +9,10 @@ use serde::{Deserialize, Serialize};
 
 use super::config::{GpuCheck, RunConfig, Serve};
 use super::known::Built;
-use super::results::null_for_nan;
-use super::shared_scenes::scenes_for;
+use super::pictures::sharing::scenes_for;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
+use diffraction_build::ground::null_for_nan;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::OpticsConfig;
@@ -91,17 +91,6 @@ pub struct Source<'a> {
 /// # Errors
 /// A scene that cannot be rendered.
 pub fn domain_of(source: &Source, scenes: &[&Scene]) -> Result<Domain> {
-    domain_by(&reach, source, scenes)
-}
-
-/// Finds what one scene reaches of a grid, as [`reach`] does.
-pub type Reach<'a> = &'a dyn Fn(&Scene, Grid, usize) -> Result<Domain>;
-
-/// [`domain_of`] with what each scene reaches found in another way.
-///
-/// # Errors
-/// A scene that cannot be rendered.
-pub fn domain_by(reach: Reach, source: &Source, scenes: &[&Scene]) -> Result<Domain> {
     let grid = build::grid(source.optics, source.tables);
     let parts = parts_of(grid, source.tables.memory_mib)?;
     let mut domain = Domain::new(grid);
@@ -342,8 +331,8 @@ pub fn budget(source: &Source, scenes: &[&Scene], domain: &Domain, whole: &Table
     })
 }
 
-/// The budget of tables that have been built, with what they took where it is known. `savings` builds everything that was left out as
-/// well, step by step, and measures it.
+/// The budget of tables that have been built, with what they took. `savings` builds everything that was left out as well,
+/// step by step, and measures it.
 ///
 /// # Errors
 /// Those of planning, building and the disk.
@@ -352,11 +341,11 @@ pub fn account(
     scenes: &[&Scene],
     domain: &Domain,
     whole: &TablesConfig,
-    measured: Option<Cost>,
+    measured: Cost,
     savings: bool,
 ) -> Result<Budget> {
     let mut budget = budget(source, scenes, domain, whole)?;
-    budget.measured = measured;
+    budget.measured = Some(measured);
     if savings {
         for row in &mut budget.rows {
             let (optics, tables, plan) = compared(row.step, source, scenes, domain, whole)?;

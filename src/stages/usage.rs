@@ -1,13 +1,10 @@
-//! What the process uses, where the system tells: memory over a stretch of work, processor time of a stage.
+//! What the process uses, where the system tells: memory on the heap over a stretch of work, processor time of a stage.
 
 use std::sync::OnceLock;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use super::results::StageTime;
-
-/// The largest peak that [`restart`] has made the system forget, in bytes.
-static FORGOTTEN_BYTES: AtomicU64 = AtomicU64::new(0);
+use super::stage::Stage;
 
 /// An allocator that counts what lives on the heap. Installing one takes a program; a library is lent it. The program
 /// does so with the feature `count-memory`, the tests of forecasts always.
@@ -39,31 +36,6 @@ pub fn with_heap_bytes<T>(work: impl FnOnce() -> T) -> (T, Option<u64>) {
     (done, Some((heap.peak_bytes)().saturating_sub(before) as u64))
 }
 
-/// Forgets the largest resident memory so far and gives the present one in bytes. Only Linux can; elsewhere nothing
-/// happens and nothing is known.
-pub fn restart() -> Option<u64> {
-    FORGOTTEN_BYTES.fetch_max(peak_bytes().unwrap_or(0), Ordering::Relaxed);
-    // "5" resets VmHWM (proc(5)); a refusal only means that `peak_bytes` covers more than asked.
-    let _ = std::fs::write("/proc/self/clear_refs", "5");
-    status_bytes("VmRSS:")
-}
-
-/// Largest resident memory in bytes since [`restart`], or since the process began where that was refused.
-pub fn peak_bytes() -> Option<u64> {
-    status_bytes("VmHWM:")
-}
-
-/// Largest resident memory in bytes since the process began.
-pub fn process_peak_bytes() -> Option<u64> {
-    Some(peak_bytes()?.max(FORGOTTEN_BYTES.load(Ordering::Relaxed)))
-}
-
-fn status_bytes(field: &str) -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find_map(|line| line.strip_prefix(field))?;
-    line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok().map(|kib| kib << 10)
-}
-
 /// Seconds that all threads of the process have run, in the kernel and outside; `None` but on Linux.
 fn processor_s() -> Option<f64> {
     // Linux counts in hundredths of a second whatever its own clock (USER_HZ, proc(5)).
@@ -83,15 +55,15 @@ pub struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// Begins.
+    /// From now on.
     pub fn start() -> Self {
         Self { started: Instant::now(), processor_s: processor_s() }
     }
 
     /// What the stage took until now.
-    pub fn read(&self, name: &str, specimen: Option<&str>) -> StageTime {
+    pub fn read(&self, stage: Stage, specimen: Option<&str>) -> StageTime {
         StageTime {
-            name: name.into(),
+            name: stage,
             specimen: specimen.map(Into::into),
             wall_s: self.started.elapsed().as_secs_f64(),
             cpu_s: processor_s().zip(self.processor_s).map(|(now, then)| now - then),
@@ -101,51 +73,19 @@ impl Stopwatch {
 
 #[cfg(all(test, target_os = "linux"))]
 mod tests {
-    use std::process::Command;
-
-    use super::Stopwatch;
+    use super::{Stage, Stopwatch};
 
     #[test]
     fn work_takes_processor_time_and_sleep_does_not() {
         let idle = Stopwatch::start();
         std::thread::sleep(std::time::Duration::from_millis(30));
-        let idle = idle.read("sleep", None);
+        let idle = idle.read(Stage::Plan, None);
         assert!(idle.wall_s >= 0.03 && idle.cpu_s.is_some());
         let busy = Stopwatch::start();
         let mut sum = 0u64;
         // Other tests may be counted too: processor time is the process's.
-        while busy.read("work", Some("a")).cpu_s.unwrap() < 0.05 {
+        while busy.read(Stage::BuildTables, Some("a")).cpu_s.unwrap() < 0.05 {
             sum = std::hint::black_box((0..100_000).fold(sum, |a, b| a.wrapping_mul(31) ^ b));
         }
-    }
-
-    /// Set in the process that measures.
-    const ALONE: &str = "DIFFRACTION_ATLAS_TEST_ALONE";
-
-    /// In a process of its own: other tests would give memory back meanwhile.
-    #[test]
-    fn a_large_allocation_shows() {
-        if std::env::var_os(ALONE).is_none() {
-            let name = concat!(module_path!(), "::a_large_allocation_shows");
-            let name = name.split_once("::").unwrap().1;
-            let output = Command::new(std::env::current_exe().unwrap())
-                .args(["--exact", name, "--test-threads=1"])
-                .env(ALONE, "1")
-                .output()
-                .unwrap();
-            let text = String::from_utf8_lossy(&output.stdout);
-            assert!(output.status.success() && text.contains("1 passed"), "{text}");
-            return;
-        }
-        let before = super::restart().unwrap();
-        let block = std::hint::black_box(vec![1u8; 64 << 20]);
-        let peak = super::peak_bytes().unwrap();
-        assert!((before + (60 << 20)..before + (100 << 20)).contains(&peak), "{before} {peak}");
-        drop(block);
-        // Linux adds its counters per core only now and then: up to some hundred KiB are missing.
-        assert!(super::peak_bytes().unwrap() >= peak - (1 << 20), "what was given back counts");
-        assert!(super::restart().unwrap() < peak - (32 << 20), "until it is forgotten");
-        let whole = super::process_peak_bytes().unwrap();
-        assert!(whole >= peak - (1 << 20) && super::peak_bytes().unwrap() < whole, "but not for the whole run");
     }
 }

@@ -5,24 +5,14 @@
 pub mod optics_forms;
 pub mod surfaces;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use ndarray::Array2;
 use tiff::decoder::{Decoder, DecodingResult};
-
-/// The folder of shared scans beside the checkout, or `None` with a loud line.
-pub fn shared(test: &str) -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared");
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    eprintln!("SKIPPED {test}: the folder ../shared with the real scans and reference figures is not here");
-    None
-}
 
 /// A scan as plain numbers times a scale.
 pub fn load(path: &Path, pitch_nm: [f64; 2], scale_nm: f64) -> HeightField {
@@ -47,6 +37,7 @@ pub fn reference_optics(sigma_nm: f64, edge: Edge) -> OpticsConfig {
         windows: Windows::Centre,
         material: Material::Ideal,
         shadowing: false,
+        factor: Factor::Scalar,
     }
 }
 
@@ -68,24 +59,50 @@ pub struct Row {
 
 const SNAKE_PITCH_NM: f64 = 65_000.0 / 1332.0;
 
-/// All cases of the independent evaluator.
-pub fn cases(shared: &Path) -> Vec<Case> {
-    let snake = [SNAKE_PITCH_NM, SNAKE_PITCH_NM];
-    let list = [
-        ("blazed_2500nm", "blazed_2500nm", [50.0, 50.0], 1.0, 5_000.0, Edge::Fade),
-        ("sinusoid_1600nm", "sinusoid_1600nm", [40.0, 80.0], 1.0, 5_000.0, Edge::Fade),
-        ("elaphe_guttata", "elaphe_guttata", snake, 375.0 / 65535.0, 8_125.0, Edge::Fade),
-        ("xenopeltis_unicolor", "xenopeltis_unicolor", snake, 1.0, 8_125.0, Edge::Fade),
-        ("elaphe_guttata_tile", "elaphe_guttata", snake, 375.0 / 65535.0, 16_250.0, Edge::Tile),
-    ];
-    list.into_iter()
-        .map(|(name, scan, pitch_nm, scale, sigma_nm, edge)| Case {
-            name,
-            field: load(&shared.join(format!("specimens/{scan}.tif")), pitch_nm, scale),
-            optics: reference_optics(sigma_nm, edge),
-            rows: rows(&shared.join(format!("reference/{name}.csv"))),
-        })
-        .collect()
+/// Name, scan, pitch, scale, σ in nm and edge of a case.
+type Facts = (&'static str, &'static str, [f64; 2], f64, f64, Edge);
+
+const SNAKE_PITCHES_NM: [f64; 2] = [SNAKE_PITCH_NM; 2];
+/// The whole integer range of the corn snake's scan is this many nm.
+const ELAPHE_NM_PER_COUNT: f64 = 375.0 / 65535.0;
+
+/// What is in the repository: generated gratings with rows of an evaluator outside, and pieces of the published snake scans
+/// with rows by `tests/data/reference/evaluate.py`, which meets the other evaluator to ten digits.
+const BUNDLED: [Facts; 5] = [
+    ("blazed_2500nm", "blazed_2500nm", [50.0, 50.0], 1.0, 5_000.0, Edge::Fade),
+    ("sinusoid_1600nm", "sinusoid_1600nm", [40.0, 80.0], 1.0, 5_000.0, Edge::Fade),
+    ("elaphe_guttata_fade", "elaphe_guttata_crop", SNAKE_PITCHES_NM, ELAPHE_NM_PER_COUNT, 1_100.0, Edge::Fade),
+    ("elaphe_guttata_tile", "elaphe_guttata_crop", SNAKE_PITCHES_NM, ELAPHE_NM_PER_COUNT, 2_000.0, Edge::Tile),
+    ("xenopeltis_unicolor_fade", "xenopeltis_unicolor_crop", SNAKE_PITCHES_NM, 1.0, 1_100.0, Edge::Fade),
+];
+
+/// Whole scans with all rows of the evaluator outside, too large for the repository.
+const WHOLE: [Facts; 5] = [
+    ("blazed_2500nm", "blazed_2500nm", [50.0, 50.0], 1.0, 5_000.0, Edge::Fade),
+    ("sinusoid_1600nm", "sinusoid_1600nm", [40.0, 80.0], 1.0, 5_000.0, Edge::Fade),
+    ("elaphe_guttata", "elaphe_guttata", SNAKE_PITCHES_NM, ELAPHE_NM_PER_COUNT, 8_125.0, Edge::Fade),
+    ("xenopeltis_unicolor", "xenopeltis_unicolor", SNAKE_PITCHES_NM, 1.0, 8_125.0, Edge::Fade),
+    ("elaphe_guttata_tile", "elaphe_guttata", SNAKE_PITCHES_NM, ELAPHE_NM_PER_COUNT, 16_250.0, Edge::Tile),
+];
+
+/// The cases in the repository.
+pub fn bundled_cases() -> Vec<Case> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/reference");
+    BUNDLED.iter().map(|facts| case(facts, &folder, &folder)).collect()
+}
+
+/// The cases of the shared folder, in which scans and figures have a folder each.
+pub fn whole_cases(shared: &Path) -> Vec<Case> {
+    WHOLE.iter().map(|facts| case(facts, &shared.join("specimens"), &shared.join("reference"))).collect()
+}
+
+fn case(&(name, scan, pitch_nm, scale, sigma_nm, edge): &Facts, scans: &Path, figures: &Path) -> Case {
+    Case {
+        name,
+        field: load(&scans.join(format!("{scan}.tif")), pitch_nm, scale),
+        optics: reference_optics(sigma_nm, edge),
+        rows: rows(&figures.join(format!("{name}.csv"))),
+    }
 }
 
 fn rows(path: &Path) -> Vec<Row> {

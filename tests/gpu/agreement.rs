@@ -1,6 +1,6 @@
 //! Every kind of table set, in every kind of scene, agrees with the CPU within the derived bound.
 
-use diffraction_atlas::stages::gpu_check::{check_specimen, check_uploaded};
+use diffraction_atlas::stages::gpu::check::{check_specimen, check_uploaded};
 use diffraction_brdf::shader::table_image;
 use diffraction_build::optics::config::{Material, Windows};
 use diffraction_build::optics::pigment::{Surface, pigment};

@@ -1,6 +1,7 @@
 //! The check fails when anything of what is uploaded is wrong.
 
-use diffraction_atlas::stages::gpu_check::{GpuSceneCheck, check_uploaded};
+use diffraction_atlas::stages::gpu::check::check_uploaded;
+use diffraction_atlas::stages::gpu::results::GpuSceneCheck;
 use diffraction_brdf::shader::{TableImage, table_image};
 use diffraction_build::optics::pigment::Surface;
 use diffraction_render::render::gpu_tables::upload;

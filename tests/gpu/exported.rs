@@ -3,7 +3,7 @@
 use diffraction_build::optics::pigment::Surface;
 use std::process::Command;
 
-use diffraction_atlas::stages::specimen;
+use diffraction_atlas::stages::archive::specimen_file;
 use diffraction_brdf::direction::{Vec3, dot};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_build::ground::colour::xyz_to_linear_srgb;
@@ -56,7 +56,7 @@ fn exported_files_are_all_that_an_engine_needs() {
         .unwrap();
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
     let drawn = engine::draw(&exported, "wave", SIDE as u32).unwrap();
-    let (_, set) = specimen::load(&published().version.join("wave")).unwrap();
+    let (_, set) = specimen_file::load(&published().version.join("wave")).unwrap();
     let samples = samples();
     let expected = cpu::shade(&samples, &|wi, wo| brdf_xyz(&set, Interpolation::Bilinear, wi, wo));
     let bound = bound_image(Surface::without_pigment(&set), &samples);

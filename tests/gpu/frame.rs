@@ -8,10 +8,10 @@ use diffraction_render::render::gpu::Gpu;
 use diffraction_render::render::gpu_bound::bound_image;
 use diffraction_render::render::gpu_frame::{Frame, FramePlan, copy_gb_per_s, time_frames};
 use diffraction_render::render::gpu_tables::{shade, upload};
-use diffraction_render::scene::animation::{Axis, Turn};
 use diffraction_render::scene::gbuffer::{GBuffer, gbuffer};
 use diffraction_render::scene::model::{Scene, Shape};
 use diffraction_render::scene::samples::{pixel_range, samples};
+use diffraction_render::scene::turn::{Axis, Turn};
 
 use crate::sets::{full_set, gpu, scenes, sphere};
 

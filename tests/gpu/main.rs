@@ -1,8 +1,14 @@
 //! Tables on the GPU against the CPU, on whatever Vulkan adapter there is (Mesa's software driver will do).
 
+#[macro_use]
+#[path = "../common/skip.rs"]
+mod skip;
+
 mod agreement;
 mod corruption;
 mod exported;
 mod frame;
 mod published;
 mod sets;
+mod shader_export;
+mod shader_layout;

@@ -5,10 +5,11 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 use diffraction_atlas::manifest::{self, convert::run_config};
+use diffraction_atlas::stages::archive::specimen_file;
 use diffraction_atlas::stages::config::RunConfig;
-use diffraction_atlas::stages::gpu_results::GpuRow;
-use diffraction_atlas::stages::gpu_stage::{GpuStage, check_files};
-use diffraction_atlas::stages::specimen;
+use diffraction_atlas::stages::gpu::device::GpuDevice;
+use diffraction_atlas::stages::gpu::published::check_files;
+use diffraction_atlas::stages::gpu::results::GpuRow;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::exr_image::{Precision, read_rgb, write_rgb};
 use diffraction_build::height::HeightField;
@@ -74,7 +75,7 @@ pub fn published() -> &'static Published {
         let run = Command::new(env!("CARGO_BIN_EXE_diffraction-atlas")).arg("run").arg(&path).output().unwrap();
         assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
         let (manifest, text) = manifest::load(&path).unwrap();
-        let config = run_config(&manifest, &text);
+        let config = run_config(manifest, text);
         let version = config.atlas_root.join("v0001");
         Published { _place: place, config, version }
     })
@@ -83,7 +84,7 @@ pub fn published() -> &'static Published {
 /// The rows of a copy of the specimen's folder after something was done to it, and the folder.
 fn rows_after(test: &str, tamper: impl FnOnce(&Path)) -> Option<(Vec<GpuRow>, tempfile::TempDir)> {
     gpu(test)?;
-    let stage = GpuStage::new(Gpu::open().unwrap().unwrap());
+    let stage = GpuDevice::new(Gpu::open().unwrap().unwrap());
     let published = published();
     let copy = tempfile::tempdir().unwrap();
     std::fs::create_dir(copy.path().join("scenes")).unwrap();
@@ -123,7 +124,7 @@ fn change_table(folder: &Path, number: usize, change: impl Fn(f32) -> f32) {
 
 /// Draws the CPU's pictures anew, as if the tables had always been like that.
 fn draw_again(folder: &Path) {
-    let (_, set) = specimen::load(folder).unwrap();
+    let (_, set) = specimen_file::load(folder).unwrap();
     for scene in &published().config.scenes {
         let image = cpu::render(scene, &|wi, wo| brdf_xyz(&set, Interpolation::Bilinear, wi, wo)).unwrap();
         write_rgb(&folder.join(format!("scenes/{}.exr", scene.name)), &image, Precision::Float, &json!({})).unwrap();
@@ -181,7 +182,7 @@ fn a_picture_of_another_size_is_refused() {
     }
     let published = published();
     let larger = Scene { size_px: 151, ..published.config.scenes[0].clone() };
-    let stage = GpuStage::new(Gpu::require().unwrap());
+    let stage = GpuDevice::new(Gpu::require().unwrap());
     let checked =
         check_files(&stage, &published.version.join("wave"), "wave", &[&larger], &published.config.tables, true);
     let error = checked.unwrap_err().to_string();
@@ -199,7 +200,7 @@ fn a_lost_device_is_an_error_of_the_stage() {
     let scenes: Vec<&Scene> = published.config.scenes.iter().collect();
     let folder = published.version.join("wave");
     let error =
-        check_files(&GpuStage::new(lost), &folder, "wave", &scenes, &published.config.tables, true).unwrap_err();
+        check_files(&GpuDevice::new(lost), &folder, "wave", &scenes, &published.config.tables, true).unwrap_err();
     assert!(error.to_string().contains("lost"), "{error}");
 }
 

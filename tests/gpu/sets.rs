@@ -2,10 +2,11 @@
 
 use std::sync::OnceLock;
 
+use crate::skip::skipped;
 use diffraction_atlas::stages::serve::{Source, domain_of, plan_without};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::{build, build_planned};
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 use diffraction_render::render::gpu::Gpu;
@@ -17,7 +18,7 @@ pub fn gpu(test: &str) -> Option<&'static Gpu> {
     static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
     let gpu = GPU.get_or_init(|| Gpu::open().expect("an adapter that is there must open")).as_ref();
     if gpu.is_none() {
-        eprintln!("SKIPPED {test}: no Vulkan adapter");
+        skipped(format_args!("{test}: no Vulkan adapter"));
     }
     gpu
 }
@@ -43,6 +44,7 @@ pub fn optics(windows: Windows, material: Material, shadowing: bool) -> OpticsCo
         windows,
         material,
         shadowing,
+        factor: Factor::Scalar,
     }
 }
 
@@ -89,7 +91,7 @@ pub fn served_set(scene: &Scene) -> TableSet {
     let source = Source { fields: &fields, optics: &optics, tables: &config };
     let domain = domain_of(&source, &[scene]).expect("the scene renders");
     let plan = plan_without(None, &source, &domain).expect("the build fits");
-    build_planned(&fields, &optics, &config, &plan, None, &|_| ()).expect("the set builds").0
+    build_planned(&fields, &optics, &config, &plan, &|_| ()).expect("the set builds").0
 }
 
 /// A sphere under a lamp and the sun.

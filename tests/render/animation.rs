@@ -2,8 +2,9 @@
 
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_render::render::cpu;
-use diffraction_render::scene::animation::{Animation, Axis, Moving, Turn, back, frame, turned};
-use diffraction_render::scene::model::{Scene, Shape, check};
+use diffraction_render::scene::animation::frame;
+use diffraction_render::scene::model::{Animation, Moving, Scene, Shape, check};
+use diffraction_render::scene::turn::{Axis, Turn, back, turned};
 use ndarray::Array3;
 
 use super::scene;

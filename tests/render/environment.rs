@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use diffraction_brdf::direction::{Vec3, Xyz, dot, normalise};
 use diffraction_render::render::cpu;
-use diffraction_render::scene::animation::Turn;
 use diffraction_render::scene::environment::{self, Environment};
 use diffraction_render::scene::model::{Scene, Shape};
+use diffraction_render::scene::turn::Turn;
 use ndarray::{Array2, Array3};
 
 use super::scene;

@@ -4,6 +4,7 @@ mod animation;
 mod closed_forms;
 mod environment;
 mod grating;
+mod mesh_files;
 mod meshes;
 mod pictures;
 mod screen;

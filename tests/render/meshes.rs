@@ -8,13 +8,14 @@ use diffraction_brdf::direction::{Vec3, Xyz, dot, normalise};
 use diffraction_build::ground::colour::to_srgb8;
 use diffraction_render::render::cpu::render;
 use diffraction_render::render::png_image::write_png;
-use diffraction_render::scene::animation::{Axis, Turn, turned};
 use diffraction_render::scene::camera::{Camera, Field};
-use diffraction_render::scene::mesh::{MeshShape, Model, share};
-use diffraction_render::scene::model::{Scene, Shape};
+use diffraction_render::scene::mesh::MeshShape;
+use diffraction_render::scene::mesh_file::Model;
+use diffraction_render::scene::model::{Scene, Shape, share_of};
 use diffraction_render::scene::samples::{ShadingSamples, pixel_centre, pixel_range, samples};
 use diffraction_render::scene::sphere;
 use diffraction_render::scene::tangents::{RawMesh, build};
+use diffraction_render::scene::turn::{Axis, Turn, turned};
 use ndarray::Array3;
 
 use super::scene;
@@ -215,7 +216,7 @@ fn halves() -> Scene {
 fn each_specimen_covers_its_own_half_and_nothing_else() {
     let scene = halves();
     let [first, second] = [0.5f64, 2.0].map(|factor| move |wi: Vec3, wo: Vec3| lopsided(wi, wo).map(|c| factor * c));
-    let shares = [render(&share(&scene, 0), &first).unwrap(), render(&share(&scene, 1), &second).unwrap()];
+    let shares = [render(&share_of(&scene, 0), &first).unwrap(), render(&share_of(&scene, 1), &second).unwrap()];
     let wholes = [render(&scene, &first).unwrap(), render(&scene, &second).unwrap()];
     for ((row, column, channel), &value) in (&shares[0] + &shares[1]).indexed_iter() {
         // 64 rows: the equator lies between two of them.

@@ -10,7 +10,7 @@ stands before it. For order m, with w = -(cos_i + cos_m) and G = (1 + wi.wo)^2 /
 
 These are power fractions already: integrated over an order, f cos_o d omega = f du dv, and the window's power is 1.
 
-    python factors.py              solve all cases (about ten minutes), write cases.csv, print the table
+    python factors.py              solve all cases (90 seconds), write cases.csv, print the table
     python factors.py --table      print the table from cases.csv
 """
 

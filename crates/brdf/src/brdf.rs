@@ -41,7 +41,7 @@ impl Brdf {
     /// [`Error::Call`] for tables of shapes that do not fit each other, and numbers that are not finite.
     ///
     /// ```
-    /// use diffraction_brdf::{Basis, Brdf, FrontFactor, Material, TableSet};
+    /// use diffraction_brdf::{Basis, Brdf, Factor, FrontFactor, Material, TableSet};
     /// # use ndarray::Array3;
     /// // One table that is constant over the square of (u, v): the surface then only has its geometry factor.
     /// let brdf = Brdf::new(TableSet {
@@ -49,7 +49,7 @@ impl Brdf {
     ///     tables: vec![Array3::from_elem((3, 3, 3), 0.1)],
     ///     lobe: None,
     ///     prefilter_width: 0.0,
-    ///     front_factor: FrontFactor { material: Material::Ideal, shadowing: false },
+    ///     front_factor: FrontFactor { material: Material::Ideal, shadowing: false, factor: Factor::Scalar },
     ///     served: None,
     ///     usable_radius: 2.0,
     /// })?;

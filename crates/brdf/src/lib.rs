@@ -75,7 +75,7 @@ pub use brdf::{Brdf, Sample};
 pub use direction::{Vec3, Xyz};
 pub use error::{Error, Result};
 pub use evaluate::Interpolation;
-pub use front_factor::FrontFactor;
+pub use front_factor::{Factor, FrontFactor};
 pub use material::Material;
 pub use reader::Atlas;
 pub use table_set::{Basis, Lobe, Served, TableSet};

@@ -4,7 +4,7 @@
 //!
 //! | binding | variable | what |
 //! |---|---|---|
-//! | 0 | `params` | uniform buffer: [`TableParams`], 2112 bytes, below |
+//! | 0 | `params` | uniform buffer: [`TableParams`], 2128 bytes, below |
 //! | 1 | `tables` | 2D array texture, RGBA16F: [`TableImage::tables`]; where tables serve certain scenes, one layer more |
 //! | 2 | `cross_terms` | 2D array texture, RGBA16F: [`TableImage::cross`] |
 //! | 3 | `lobe` | 2D texture, RGBA32F, not filtered: [`TableImage::coherent`] |
@@ -24,15 +24,19 @@
 //! | 32 | u32 | `served` | 1 where tables serve certain scenes only |
 //! | 36 | f32 | `grid_last` | texels along u of the whole grid, less one |
 //! | 40, 44 | f32 | `first_column`, `first_row` | where in the whole grid the tables begin |
-//! | 48 | vec4 f32 | `pigment` | X, Y, Z in 1/sr, and 1; zeros for the BRDF alone |
-//! | 64 | 64 x vec4 f32 | `table_scales` | value = texel times scale, four layers to a vector |
-//! | 1088 | 64 x vec4 f32 | `cross_scales` | likewise |
+//! | 48 | u32 | `factor` | 0 scalar, 1 vector |
+//! | 52 | u32 | `unused` | 0 |
+//! | 56 | vec2 f32 | `permittivity` | `(n + ik)²` |
+//! | 64 | vec4 f32 | `pigment` | X, Y, Z in 1/sr, and 1; zeros for the BRDF alone |
+//! | 80 | 64 x vec4 f32 | `table_scales` | value = texel times scale, four layers to a vector |
+//! | 1104 | 64 x vec4 f32 | `cross_scales` | likewise |
 
 use bytemuck::{Pod, Zeroable};
 use half::f16;
 use ndarray::{Array3, ArrayView1};
 
 use crate::error::{Error, Result};
+use crate::front_factor::Factor;
 use crate::material::Material;
 use crate::storage::half_scale;
 use crate::table_set::{Basis, Served, TableSet};
@@ -72,6 +76,12 @@ pub struct TableParams {
     pub first_column: f32,
     /// Likewise.
     pub first_row: f32,
+    /// 0 for the scalar factor, 1 for the vector one.
+    pub factor: u32,
+    /// Fills what follows to its alignment.
+    pub unused: u32,
+    /// Permittivity `(n + ik)²`, real and imaginary part.
+    pub permittivity: [f32; 2],
     /// XYZ of the pigment below in 1/sr, and 1 where there is one.
     pub pigment: [f32; 4],
     /// Scale of each table, four to a vector.
@@ -118,6 +128,8 @@ pub fn peak(table: &Array3<f32>) -> f32 {
 pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Result<TableImage> {
     let (material, index) = match set.front_factor.material {
         Material::Ideal => (0, [1.0, 0.0]),
+        // Thinner than air, its roots are complex: the conductor's formulas.
+        Material::Dielectric { n } if n < 1.0 => (2, [n, 0.0]),
         Material::Dielectric { n } => (1, [n, 0.0]),
         Material::Conductor { n, k } => (2, [n, k]),
     };
@@ -156,6 +168,12 @@ pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Resu
         grid_last: (set.size() - 1) as f32,
         first_column: first[1] as f32,
         first_row: first[0] as f32,
+        factor: match set.front_factor.factor {
+            Factor::Scalar => 0,
+            Factor::Vector => 1,
+        },
+        unused: 0,
+        permittivity: [index[0] * index[0] - index[1] * index[1], 2.0 * index[0] * index[1]].map(|x| x as f32),
         pigment: pigment_xyz_per_sr.map_or([0.0; 4], |xyz_per_sr| {
             let [x, y, z] = xyz_per_sr.map(|c| c as f32);
             [x, y, z, 1.0]
@@ -256,7 +274,7 @@ mod tests {
             ($($field:ident)*) => { [$((stringify!($field), offset_of!(TableParams, $field))),*] };
         }
         let fields = offsets!(basis table_count cross_count material shadowing radius_max index_n index_k served grid_last
-            first_column first_row pigment table_scales cross_scales);
+            first_column first_row factor unused permittivity pigment table_scales cross_scales);
         let cells = |line: &'static str| Some(line.strip_prefix("//! | ")?.split(" | ").collect::<Vec<_>>());
         let rows = include_str!("shader.rs").lines().filter_map(cells).filter(|cells| cells.len() == 4);
         let stated = rows.skip(1).flat_map(|cells| {
@@ -264,7 +282,7 @@ mod tests {
             names.zip(cells[0].split(", ").map(|offset| offset.parse().unwrap())).collect::<Vec<_>>()
         });
         assert_eq!(stated.collect::<Vec<_>>(), fields);
-        assert_eq!(size_of::<TableParams>(), 2112);
+        assert_eq!(size_of::<TableParams>(), 2128);
     }
 
     #[test]

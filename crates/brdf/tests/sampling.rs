@@ -8,7 +8,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use diffraction_brdf::direction::from_angles_deg;
-use diffraction_brdf::{Brdf, FrontFactor, Material, Served, Vec3, Xyz};
+use diffraction_brdf::{Brdf, Factor, FrontFactor, Material, Served, Vec3, Xyz};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{ReadConfig, read_scan};
@@ -42,6 +42,7 @@ fn built(name: &str, material: Material, level: Level, blend_nm: Option<f64>) ->
         windows: Windows::Grid,
         material,
         shadowing: false,
+        factor: Factor::Scalar,
     };
     let config = TablesConfig {
         basis: Basis::Chebyshev,
@@ -71,6 +72,13 @@ fn specimens() -> &'static [(&'static str, Brdf)] {
         let mut all: Vec<_> = generated.map(|(name, material)| (name, built(name, material, Level::None, None))).into();
         let measured = "grating_nanosurf_314nm";
         all.push((measured, built(measured, Material::Dielectric { n: 1.5 }, Level::Plane, Some(300.0))));
+        // The tables are the same for the other model of reflection.
+        for (of, name) in [(0, "corn_snake_like, vector"), (3, "sinusoid_1600nm, vector"), (4, "cd_track_like, vector")]
+        {
+            let mut tables = all[of].1.tables().clone();
+            tables.front_factor.factor = Factor::Vector;
+            all.push((name, Brdf::new(tables).unwrap()));
+        }
         all.push(("tiny", Brdf::new(tiny_atlas::tiny_tables()).unwrap()));
         all
     })
@@ -315,7 +323,7 @@ fn a_black_surface_is_sampled_evenly() {
     let mut set = tiny_atlas::tiny_tables();
     set.tables.iter_mut().for_each(|table| table.fill(0.0));
     set.lobe = None;
-    set.front_factor = FrontFactor { material: Material::Ideal, shadowing: false };
+    set.front_factor = FrontFactor { material: Material::Ideal, shadowing: false, factor: Factor::Scalar };
     let brdf = Brdf::new(set).unwrap();
     let sample = brdf.sample(from_angles_deg(60.0, 10.0), [0.3, 0.4, 0.5]).unwrap();
     assert!((sample.pdf - 0.5 / PI).abs() < 1e-15 && sample.weight == [0.0; 3]);

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::cli::options::MANIFEST;
 use crate::cli::output::{self, Outcome};
 use crate::manifest;
 use crate::stages::cache;
@@ -12,7 +13,7 @@ use diffraction_brdf::error::Result;
 #[command(after_help = "Example:\n  diffraction-atlas cache pipeline.toml --clear")]
 pub struct CacheArgs {
     /// Manifest whose runs keep them
-    #[arg(default_value = super::MANIFEST)]
+    #[arg(default_value = MANIFEST)]
     pub manifest: PathBuf,
     /// Remove them all; the next run computes everything anew
     #[arg(long)]

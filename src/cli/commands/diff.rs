@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use crate::cli::Global;
+use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
-use crate::stages::diff::diff;
+use crate::stages::archive::diff::diff;
 use diffraction_brdf::error::Result;
 
 /// Arguments of `diff`.

@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use crate::cli::Global;
 use crate::cli::directions;
+use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
-use crate::manifest::{self, convert::specimen_config};
+use crate::manifest;
+use crate::stages::archive::specimen_file;
 use crate::stages::ingest::ingest;
-use crate::stages::specimen;
 use diffraction_brdf::atlas;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::{Error, Result};
@@ -100,7 +100,7 @@ impl EvalArgs {
             (Method::Tables, Some(atlas), None) => Ok(EvalSource::Tables(atlas)),
             (Method::Reference, Some(_), _) => wrong("`--atlas` goes with `--method tables`"),
             (Method::Reference, None, manifest) => {
-                Ok(EvalSource::Reference(manifest.as_deref().unwrap_or(Path::new(super::MANIFEST))))
+                Ok(EvalSource::Reference(manifest.as_deref().unwrap_or(Path::new(MANIFEST))))
             }
         }
     }
@@ -142,7 +142,7 @@ fn xyz_table(values: impl IntoIterator<Item = Xyz>) -> Table {
 fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<Table> {
     let folder = output::version_folder(atlas)?;
     let index = atlas::read_index(&folder)?;
-    let (_, set) = specimen::load(&atlas::specimen_folder(&folder, &index, &args.specimen)?)?;
+    let (_, set) = specimen_file::load(&atlas::specimen_folder(&folder, &index, &args.specimen)?)?;
     warn_beyond(set.usable_radius, pairs);
     let interpolation = match args.interpolation {
         Lookup::Bilinear => Interpolation::Bilinear,
@@ -168,8 +168,8 @@ fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<
 
 fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<Table> {
     let (manifest, _) = manifest::load(path)?;
-    let Some(section) = manifest.specimens.iter().find(|section| section.name == args.specimen) else {
-        let known: Vec<&str> = manifest.specimens.iter().map(|section| section.name.as_str()).collect();
+    let Some(specimen) = manifest.specimens.iter().find(|specimen| specimen.name == args.specimen) else {
+        let known: Vec<&str> = manifest.specimens.iter().map(|specimen| specimen.name.as_str()).collect();
         return Err(Error::Call(format!(
             "{}: no specimen is called `{}`; there are {}",
             path.display(),
@@ -177,15 +177,14 @@ fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Resul
             known.join(", ")
         )));
     };
-    let config = specimen_config(section);
-    let fields = ingest(&config)?.fields;
-    let usable = fields.iter().map(|f| usable_radius(&config.optics, f.pitch_nm)).fold(2.0, f64::min);
+    let fields = ingest(specimen)?.fields;
+    let usable = fields.iter().map(|f| usable_radius(&specimen.optics, f.pitch_nm)).fold(2.0, f64::min);
     warn_beyond(usable, pairs);
     if args.wavelengths_nm.is_empty() {
-        return Ok(xyz_table(reference::brdf_xyz_batch(&fields, &config.optics, pairs)?));
+        return Ok(xyz_table(reference::brdf_xyz_batch(&fields, &specimen.optics, pairs)?));
     }
     let spectrum =
-        |&(wi, wo): &(Vec3, Vec3)| reference::brdf_spectrum(&fields, &config.optics, wi, wo, &args.wavelengths_nm);
+        |&(wi, wo): &(Vec3, Vec3)| reference::brdf_spectrum(&fields, &specimen.optics, wi, wo, &args.wavelengths_nm);
     Ok(Table {
         columns: args.wavelengths_nm.iter().map(|nm| format!("f_{nm}_nm")).collect(),
         values: pairs.par_iter().map(spectrum).collect::<Result<_>>()?,

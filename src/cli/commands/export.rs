@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::cli::Global;
+use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
-use crate::stages::shader_data::write_shader_data;
-use crate::stages::shader_export::{README, ShaderLanguage, shader};
-use crate::stages::specimen;
+use crate::stages::archive::shader_data::write_shader_data;
+use crate::stages::archive::shader_export::{README, ShaderLanguage, shader};
+use crate::stages::archive::specimen_file;
 use diffraction_brdf::atlas;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
@@ -60,7 +60,7 @@ pub fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
         match args.form {
             Form::FloatTables => export_float(from, &to)?,
             Form::Shaders => {
-                let (file, tables) = specimen::load(from)?;
+                let (file, tables) = specimen_file::load(from)?;
                 write_shader_data(&to, Surface { tables: &tables, pigment: file.pigment.as_ref() })?;
             }
         }
@@ -86,7 +86,7 @@ fn export_shaders(out: &Path) -> Result<()> {
 }
 
 fn export_float(from: &Path, to: &Path) -> Result<()> {
-    let (file, set) = specimen::load(from)?;
+    let (file, set) = specimen_file::load(from)?;
     let tables = write_tables(to, &set, Storage::Float)?;
-    specimen::write(to, &specimen::SpecimenFile { tables, ..file })
+    specimen_file::write(to, &specimen_file::SpecimenFile { tables, ..file })
 }

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use crate::cli::Global;
 use crate::cli::lengths::PitchNm;
+use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
-use crate::stages::specimen;
+use crate::stages::archive::specimen_file;
 use diffraction_brdf::atlas;
 use diffraction_brdf::error::Result;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
@@ -144,8 +144,11 @@ impl ScanReport {
 fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
     let folder = output::version_folder(&args.file)?;
     let index = atlas::read_index(&folder)?;
-    let specimens =
-        index.specimens.iter().map(|entry| specimen::read(&folder.join(&entry.name))).collect::<Result<Vec<_>>>()?;
+    let specimens = index
+        .specimens
+        .iter()
+        .map(|entry| specimen_file::read(&folder.join(&entry.name)))
+        .collect::<Result<Vec<_>>>()?;
     if args.json {
         output::print_json(&serde_json::json!({ "index": index, "specimens": specimens }))?;
         return Ok(Outcome::Done);

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
-use crate::cli::Global;
+use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use diffraction_brdf::error::{Error, Result};
 

@@ -12,9 +12,6 @@ pub mod study;
 pub mod synthesize;
 pub mod verify;
 
-/// The manifest where none is named.
-pub const MANIFEST: &str = "pipeline.toml";
-
 #[cfg(test)]
 mod tests {
     use clap::{Args, Command};

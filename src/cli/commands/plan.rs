@@ -4,14 +4,14 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use crate::cli::Global;
+use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome, bytes_in_words};
 use crate::manifest::{self, convert::run_config};
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::forecast_run::{ReferenceForecast, reference_forecast};
 use crate::stages::ingest::ingest;
 use crate::stages::measured;
-use crate::stages::scenes::reference_samples;
+use crate::stages::pictures::scenes::reference_samples;
 use crate::stages::serve::{self, Budget, Cost, Source};
 use diffraction_brdf::error::Result;
 use diffraction_build::tables::build;
@@ -25,7 +25,7 @@ use diffraction_render::scene::samples::ShadingSamples;
 #[command(after_help = "Example:\n  diffraction-atlas plan snakes.toml --json")]
 pub struct PlanArgs {
     /// What to plan for
-    #[arg(default_value = super::MANIFEST)]
+    #[arg(default_value = MANIFEST)]
     pub manifest: PathBuf,
     /// Print the plan as JSON
     #[arg(long)]
@@ -62,7 +62,7 @@ struct SpecimenPlan {
 /// A wrong manifest. A specimen that would fail is part of the plan, and of the exit status.
 pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
-    let config = run_config(&manifest, &text);
+    let config = run_config(manifest, text);
     let threads = rayon::current_num_threads();
     let asked_for = config.specimens.iter().filter(|specimen| serve::is_asked_for(&config, &specimen.name));
     let mut pictures = Pictures::default();

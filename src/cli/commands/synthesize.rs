@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use crate::cli::Global;
 use crate::cli::lengths::{PitchNm, SizePx, finite, positive, share};
+use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use diffraction_brdf::error::Result;
 use diffraction_build::height::HeightField;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::read::Kind;
-use crate::stages::results::null_for_nan;
+use diffraction_build::ground::null_for_nan;
 
 /// One specimen's comparison.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use super::MeasuredConfig;
+use super::config::MeasuredConfig;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
 use diffraction_build::ground::csv::{self, Cell};

@@ -398,7 +398,7 @@ fn average(set: &TableSet, cos_o: f64) -> Average {
             }
             seen += 1;
             let cos_i = cos2.sqrt();
-            let front = set.front_factor.value([-radius - wo[0], -wo[1], cos_i], wo);
+            let front = set.front_factor.diffuse([-radius - wo[0], -wo[1], cos_i], wo);
             let reflected = front * (cos_i / COSINE_MIN).min(1.0) / AZIMUTHS as f64;
             let place = ((cos_i + cos_o) / max_abs_w(radius)).min(1.0) * (DEPTHS - 1) as f64;
             let below = (place as usize).min(DEPTHS - 2);

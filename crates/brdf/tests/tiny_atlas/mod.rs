@@ -2,6 +2,7 @@
 // and a structure of orders along x.
 
 use diffraction_brdf::atlas::{self, AtlasIndex, SpecimenEntry};
+use diffraction_brdf::front_factor::Factor;
 use diffraction_brdf::specimen::CheckValue;
 use diffraction_brdf::table_set::Storage;
 use diffraction_brdf::{Basis, Brdf, FrontFactor, Lobe, Material, TableSet, files, json, storage};
@@ -31,7 +32,11 @@ pub fn tiny_tables() -> TableSet {
         tables: vec![table(0.3), table(-0.1)],
         lobe: Some(Lobe { coherent, radius_max: 0.3, cross: vec![cross] }),
         prefilter_width: 0.0,
-        front_factor: FrontFactor { material: Material::Dielectric { n: 1.56 }, shadowing: true },
+        front_factor: FrontFactor {
+            material: Material::Dielectric { n: 1.56 },
+            shadowing: true,
+            factor: Factor::Scalar,
+        },
         served: None,
         usable_radius: 2.0,
     }

@@ -6,6 +6,7 @@
 //! anything is allocated.
 
 mod calibration;
+mod config;
 mod directory;
 mod free_text;
 mod gsf;
@@ -14,6 +15,8 @@ mod jpk;
 mod missing;
 mod ome;
 mod park;
+mod refusal;
+mod scan;
 mod stored;
 mod tiff_pixels;
 mod tiff_scan;
@@ -23,135 +26,14 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use serde::{Deserialize, Serialize};
-
-use crate::height::HeightField;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files::sha256_hex;
 
-pub use unit::LengthUnit;
+use self::refusal::{Parsed, Refusal};
 
-/// What a file's numbers mean, said by the caller.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum HeightScale {
-    /// Height in nm of the whole range of an integer type: its smallest value is 0 nm, its largest
-    /// this. Refused for floating-point samples, which have no such range.
-    FullScaleNm(f64),
-    /// The file's numbers are heights in this unit. Where the file has its own straight line from
-    /// samples to numbers (ImageJ's `c0` and `c1`, Park's gain, JPK's slot), that line applies first.
-    Unit(LengthUnit),
-    /// `height = nm_per_count * sample + offset_nm`, of the samples as they are stored.
-    Linear {
-        /// Height of one count in nm; not zero.
-        nm_per_count: f64,
-        /// Height of sample value 0 in nm.
-        offset_nm: f64,
-    },
-}
-
-/// What messages and provenance call the things that a caller can say of a scan: keys of a manifest, or whatever else the
-/// user has at hand.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct CallerWords {
-    /// Where the user says it.
-    pub source: &'static str,
-    /// Sample spacing.
-    pub pitch: &'static str,
-    /// What to do where the file does not tell the spacing.
-    pub add_pitch: &'static str,
-    /// What the numbers mean.
-    pub height: &'static str,
-    /// What to do where the file does not tell what its integers mean...
-    pub add_integer_height: &'static str,
-    /// ...and its floating-point numbers.
-    pub add_float_height: &'static str,
-    /// Where more missing samples may be accepted, as the end of a sentence; empty where they may not.
-    pub or_accept_missing: &'static str,
-}
-
-impl CallerWords {
-    /// A specimen's keys in a manifest.
-    pub const MANIFEST: Self = Self {
-        source: "manifest",
-        pitch: "pitch_nm",
-        add_pitch: "add `pitch_nm = N` (or `pitch_nm = [X, Y]`, nm per sample) to the specimen",
-        height: "height",
-        add_integer_height: "add `height = { full_scale_nm = N }` (nm from the smallest to the largest value of the integer \
-                             type) or `height = { nm_per_count = N, offset_nm = M }` to the specimen",
-        add_float_height: "add `height = { unit = \"U\" }` to the specimen, U being pm, nm, um, mm, cm, m, angstrom or inch",
-        or_accept_missing: ", or raise max_missing_share",
-    };
-}
-
-/// How to read a scan, and what the caller knows that its file may not say.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ReadConfig {
-    /// Which page of a file with several, counted from 0; `None` where there is one choice only.
-    pub page: Option<usize>,
-    /// Sample spacing in nm along x and y; overrules the file.
-    pub pitch_nm: Option<[f64; 2]>,
-    /// What the numbers mean; overrules the file.
-    pub height: Option<HeightScale>,
-    /// Largest accepted share of missing samples, 0 to 1. Those there are get filled in.
-    pub max_missing_share: f64,
-    /// Largest accepted number of samples: bounds the memory, about 60 bytes each, 120
-    /// for missing ones.
-    pub max_samples: usize,
-    /// What messages and provenance call all this.
-    pub words: CallerWords,
-}
-
-impl Default for ReadConfig {
-    fn default() -> Self {
-        Self {
-            page: None,
-            pitch_nm: None,
-            height: None,
-            max_missing_share: 0.05,
-            max_samples: 1 << 26,
-            words: CallerWords::MANIFEST,
-        }
-    }
-}
-
-/// Where a height field comes from and how its numbers were understood.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Provenance {
-    /// The file's name without its folder.
-    pub file_name: String,
-    /// SHA-256 of the whole file, hexadecimal.
-    pub sha256: String,
-    /// "ImageJ TIFF", "OME-TIFF", "Park TIFF", "JPK TIFF", "TIFF" or "GSF".
-    pub format: String,
-    /// The page read, counted from 0.
-    pub page: usize,
-    /// Type of the stored samples: "u8" to "u32", "i8" to "i32", "f16", "f32", "f64".
-    pub sample_format: String,
-    /// Samples along x and y.
-    pub size: [usize; 2],
-    /// Sample spacing in nm along x and y.
-    pub pitch_nm: [f64; 2],
-    /// Who said so: "file: ...", or the caller: "manifest: pitch_nm".
-    pub pitch_from: String,
-    /// Who gave the numbers their meaning: "file: ...", or the caller: "manifest: height".
-    pub height_from: String,
-    /// Samples that were missing and have been filled in.
-    pub missing_samples: usize,
-    /// The channel's name, where the file gives one.
-    pub channel: Option<String>,
-    /// What a careful user wants to know: overruled or contradictory statements, filled samples.
-    pub warnings: Vec<String>,
-}
-
-/// A calibrated scan.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Scan {
-    /// Heights in nm, none missing.
-    pub field: HeightField,
-    /// Where they come from.
-    pub provenance: Provenance,
-}
+pub use self::config::{CallerWords, HeightScale, ReadConfig};
+pub use self::scan::{Provenance, Scan};
+pub use self::unit::LengthUnit;
 
 /// Reads a height scan: TIFF (plain, ImageJ, OME, Park Systems, JPK) or Gwyddion simple field.
 ///
@@ -222,44 +104,5 @@ fn parse(bytes: &[u8], config: &ReadConfig) -> Parsed<stored::RawScan> {
             Err(Refusal::new("this is a picture (PNG or JPEG), not a height scan", EXPORT))
         }
         _ => Err(Refusal::new("neither a TIFF nor a Gwyddion simple field, going by its first bytes", EXPORT)),
-    }
-}
-
-/// Why a file is not accepted, before it is known where the file lies.
-#[derive(Debug, Clone, PartialEq)]
-struct Refusal {
-    what: String,
-    fix: String,
-    limit: bool,
-}
-
-/// Result of a parsing step.
-type Parsed<T> = std::result::Result<T, Refusal>;
-
-impl Refusal {
-    fn new(what: impl Into<String>, fix: impl Into<String>) -> Self {
-        Self { what: what.into(), fix: fix.into(), limit: false }
-    }
-
-    /// Damage: nothing to be done but to fetch the file anew.
-    fn damaged(what: impl Into<String>) -> Self {
-        Self::new(what, "the file is damaged or cut short: copy or export it again")
-    }
-
-    /// More samples than allowed.
-    fn too_large([nx, ny]: [u64; 2], max_samples: usize) -> Self {
-        Self {
-            what: format!("the file claims {nx} x {ny} samples; the limit is {max_samples}"),
-            fix: "crop or bin the scan".to_owned(),
-            limit: true,
-        }
-    }
-
-    fn at(self, path: &Path) -> Error {
-        if self.limit {
-            Error::limit(format!("{}: {}", path.display(), self.what), self.fix)
-        } else {
-            Error::bad_file(path, self.what, self.fix)
-        }
     }
 }

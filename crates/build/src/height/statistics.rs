@@ -11,6 +11,7 @@ use super::prepare::level::{Order, subtract_surface};
 use super::prepare::range_nm;
 use crate::height::HeightField;
 
+pub use periods::Period;
 pub use seams::seam_warning;
 pub use slopes::STEEP_SLOPE;
 
@@ -39,17 +40,6 @@ pub struct Statistics {
     pub steep_share: f64,
     /// Doubts in whole sentences.
     pub warnings: Vec<String>,
-}
-
-/// A period that stands out of the power spectrum.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Period {
-    /// Period in nm.
-    pub period_nm: f64,
-    /// Direction of the grating vector in degrees from +x, counterclockwise with y up, in `[0, 180)`.
-    pub direction_deg: f64,
-    /// Highest line of its peak in the power spectrum (Hann window), relative to the strongest period's.
-    pub relative_power: f64,
 }
 
 /// Statistics of a height field that is not empty and whose heights are finite; `wavelength_min_nm` is

@@ -56,7 +56,7 @@ pub fn add_window(
     // Directions with equally many wavelengths share them; one set is held at a time.
     let mut by_count: BTreeMap<usize, Vec<(&mut Xyz, f64, Vec3)>> = BTreeMap::new();
     for (sum, &(wi, wo)) in sums.iter_mut().zip(pairs) {
-        let (front, q) = (optics.front_factor().value(wi, wo), wave_vector_change(wi, wo));
+        let (front, q) = (optics.front_factor().diffuse(wi, wo), wave_vector_change(wi, wo));
         if front != 0.0 {
             by_count.entry(resolving_count(optics, q, spectra.half_range_nm, step)).or_default().push((sum, front, q));
         }
@@ -103,4 +103,60 @@ fn point(uv: [f64; 2], w: f64, wavelength_nm: f64) -> Point {
 
 fn add(sum: &mut Xyz, weight: Xyz, power: f64) {
     sum.iter_mut().zip(weight).for_each(|(sum, weight)| *sum += weight * power);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ground::spectrum::Illuminant;
+    use crate::optics::config::{Edge, Material, Windows};
+    use diffraction_brdf::front_factor::Factor;
+    use ndarray::Array2;
+
+    /// Transforms that hold a pair's own frequencies, and no others, give the value that those of all frequencies give.
+    #[test]
+    fn values_do_not_depend_on_the_frequencies_held() {
+        let height = |(row, column): (usize, usize)| ((row * 37 + column * 101 + row * column * 13) % 64) as f64 * 2.0;
+        let field = HeightField { heights_nm: Array2::from_shape_fn((160, 160), height), pitch_nm: [100.0; 2] };
+        let (wi, wo) = ([0.6, 0.0, 0.8], [0.1, -0.3, 0.9f64.sqrt()]);
+        let q = wave_vector_change(wi, wo);
+        for (edge, windows, sigma_nm) in [
+            (Edge::Tile, Windows::Grid, 1_500.0),
+            (Edge::Tile, Windows::Centre, 1_500.0),
+            (Edge::Fade, Windows::Grid, 800.0),
+            // A scan four times as wide as the window, whose lines lie farther apart than the scan's.
+            (Edge::Fade, Windows::Centre, 400.0),
+        ] {
+            let optics = OpticsConfig {
+                illuminant: Illuminant::D65,
+                wavelength_nm: [380.0, 780.0],
+                sigma_nm,
+                edge,
+                windows,
+                material: Material::Ideal,
+                shadowing: false,
+                factor: Factor::Scalar,
+            };
+            let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
+            let own = |axis: usize| {
+                let [a, b] = [q[axis] / low_nm, q[axis] / high_nm];
+                [a.min(b), a.max(b)]
+            };
+            let wide = SpectraConfig {
+                s: [0.0, 2.0 * TAU / low_nm],
+                frequency: [[-2.0 / low_nm, 2.0 / low_nm]; 2],
+                tolerance: 1e-6,
+                memory_bytes: 1 << 30,
+            };
+            let narrow = SpectraConfig { frequency: [own(0), own(1)], ..wide };
+            assert!(narrow.holds(&optics, q) && !narrow.holds(&optics, q.map(|x| 1.01 * x)));
+            let fields = std::slice::from_ref(&field);
+            let value = |config: &SpectraConfig| brdf_xyz_batch(fields, &optics, config, &[(wi, wo)]).unwrap()[0];
+            assert_eq!(value(&narrow).map(f64::to_bits), value(&wide).map(f64::to_bits), "{edge:?} {windows:?}");
+            // One that lacks a line or two of what it reads gives another.
+            let [x, y] = narrow.frequency;
+            let less = SpectraConfig { frequency: [[x[0] + 0.4 * (x[1] - x[0]), x[1]], y], ..wide };
+            assert_ne!(value(&less), value(&wide));
+        }
+    }
 }

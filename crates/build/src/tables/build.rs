@@ -6,7 +6,6 @@ use rayon::prelude::*;
 use super::accumulate::{BoxFilter, GROUP, PowerSums};
 use super::domain::{Domain, Hull, Texels};
 use super::forecast;
-use super::kept::{Keeper, Piece};
 use super::lobe::{PhasorPower, coherent};
 use super::model::{Basis, BuildRecord, Lobe, Prefilter, TableSet, TablesConfig};
 use super::plan::{self, Grid, Ring, lobe_radius, lobe_width, nodes_bound_over};
@@ -14,7 +13,7 @@ use super::sums::{Nodes, RingNodes, Sums};
 use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
-use crate::optics::spectra::{self, Spectra, SpectraConfig, bandwidth_nm};
+use crate::optics::spectra::{self, SpectraConfig, bandwidth_nm};
 use crate::optics::window::{Placement, placements, rms_within_nm};
 use diffraction_brdf::chebyshev::{self, Interpolant};
 use diffraction_brdf::direction::max_abs_w;
@@ -305,11 +304,10 @@ pub fn build(
     config: &TablesConfig,
     advance: Advance,
 ) -> Result<(TableSet, BuildRecord)> {
-    build_planned(fields, optics, config, &plan(fields, optics, config)?, None, advance)
+    build_planned(fields, optics, config, &plan(fields, optics, config)?, advance)
 }
 
-/// Builds what [`plan_for`] planned for the same scans and settings. Where tables serve scenes, sums that a keeper has from
-/// earlier builds are not computed again; the tables are the same with and without.
+/// Builds what [`plan_for`] planned for the same scans and settings.
 ///
 /// # Errors
 /// As [`build`].
@@ -318,11 +316,10 @@ pub fn build_planned(
     optics: &OpticsConfig,
     config: &TablesConfig,
     plan: &BuildPlan,
-    keeper: Option<&dyn Keeper>,
     advance: Advance,
 ) -> Result<(TableSet, BuildRecord)> {
     match config.basis {
-        Basis::Chebyshev => build_chebyshev(fields, optics, config, plan, keeper, advance),
+        Basis::Chebyshev => build_chebyshev(fields, optics, config, plan, advance),
         Basis::Taylor => super::taylor::build_taylor(fields, optics, config, advance),
     }
 }
@@ -332,39 +329,34 @@ fn build_chebyshev(
     optics: &OpticsConfig,
     config: &TablesConfig,
     plan: &BuildPlan,
-    keeper: Option<&dyn Keeper>,
     advance: Advance,
 ) -> Result<(TableSet, BuildRecord)> {
     let mut state: Option<Sums> = None;
-    let mut phasors = KnownPhasors::new(plan, keeper);
+    let mut phasors = plan.lobe_seen.then(|| PhasorPower::new(plan.spectra.s, plan.bandwidth_nm));
     let share = 1.0 / plan.windows.len() as f64;
     for &(scan, placement) in &plan.windows {
-        if state.as_ref().is_some_and(|sums| !sums.lack_something()) && !phasors.lacking {
-            advance(plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len() as u64).sum());
-            continue;
-        }
         let spectra = spectra::transform(&fields[scan], placement, optics, &plan.spectra)?;
         let sums = match &mut state {
             Some(sums) => sums,
             None => {
                 let nodes = Nodes::choose(&spectra, plan, config);
                 check_memory(&plan.texels, nodes.most(), nodes.tables, plan.spectra.memory_bytes)?;
-                state.insert(Sums::new(plan, optics, nodes, keeper)?)
+                state.insert(Sums::new(plan, optics, nodes)?)
             }
         };
         sums.add(&spectra, plan, share, advance);
-        phasors.add(&spectra, share);
+        if let Some(phasors) = &mut phasors {
+            phasors.add(&spectra, share);
+        }
     }
     let Some(sums) = state else {
         return Err(Error::Call("a specimen needs at least one scan".into()));
     };
-    sums.keep(plan);
-    phasors.keep();
-    let lobe = match plan.lobe_seen {
-        false => None,
-        true => Some(Lobe {
+    let lobe = match &phasors {
+        None => None,
+        Some(power) => Some(Lobe {
             coherent: coherent(
-                &phasors.power,
+                power,
                 optics,
                 plan.lobe_radius,
                 lobe_depths(plan),
@@ -398,36 +390,6 @@ fn build_chebyshev(
         ..record(plan)
     };
     Ok((set, record))
-}
-
-/// The mean phasor's power, from before or under way.
-struct KnownPhasors<'a> {
-    power: PhasorPower,
-    /// Whether it is needed and has to be summed.
-    lacking: bool,
-    keeper: Option<&'a dyn Keeper>,
-}
-
-impl<'a> KnownPhasors<'a> {
-    fn new(plan: &BuildPlan, keeper: Option<&'a dyn Keeper>) -> Self {
-        let keeper = keeper.filter(|_| plan.domain.is_some());
-        let mut power = PhasorPower::new(plan.spectra.s, plan.bandwidth_nm);
-        let kept = keeper.filter(|_| plan.lobe_seen).and_then(|keeper| keeper.load(Piece::Phasors));
-        let known = kept.is_some_and(|bytes| power.set(&bytes));
-        Self { power, lacking: plan.lobe_seen && !known, keeper }
-    }
-
-    fn add(&mut self, spectra: &Spectra, share: f64) {
-        if self.lacking {
-            self.power.add(spectra, share);
-        }
-    }
-
-    fn keep(&self) {
-        if let (Some(keeper), true) = (self.keeper, self.lacking) {
-            keeper.store(Piece::Phasors, &self.power.bytes());
-        }
-    }
 }
 
 /// The `t` that directions within the lobe have.

@@ -420,16 +420,6 @@ impl Texels {
         self.rows.len() * self.columns.len()
     }
 
-    /// The same window without some texels, given by their indices in the grid, row by row, ascending.
-    pub fn without(&self, indices: &[usize]) -> Self {
-        let mut indices = indices.iter().peekable();
-        let mut left = |row: usize| {
-            let columns = self.runs_in(row, [0.0, f64::INFINITY]).into_iter().flatten();
-            runs_of(columns.filter(|column| indices.next_if_eq(&&(row * self.grid.size + column)).is_none()))
-        };
-        Self { runs: Some(self.rows.clone().map(&mut left).collect()), ..self.clone() }
-    }
-
     /// Number of texels within `rho[0] <= radius < rho[1]`.
     pub fn count_within(&self, rho: [f64; 2]) -> usize {
         self.rows.clone().flat_map(|row| self.runs_in(row, rho)).map(|run| run.len()).sum()

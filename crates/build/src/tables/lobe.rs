@@ -57,21 +57,6 @@ impl PhasorPower {
         });
     }
 
-    /// Its values as bytes.
-    pub fn bytes(&self) -> Vec<u8> {
-        self.values.iter().flat_map(|value| value.to_le_bytes()).collect()
-    }
-
-    /// Takes over [`Self::bytes`] of the same interval and heights; whether they are as many as must be.
-    pub fn set(&mut self, bytes: &[u8]) -> bool {
-        let (eights, rest) = bytes.as_chunks::<8>();
-        let whole = rest.is_empty() && eights.len() == self.values.len();
-        if whole {
-            self.values.iter_mut().zip(eights).for_each(|(value, eight)| *value = f64::from_le_bytes(*eight));
-        }
-        whole
-    }
-
     /// The value at `s`. Where transforms stop short of the whole hemisphere, no direction that is served asks for more:
     /// what lies beyond takes the value at their end.
     fn at(&self, s: f64) -> f64 {

@@ -1,11 +1,9 @@
 //! Tables floor: bases, building, storage, evaluation.
 
 pub mod accumulate;
-pub mod baselines;
 pub mod build;
 pub mod domain;
 pub mod forecast;
-pub mod kept;
 pub mod lobe;
 pub mod model;
 pub mod pilot;

@@ -1,14 +1,12 @@
-//! The sums of a build: how finely each ring resolves depth, which of its texels are known from before, and the rest.
+//! The sums of a build: how finely each ring resolves depth, and what is summed.
 
 use std::f64::consts::SQRT_2;
-use std::ops::Range;
 
 use ndarray::Array3;
 
 use super::accumulate::{BoxFilter, GROUP, PowerSums, Quantity, RingSum, add_ring};
 use super::build::{Advance, BuildPlan, to_tables};
 use super::domain::Texels;
-use super::kept::{Cut, Keeper, KeptSums, Part, Piece, blocks, is_worth_keeping, numbers};
 use super::lobe::patch_grid;
 use super::model::TablesConfig;
 use super::pilot::{Pilot, RING_SHARE};
@@ -96,21 +94,10 @@ fn most_over(plan: &BuildPlan, w: [f64; 2]) -> usize {
 }
 
 /// The sums under way: the tables and, where windows are not averaged away, the cross term.
-pub(super) struct Sums<'a> {
+pub(super) struct Sums {
     pub nodes: Nodes,
     pub main: PowerSums,
-    /// What is not known of each ring; `None` where all is.
-    missing: Vec<Option<Missing>>,
     cross: Option<Cross>,
-    keeper: Option<&'a dyn Keeper>,
-}
-
-/// What is not known of a ring.
-struct Missing {
-    /// The texels.
-    texels: Texels,
-    /// The blocks of rows that these lie in, where they are to be kept.
-    blocks: Vec<(usize, Range<usize>)>,
 }
 
 /// The cross term's sums: a square patch, and the ring without a hole that reaches past its corners.
@@ -119,63 +106,33 @@ struct Cross {
     texels: Texels,
     ring: [Ring; 1],
     nodes: RingNodes,
-    known: bool,
 }
 
-impl<'a> Sums<'a> {
-    /// Nothing summed yet but what a keeper knows of tables that serve scenes.
-    pub fn new(plan: &BuildPlan, optics: &OpticsConfig, nodes: Nodes, keeper: Option<&'a dyn Keeper>) -> Result<Self> {
-        let mut main = PowerSums::new(&plan.texels, nodes.most());
-        let keeper = keeper.filter(|_| plan.domain.is_some());
-        let rings = plan.rings.iter().zip(&nodes.rings);
-        let missing = rings.map(|(ring, &nodes)| recall(keeper, plan, ring, nodes, &mut main)).collect();
-        let cross = plan.crosses.then(|| Cross::new(plan, optics, nodes.cross, keeper)).transpose()?;
-        Ok(Self { nodes, main, missing, cross, keeper })
-    }
-
-    /// Whether transforms are needed at all.
-    pub fn lack_something(&self) -> bool {
-        self.missing.iter().any(Option::is_some) || self.cross.as_ref().is_some_and(|cross| !cross.known)
+impl Sums {
+    /// Nothing summed yet.
+    pub fn new(plan: &BuildPlan, optics: &OpticsConfig, nodes: Nodes) -> Result<Self> {
+        let main = PowerSums::new(&plan.texels, nodes.most());
+        let cross = plan.crosses.then(|| Cross::new(plan, optics, nodes.cross)).transpose()?;
+        Ok(Self { nodes, main, cross })
     }
 
     /// Adds one of the windows.
     pub fn add(&mut self, spectra: &Spectra, plan: &BuildPlan, share: f64, advance: Advance) {
-        for ((ring, nodes), missing) in plan.rings.iter().zip(&self.nodes.rings).zip(&self.missing) {
-            if let Some(Missing { texels, .. }) = missing {
-                let what = RingSum { texels, ring, filter: plan.filter, quantity: Quantity::Power, share };
-                add_ring(spectra, what, &nodes.positions(), &mut self.main);
-            }
+        for (ring, nodes) in plan.rings.iter().zip(&self.nodes.rings) {
+            let what = RingSum { texels: &plan.texels, ring, filter: plan.filter, quantity: Quantity::Power, share };
+            add_ring(spectra, what, &nodes.positions(), &mut self.main);
             advance(ring.quadrature.wavelengths_nm.len() as u64);
         }
-        if let Some(Cross { sums, texels, ring: [ring], nodes, known: false }) = &mut self.cross {
+        if let Some(Cross { sums, texels, ring: [ring], nodes }) = &mut self.cross {
             let filter = BoxFilter { width: 0.0, samples: 1 };
             let what = RingSum { texels, ring, filter, quantity: Quantity::Cross, share };
             add_ring(spectra, what, &nodes.positions(), sums);
         }
     }
 
-    /// Gives what was summed to the keeper.
-    pub fn keep(&self, plan: &BuildPlan) {
-        let Some(keeper) = self.keeper else { return };
-        for ((ring, &nodes), missing) in plan.rings.iter().zip(&self.nodes.rings).zip(&self.missing) {
-            for (block, rows) in missing.iter().flat_map(|missing| &missing.blocks) {
-                let piece = Piece::Ring(Cut::new(ring, nodes), *block);
-                let before = keeper.load(piece).and_then(|bytes| KeptSums::read(bytes, nodes.count));
-                let part = Part { texels: &plan.texels, rho: ring.rho, rows: rows.clone() };
-                keeper.store(piece, KeptSums::merged(before.as_ref(), &self.main, &part, nodes.count).bytes());
-            }
-        }
-        if let Some(Cross { sums, ring: [ring], nodes, known: false, .. }) = &self.cross {
-            let bytes: Vec<u8> = sums.data.iter().flat_map(|number| number.to_le_bytes()).collect();
-            keeper.store(Piece::Cross(Cut::new(ring, *nodes)), &bytes);
-        }
-    }
-
     pub fn cross_tables(&self) -> Vec<Array3<f32>> {
         match &self.cross {
-            Some(Cross { sums, texels, ring, nodes, .. }) => {
-                to_tables(sums, texels, None, ring, &[*nodes], nodes.count)
-            }
+            Some(Cross { sums, texels, ring, nodes }) => to_tables(sums, texels, None, ring, &[*nodes], nodes.count),
             None => Vec::new(),
         }
     }
@@ -188,52 +145,14 @@ impl RingNodes {
     }
 }
 
-/// Copies what is known of a ring's sums, and gives what is not; `None` where all is known.
-fn recall(
-    keeper: Option<&dyn Keeper>,
-    plan: &BuildPlan,
-    ring: &Ring,
-    nodes: RingNodes,
-    sums: &mut PowerSums,
-) -> Option<Missing> {
-    let texels = &plan.texels;
-    let Some(keeper) = keeper.filter(|_| is_worth_keeping(ring, plan.windows.len())) else {
-        return Some(Missing { texels: texels.clone(), blocks: Vec::new() });
-    };
-    let (mut known, mut lacking) = (Vec::new(), 0);
-    let mut open = Vec::new();
-    for (block, rows) in blocks(texels) {
-        let part = Part { texels, rho: ring.rho, rows };
-        let wanted = part.indices().count();
-        if wanted > 0 {
-            let bytes = keeper.load(Piece::Ring(Cut::new(ring, nodes), block));
-            let kept = bytes.and_then(|bytes| KeptSums::read(bytes, nodes.count));
-            let copied = kept.map_or(Vec::new(), |kept| kept.copy_to(sums, &part));
-            if copied.len() < wanted {
-                lacking += wanted - copied.len();
-                open.push((block, part.rows));
-            }
-            known.extend(copied);
-        }
-    }
-    keeper.count([known.len(), lacking].map(|texels| texels as u64));
-    (lacking > 0).then(|| Missing { texels: texels.without(&known), blocks: open })
-}
-
 impl Cross {
-    fn new(plan: &BuildPlan, optics: &OpticsConfig, count: usize, keeper: Option<&dyn Keeper>) -> Result<Self> {
+    fn new(plan: &BuildPlan, optics: &OpticsConfig, count: usize) -> Result<Self> {
         let texels = Texels::whole(patch_grid(optics, plan.lobe_radius));
         let corner = plan.lobe_radius * SQRT_2;
         let wavelengths = plan::wavelengths_needed(optics, plan.bandwidth_nm, corner, max_abs_w(0.0), 1e-6);
         let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, wavelengths)?;
         let nodes = RingNodes { w: [0.0, max_abs_w(0.0)], count };
         let ring = Ring { rho: [0.0, corner * 1.01], w: nodes.w, quadrature };
-        let mut sums = PowerSums::new(&texels, count);
-        let kept = keeper.and_then(|keeper| keeper.load(Piece::Cross(Cut::new(&ring, nodes))));
-        let kept = kept.filter(|bytes| bytes.len() == size_of_val(&sums.data[..]));
-        if let Some(bytes) = &kept {
-            sums.data.iter_mut().zip(numbers(bytes)).for_each(|(slot, number)| *slot = number);
-        }
-        Ok(Self { sums, texels, ring: [ring], nodes, known: kept.is_some() })
+        Ok(Self { sums: PowerSums::new(&texels, count), texels, ring: [ring], nodes })
     }
 }

@@ -12,8 +12,8 @@ use std::sync::Arc;
 use ndarray::{Array2, Axis};
 use serde::{Deserialize, Serialize};
 
-use super::animation::{Turn, back, turned};
-use crate::scene::exr_foreign::read_luminance;
+use super::exr_foreign::read_luminance;
+use super::turn::{Turn, back, turned};
 use diffraction_brdf::direction::Vec3;
 use diffraction_brdf::error::{Error, Result};
 
@@ -164,7 +164,7 @@ pub fn direction([rows, columns]: [usize; 2], row: f64, column: f64, rotate_deg:
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::animation::Axis as TurnAxis;
+    use crate::scene::turn::Axis as TurnAxis;
     use diffraction_brdf::direction::dot;
     use diffraction_build::ground::sampling::plane;
 

@@ -9,10 +9,11 @@ use diffraction_brdf::direction::dot;
 use diffraction_brdf::error::{Error, Result};
 
 use super::frame::{cross, to_local};
+use super::hit::LitHit;
 use super::light::{LightSample, light_samples};
 use super::model::{Scene, check};
 use super::samples::{pixel_centre, pixel_width, position};
-use super::surface::{self, LitHit, Surface, surface};
+use super::surface::{self, Surface, surface};
 
 /// Most surface points: 3 GB.
 pub const POINTS_MAX: usize = 1 << 26;
@@ -255,7 +256,7 @@ mod tests {
         let scene = Scene::still("map", Shape::Hemisphere, vec![Light::point([0.0, 0.0, 1.0])], 16);
         let error = gbuffer(&scene).unwrap_err().to_string();
         assert!(error.contains("\"map\"") && error.contains("\"snake\""), "{error}");
-        let scene = Scene { shape: Shape::Sphere, size_px: 8193, ..scene };
+        let scene = Scene { shape: Shape::Sphere, size_px: 8192, pixel_samples: 4, ..scene };
         assert!(gbuffer(&scene).unwrap_err().to_string().contains("size_px"));
     }
 }

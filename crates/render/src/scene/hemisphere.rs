@@ -1,7 +1,7 @@
 //! The hemisphere of viewing directions: a map of the BRDF for one direction of light.
 
 use super::light::LightSample;
-use super::samples::{RowSamples, push};
+use super::row::{RowSamples, push};
 
 /// Samples of the pixel centred at `(x, y)`, which stands for the viewing direction with those direction
 /// cosines; none outside the unit disc. The value is `f` itself in 1/sr, averaged over the

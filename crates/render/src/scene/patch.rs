@@ -2,10 +2,10 @@
 
 use diffraction_brdf::direction::{Vec3, dot, normalise};
 
-use super::animation::{Turn, carried};
 use super::frame::{self, Frame, add_scaled};
+use super::hit::Hit;
 use super::model::Shape;
-use super::surface::Hit;
+use super::turn::{Turn, carried};
 
 /// Space left around the square, as a factor on its largest picture coordinate.
 const MARGIN: f64 = 1.04;

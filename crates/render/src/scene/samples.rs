@@ -11,9 +11,11 @@ use diffraction_brdf::direction::Vec3;
 use diffraction_brdf::error::{Error, Result};
 
 use super::frame::to_local;
+use super::hit::LitHit;
 use super::light::{LightSample, environment_count, light_samples, pixel_offset};
 use super::model::{Scene, Shape, check};
-use super::surface::{self, LitHit, Surface};
+use super::row::{RowSamples, push};
+use super::surface::{self, Surface};
 use super::{hemisphere, screen, surroundings};
 
 /// Most samples one [`ShadingSamples`] may hold: 1.9 GB.
@@ -36,15 +38,6 @@ pub struct ShadingSamples {
     /// What `f(wi, wo)` is multiplied by; positive. Unit: sr for pictures of surfaces, none for the
     /// hemisphere, sr times relative irradiance for the screen.
     pub weight: Vec<f32>,
-}
-
-/// Samples of one pixel row while it is being gathered.
-#[derive(Debug, Default)]
-pub struct RowSamples {
-    counts: Vec<u32>,
-    wi: Vec<[f32; 3]>,
-    wo: Vec<[f32; 3]>,
-    weight: Vec<f32>,
 }
 
 /// The samples of a whole picture: 28 bytes each. Refuses scenes that fail `model::check` and
@@ -103,19 +96,6 @@ pub fn pixel_centre(scene: &Scene, row: usize, column: usize) -> [f64; 2] {
 /// Width of a pixel in picture coordinates.
 pub fn pixel_width(scene: &Scene) -> f64 {
     2.0 / scene.size_px as f64
-}
-
-/// Adds a sample to the pixel being gathered, unless a direction is at or below the surface or the
-/// weight vanishes.
-pub fn push(out: &mut RowSamples, wi: Vec3, wo: Vec3, weight: f64) {
-    // Tested after rounding: what is stored is what is shaded.
-    let (wi, wo) = (wi.map(|c| c as f32), wo.map(|c| c as f32));
-    let weight = weight as f32;
-    if wi[2] > 0.0 && wo[2] > 0.0 && weight > 0.0 {
-        out.wi.push(wi);
-        out.wo.push(wo);
-        out.weight.push(weight);
-    }
 }
 
 /// Reflected radiance of a surface seen by a camera: the weight is irradiance times `cos_theta_i`.

@@ -21,7 +21,7 @@ use diffraction_brdf::direction::{Vec3, dot};
 use super::frame::{Frame, to_local};
 use super::light::{direction_to, disc_xy, pixel_offset, sequence_point, sunflower};
 use super::model::{Light, Scene, Shape};
-use super::samples::{RowSamples, push};
+use super::row::{RowSamples, push};
 
 /// One ray of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -11,8 +11,8 @@ use diffraction_brdf::direction::{Vec3, dot, normalise};
 use super::bvh::Ray;
 use super::camera::{self, Camera, Field, View};
 use super::frame::{Frame, add_scaled, cross};
+use super::hit::{Hit, LitHit};
 use super::scales::{scale_at, slopes};
-use super::surface::{Hit, LitHit};
 use super::tangents::{RawMesh, build};
 use super::triangles::{TriangleMesh, first_hit, frame_along, is_open, surface};
 

@@ -1,7 +1,7 @@
 //! A sphere seen from afar.
 
 use super::frame::on_globe;
-use super::surface::Hit;
+use super::hit::Hit;
 
 /// The sphere's radius as a share of half the picture's side.
 pub const RADIUS: f64 = 0.95;

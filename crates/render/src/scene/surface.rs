@@ -2,31 +2,13 @@
 
 use diffraction_brdf::direction::Vec3;
 
-use super::animation::{Turn, back, carried, turned};
-use super::frame::Frame;
+use super::hit::{Hit, LitHit};
 use super::mesh::{self, MeshView};
 use super::model::{Scene, Shape};
 use super::patch::{self, PatchView};
 use super::snake::{self, Snake};
 use super::sphere;
-
-/// What a camera ray meets.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hit {
-    /// Frame of the surface there.
-    pub frame: Frame,
-    /// Unit vector to the viewer in the world.
-    pub to_viewer: Vec3,
-}
-
-/// What a camera ray meets on a body that may stand in its own light.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LitHit {
-    /// Frame and viewer.
-    pub hit: Hit,
-    /// Where rays to lights start.
-    pub lifted: Vec3,
-}
+use super::turn::{Turn, back, carried, turned};
 
 /// A scene's surface, ready for rays.
 #[derive(Debug)]

@@ -16,7 +16,7 @@ use diffraction_build::ground::sampling::plane_far;
 
 use super::environment::{Environment, direction_by_light, radiance, scalar_irradiance};
 use super::frame::{to_local, to_world};
-use super::surface::Hit;
+use super::hit::Hit;
 
 /// Distance in (u, v) within which the density around the mirror direction is level: less than the deviation of a lobe
 /// through a coherence window of 16 µm.

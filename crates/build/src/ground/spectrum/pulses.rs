@@ -1,6 +1,6 @@
 //! How many wavelengths an order of diffraction takes: pulses in 1/λ under a light that is not smooth.
 
-use super::Illuminant;
+use super::illuminant::Illuminant;
 use super::wavenumbers::{Nodes, densities};
 
 /// Share of the pulses, even over the wavelengths, that must be integrated to the tolerance.
@@ -121,7 +121,7 @@ fn gaussian(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::uniform_wavelengths;
+    use super::super::quadrature::uniform_wavelengths;
     use super::*;
 
     /// Errors of pulses by plain sums over 0.02 nm, for the product weights of `count` wavenumbers.

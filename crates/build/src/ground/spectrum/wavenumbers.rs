@@ -1,6 +1,7 @@
 //! Product quadrature on uniform wavenumbers.
 
-use super::{Illuminant, SpectralQuadrature, lines_quadrature, normalised, observer_2deg};
+use super::illuminant::{Illuminant, observer_2deg};
+use super::quadrature::{SpectralQuadrature, lines_quadrature, normalised};
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::Result;
 
@@ -132,7 +133,7 @@ fn interpolate(barycentric: &[f64], x: f64, cardinals: &mut [f64]) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::uniform_wavelengths;
+    use super::super::quadrature::uniform_wavelengths;
     use super::*;
 
     fn integrate(q: &SpectralQuadrature, f: impl Fn(f64) -> f64) -> Xyz {

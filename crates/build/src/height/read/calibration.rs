@@ -2,8 +2,11 @@
 
 use ndarray::Array2;
 
+use super::config::{HeightScale, ReadConfig};
+use super::missing;
+use super::refusal::{Parsed, Refusal};
+use super::scan::{Provenance, Scan};
 use super::stored::{Line, RawScan, Sourced};
-use super::{HeightScale, Parsed, Provenance, ReadConfig, Refusal, Scan, missing};
 use crate::height::HeightField;
 
 /// Largest believable height in nm: one metre.

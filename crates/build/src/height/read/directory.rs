@@ -3,7 +3,7 @@
 //! The pixel decoder is not asked for tags: it would list a private tag's megabytes as 32-byte values.
 //! Here every value is a range inside the file.
 
-use super::{Parsed, Refusal};
+use super::refusal::{Parsed, Refusal};
 
 /// Longest text tag that is looked at, in bytes.
 const TEXT_MAX: usize = 4 << 20;

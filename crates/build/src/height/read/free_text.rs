@@ -1,9 +1,9 @@
 //! Calibration of plain TIFFs: `key=value` lines of the description, and the resolution tags.
 
 use super::directory::Directory;
+use super::refusal::Parsed;
 use super::stored::{Found, RawScan, Sourced};
-use super::tiff_scan::unit_is_enough;
-use super::{LengthUnit, Parsed};
+use super::unit::LengthUnit;
 
 /// Coarsest pitch in nm that resolution tags are believed for. Screens, printers and scanners up to
 /// 2400 dots per inch lie above.
@@ -13,7 +13,7 @@ const COARSEST_NM: f64 = 10_000.0;
 pub(super) fn apply(scan: &mut RawScan, description: &str, directory: &Directory) -> Parsed<()> {
     scan.unit_nm =
         height_unit(description, "description").unwrap_or_else(|| Err("no tag gives a height unit".to_owned()));
-    if scan.unit_nm.is_ok() && !unit_is_enough(scan.stored.kind) {
+    if scan.unit_nm.is_ok() && !scan.stored.kind.unit_is_enough() {
         scan.unit_nm = Err(format!(
             "its description names a height unit, but {} samples are usually stretched to their \
              range, and the range is not given",

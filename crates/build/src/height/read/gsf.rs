@@ -1,8 +1,9 @@
 //! Gwyddion simple field: a text header, NUL padding, 32-bit floats from the top row down.
 
+use super::refusal::{Parsed, Refusal};
 use super::stored::{Found, Line, RawScan, SampleKind, Sourced, Stored};
 use super::tiff_pixels::checked_size;
-use super::{LengthUnit, Parsed, Refusal};
+use super::unit::LengthUnit;
 
 /// The first line.
 pub(super) const MAGIC: &[u8] = b"Gwyddion Simple Field 1.0\n";

@@ -2,9 +2,10 @@
 
 use super::directory::Directory;
 use super::free_text;
+use super::refusal::{Parsed, Refusal};
 use super::stored::{Found, Line, RawScan, SampleKind, Sourced};
+use super::unit::LengthUnit;
 use super::unit::unescape;
-use super::{LengthUnit, Parsed, Refusal};
 
 /// The keys of an ImageJ description that bear on calibration.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -1,8 +1,11 @@
 //! JPK (Bruker NanoWizard) TIFF: one channel per page, each with several calibrations ("slots").
 
+use super::config::ReadConfig;
 use super::directory::Directory;
+use super::refusal::{Parsed, Refusal};
 use super::stored::{Found, Line, RawScan, Sourced};
-use super::{LengthUnit, Parsed, ReadConfig, Refusal, tiff_pixels};
+use super::tiff_pixels;
+use super::unit::LengthUnit;
 
 const SCAN_SIZE: [u16; 2] = [0x8042, 0x8043];
 const REFLECT: u16 = 0x8045;

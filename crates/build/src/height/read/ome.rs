@@ -2,8 +2,9 @@
 
 use roxmltree::{Document, Node, ParsingOptions};
 
+use super::refusal::{Parsed, Refusal};
 use super::stored::{Found, RawScan, Sourced};
-use super::{LengthUnit, Parsed, Refusal};
+use super::unit::LengthUnit;
 
 /// More elements than any scan needs; bounds the parser's memory.
 const NODES_MAX: u32 = 200_000;

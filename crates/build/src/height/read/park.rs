@@ -1,9 +1,11 @@
 //! Park Systems TIFF (SmartScan, XEI): heights in a private tag behind a palette preview.
 
+use super::config::ReadConfig;
 use super::directory::Directory;
+use super::refusal::{Parsed, Refusal};
 use super::stored::{Line, RawScan, SampleKind, Sourced, Stored};
 use super::tiff_pixels::checked_size;
-use super::{LengthUnit, Parsed, ReadConfig, Refusal};
+use super::unit::LengthUnit;
 
 const TAG_MAGIC: u16 = 50432;
 const TAG_DATA: u16 = 50434;

@@ -40,6 +40,12 @@ impl SampleKind {
         }
     }
 
+    /// Whether a bare unit is enough to make samples of this type heights. Samples of 8 and 16 bits are
+    /// as a rule stretched to their range, which a unit does not undo.
+    pub(super) fn unit_is_enough(self) -> bool {
+        self.range().is_none() || self.bytes() >= 4
+    }
+
     /// Smallest and largest value of an integer type.
     pub(super) fn range(self) -> Option<[f64; 2]> {
         Some(match self {

@@ -9,8 +9,8 @@ use std::io::Cursor;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
 
 use super::directory::Directory;
+use super::refusal::{Parsed, Refusal};
 use super::stored::{SampleKind, Stored};
-use super::{Parsed, Refusal};
 
 /// What a page holds, by its tags.
 #[derive(Debug, Clone, Copy, PartialEq)]

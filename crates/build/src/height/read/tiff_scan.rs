@@ -1,9 +1,11 @@
 //! TIFF scans: tells the dialects apart, chooses the page, and collects what its tags say.
 
+use super::config::ReadConfig;
 use super::directory::{Directory, TiffFile};
-use super::stored::{Line, RawScan, SampleKind, Stored};
+use super::refusal::{Parsed, Refusal};
+use super::stored::{Line, RawScan, Stored};
 use super::tiff_pixels::{self, Content, Page};
-use super::{Parsed, ReadConfig, Refusal, free_text, imagej, jpk, ome, park};
+use super::{free_text, imagej, jpk, ome, park};
 
 /// Reads any TIFF.
 pub(super) fn read(bytes: &[u8], config: &ReadConfig) -> Parsed<RawScan> {
@@ -136,10 +138,4 @@ fn no_data(directory: &Directory) -> Parsed<Option<f64>> {
             text.chars().take(40).collect::<String>()
         ))),
     }
-}
-
-/// Whether a bare unit is enough to make samples of this type heights. Samples of 8 and 16 bits are
-/// as a rule stretched to their range, which a unit does not undo.
-pub(super) fn unit_is_enough(kind: SampleKind) -> bool {
-    kind.range().is_none() || kind.bytes() >= 4
 }

@@ -4,8 +4,8 @@ use std::f64::consts::{LN_2, TAU};
 
 use ndarray::Array2;
 use rustfft::num_complex::Complex;
+use serde::{Deserialize, Serialize};
 
-use super::Period;
 use crate::ground::fft::fft2;
 use crate::height::HeightField;
 
@@ -39,6 +39,17 @@ const BACKGROUND_BINS_MIN: usize = 24;
 /// Most steps towards a peak's centre, and the step in lines that ends them.
 const STEPS_MAX: usize = 20;
 const STEP_MIN: f64 = 1e-3;
+
+/// A period that stands out of the power spectrum.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Period {
+    /// Period in nm.
+    pub period_nm: f64,
+    /// Direction of the grating vector in degrees from +x, counterclockwise with y up, in `[0, 180)`.
+    pub direction_deg: f64,
+    /// Highest line of its peak in the power spectrum (Hann window), relative to the strongest period's.
+    pub relative_power: f64,
+}
 
 /// Power spectrum of the windowed heights, and what its lines are.
 struct Spectrum {

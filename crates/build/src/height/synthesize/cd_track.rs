@@ -3,7 +3,7 @@
 use fastrand::Rng;
 use ndarray::Array2;
 
-use super::{Grid, length, round_heights, step};
+use super::grid::{Grid, length, round_heights, step};
 use diffraction_brdf::error::Result;
 
 /// Distance of the tracks.

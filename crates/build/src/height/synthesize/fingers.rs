@@ -9,8 +9,8 @@ use std::f64::consts::PI;
 use fastrand::Rng;
 use ndarray::Array2;
 
+use super::grid::{Grid, length, round_heights, step};
 use super::random::{Waves, bounded_normal, rough};
-use super::{Grid, length, round_heights, step};
 use diffraction_brdf::error::Result;
 
 /// Dimensions of a fingered surface, all lengths in nm.

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use ndarray::Array2;
 
-use super::Grid;
+use super::grid::Grid;
 use diffraction_brdf::error::{Error, Result};
 
 /// The grating vector in periods per nm along x and y; exactly along the axes for multiples of 90 degrees.

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use fastrand::Rng;
 use ndarray::{Array2, Axis, Zip};
 
-use super::Grid;
+use super::grid::Grid;
 use diffraction_brdf::error::{Error, Result};
 
 /// One standard normal number, by Box and Muller.

@@ -1,0 +1,6 @@
+//! Accuracy floor: the directions on which errors of tables are counted, the reference there, and what differs.
+
+pub mod directions;
+pub mod power_sums;
+pub mod reference;
+pub mod rows;

@@ -1,0 +1,107 @@
+//! The reference of a set of pairs of directions: the BRDF straight from the transforms (`optics::spectral`), without tables.
+//!
+//! One pass over the windows serves the error rows and the scenes' reference pictures.
+
+use rayon::prelude::*;
+
+use super::directions::{ErrorDirections, ErrorGroup};
+use crate::height::HeightField;
+use crate::optics::config::OpticsConfig;
+use crate::optics::reference::{FULL_STEP, PICTURE_STEP, resolving_wavelengths};
+use crate::optics::spectra::{self, Spectra};
+use crate::optics::spectral;
+use crate::tables::build::BuildPlan;
+use diffraction_brdf::chebyshev;
+use diffraction_brdf::direction::{Vec3, Xyz, max_abs_w, wave_vector_change};
+use diffraction_brdf::error::Result;
+
+/// What the surface does in all directions that are asked for, in one list.
+#[derive(Debug, Clone, Default)]
+pub struct Reference {
+    /// The groups of directions on which errors are counted.
+    pub groups: Vec<ErrorGroup>,
+    /// Pairs of directions: those of the groups first, then whatever scenes added.
+    pub pairs: Vec<(Vec3, Vec3)>,
+    /// XYZ of the BRDF at each, in 1/sr.
+    pub xyz: Vec<Xyz>,
+    /// Diffuse luminance at the regions' pairs: exact, with the tables' wavelengths, and with the tables'
+    /// interpolation in `w` too; geometry and reflectance left out.
+    pub diffuse: [Vec<f64>; 3],
+}
+
+impl Reference {
+    /// Itself without the pairs beyond the first `count`, those on which errors are counted.
+    pub fn counted(mut self, count: usize) -> Self {
+        self.pairs.truncate(count);
+        self.xyz.truncate(count);
+        self
+    }
+}
+
+/// Evaluates the reference on the directions of errors, then on those of pictures.
+///
+/// # Errors
+/// Those of the transforms.
+pub fn evaluate(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    plan: &BuildPlan,
+    nodes: usize,
+    errors: ErrorDirections,
+    pictures: impl IntoIterator<Item = (Vec3, Vec3)>,
+) -> Result<Reference> {
+    let fixed = errors.pairs.len();
+    let ErrorDirections { groups, mut pairs } = errors;
+    pairs.extend(pictures);
+    let mut reference =
+        Reference { groups, xyz: vec![[0.0; 3]; pairs.len()], pairs, diffuse: [(); 3].map(|()| vec![0.0; fixed]) };
+    let share = 1.0 / plan.windows.len().max(1) as f64;
+    for &(scan, placement) in &plan.windows {
+        let spectra = spectra::transform(&fields[scan], placement, optics, &plan.spectra)?;
+        let (exact, pictures) = reference.xyz.split_at_mut(fixed);
+        spectral::add_window(&spectra, optics, &reference.pairs[..fixed], FULL_STEP, exact)?;
+        spectral::add_window(&spectra, optics, &reference.pairs[fixed..], PICTURE_STEP, pictures)?;
+        let rows: Vec<[f64; 3]> = reference.pairs[..fixed]
+            .par_iter()
+            .map(|&(wi, wo)| diffuse_shares(&spectra, optics, plan, nodes, wave_vector_change(wi, wo)))
+            .collect::<Result<_>>()?;
+        for (index, row) in rows.iter().enumerate() {
+            for (sums, value) in reference.diffuse.iter_mut().zip(row) {
+                sums[index] += share * value;
+            }
+        }
+    }
+    reference.xyz.iter_mut().for_each(|xyz| *xyz = xyz.map(|x| x * share));
+    Ok(reference)
+}
+
+/// Diffuse luminance at one `q`: exact, with the annulus's wavelengths, with the nodes in `w` as well.
+fn diffuse_shares(
+    spectra: &Spectra,
+    optics: &OpticsConfig,
+    plan: &BuildPlan,
+    nodes: usize,
+    q: Vec3,
+) -> Result<[f64; 3]> {
+    let (uv, w) = ([q[0], q[1]], q[2].abs());
+    let exact = spectral::diffuse_power(
+        spectra,
+        &resolving_wavelengths(optics, q, spectra.half_range_nm, FULL_STEP)?,
+        uv,
+        &[w],
+    )[0][1];
+    let rho = uv[0].hypot(uv[1]);
+    let Some(ring) = plan.rings.iter().find(|r| rho >= r.rho[0] && rho < r.rho[1]) else {
+        return Ok([exact; 3]);
+    };
+    let [low, high] = match &plan.domain {
+        None => ring.w,
+        Some(domain) => domain.w_near(uv).unwrap_or(ring.w),
+    };
+    let mut points = chebyshev::gauss_nodes(nodes, low, high);
+    let weights = chebyshev::interpolation_weights(nodes, low, high, w.min(max_abs_w(rho)));
+    points.push(w);
+    let values = spectral::diffuse_power(spectra, &ring.quadrature, uv, &points);
+    let interpolated = values.iter().zip(&weights).map(|(value, weight)| value[1] * weight).sum();
+    Ok([exact, values[nodes][1], interpolated])
+}

@@ -1,0 +1,15 @@
+//! What holds for every command.
+
+/// The manifest where none is named.
+pub const MANIFEST: &str = "pipeline.toml";
+
+/// Options of every command.
+#[derive(Debug, Clone, Copy, Default, clap::Args)]
+pub struct Global {
+    /// No progress and no remarks on stderr; errors still appear
+    #[arg(long, global = true)]
+    pub quiet: bool,
+    /// Threads to use [default: one per core]; the results do not depend on it
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}

@@ -1,0 +1,329 @@
+//! The page `FORMAT.md`: how to evaluate an atlas in any renderer, with one number worked out.
+
+use std::path::Path;
+
+use super::specimen_file::{self, SpecimenFile};
+use super::worked::{Lookup, WorkedNumber, work_number};
+use diffraction_brdf::direction::Xyz;
+use diffraction_brdf::error::Result;
+use diffraction_brdf::files;
+use diffraction_brdf::storage::{StoredLobe, StoredServed, StoredTables};
+use diffraction_build::optics::config::Material;
+use diffraction_build::tables::model::Basis;
+
+/// Directions of the worked number in degrees, where tables answer for every direction.
+const WORKED_DEG: [f64; 4] = [35.0, 20.0, 61.0, 250.0];
+
+/// Writes the page into a version's folder, with the specimen in `specimen_folder` as its example.
+///
+/// # Errors
+/// The disk's.
+pub(crate) fn write_format(specimen_folder: &Path, version_folder: &Path) -> Result<()> {
+    let (file, set) = specimen_file::load(specimen_folder)?;
+    let angles = match (&set.served, file.check_values.first()) {
+        (Some(_), Some(c)) => [c.theta_i_deg, c.phi_i_deg, c.theta_r_deg, c.phi_r_deg],
+        _ => WORKED_DEG,
+    };
+    let text = format_md(&file, &work_number(&set, angles));
+    files::replace(&version_folder.join("FORMAT.md"), text.as_bytes())
+}
+
+/// The page, with `example`'s own sizes and `worked` as its number.
+pub fn format_md(example: &SpecimenFile, worked: &WorkedNumber) -> String {
+    let tables = &example.tables;
+    let sections = [
+        introduction(&example.name),
+        files_and_axes(tables),
+        evaluation(tables),
+        factors(example),
+        use_in_a_renderer(example),
+        worked_number(example, worked),
+    ];
+    sections.join("\n")
+}
+
+fn introduction(name: &str) -> String {
+    format!(
+        "# How to evaluate this atlas
+
+The tables give the luminous BRDF of a surface, `f(wi, wo)` in 1/sr, as CIE XYZ (1931, 2 degrees). `wi` and `wo` are unit
+vectors to the light and to the viewer in the local frame: x along the scan's columns, y up the scan, z the outward
+normal.
+
+Every specimen has a folder, and a renderer needs no other. Numbers on this page are those of `{name}`; those of each
+specimen stand in its `specimen.json`, and each EXR header repeats what concerns its own file:
+
+- `tables.tables`: `file` and `scale` of each table, in the order of n; `tables.u`, `tables.v`: their axes; `tables.basis`.
+- `tables.lobe`: `radius_max`, and `coherent` and `cross.patches` with `file` and `scale`; `null` where there is none.
+- `tables.storage`: `\"half\"` or `\"float\"`, what the tables lose as 16-bit floats decides. With these, 95 % of colours
+  shift by less than `tables.rounding.half`; a renderer that keeps tables in textures of 16-bit floats shows that.
+- `optics.material`: `\"ideal\"`, or a `dielectric` of index `n`, or a `conductor` of `n + i k`; `optics.shadowing`.
+- `check_values`: directions and X, Y, Z to test an implementation with, from linear look-ups.
+- `errors`: measured errors of Y against the reference, by cause (`what`) and region, relative to the value itself: quantiles
+  `p50`, `p95`, `p99` and `worst` of the `directions` that are brighter than `floor_per_sr`, and `relative_l2` over all
+  directions. `lit_share` is the share of the region that the tables show lit; of `dark_directions` others that were
+  evaluated, `missed_directions` are brighter than the floor. `null` where nothing is lit.
+
+`scenes/` in a specimen's folder holds the pictures the tables were checked by, and `scenes/` beside `atlas.json`, where there
+is one, those of scenes that show several specimens; both are for looking at.
+"
+    )
+}
+
+fn files_and_axes(tables: &StoredTables) -> String {
+    if let Some(served) = &tables.served {
+        return served_files(tables, served);
+    }
+    let size = tables.u.samples;
+    let lobe = tables.lobe.as_ref().map_or(String::new(), lobe_files);
+    format!(
+        "## Files
+
+- `table.NNN.exr`, {count} files of {size} x {size} texels: one per basis function n, channels R, G, B holding X, Y, Z.
+  Column `c` (from 0) lies at `u = -2 + 4 c / {last}`, row `r` (from 0, the top scan line) at `v = 2 - 4 r / {last}`.
+  Texels beyond the disc of radius 2 are 0, but for a rim of three that interpolation at its edge reads.
+{lobe}- Value = stored number x `scale`; every file has its own `scale`, a power of two. Treat the images as data: no colour
+  management, no gamma.
+- First and last texel *centres* lie on the ends of the axis. Between centres interpolate linearly in both axes. A sampler
+  whose coordinates run from 0 to 1 over the *edges* of the image wants `s = (c + 0.5) / {size}`,
+  `c = {last} (u + 2) / 4`; likewise for rows.
+",
+        count = tables.tables.len(),
+        last = size.saturating_sub(1),
+    )
+}
+
+/// The same for tables that serve certain scenes.
+fn served_files(tables: &StoredTables, served: &StoredServed) -> String {
+    let (columns, rows, [first_row, first_column]) = (tables.u.samples, tables.v.samples, served.first);
+    format!(
+        "## Files
+
+These tables serve the scenes of their manifest and no other direction. They are a window of a grid of {size} x {size} texels
+over [-2, 2] in u and v, from column {first_column} and row {first_row} on; every specimen has a window of its own, and
+`specimen.json` tells it under `tables.u`, `tables.v` and `tables.served`.
+
+- `table.NNN.exr`, {count} files of {columns} x {rows} texels: one per basis function n, channels R, G, B holding X, Y, Z.
+  Column `c` (from 0) of a window lies at `u = {u_first} + c {step}`, row `r` (from 0, the top scan line) at
+  `v = {v_first} - r {step}`, with `{step}` = 4 / {last}. The header's data window says the same in columns and rows of the whole
+  grid, which is the display window: a reader that fills up the display window counts `c` and `r` from the data window's corner.
+- `range.exr`, as large: R and G hold `low` and `high`, the least and the greatest `t` a texel is made for, B is 1 where a texel
+  is served and 0 where not. A look-up that reads a texel with B = 0, or whose `t` does not lie between the
+  interpolated `low` and `high` but for rounding (a fiftieth of `high - low`), has **no answer**: report it, do not use what
+  the tables hold there. Rows of `lobe.exr` that no answer reads hold 0.
+{lobe}- Value = stored number x `scale`; every file has its own `scale`, a power of two. Treat the images as data: no colour
+  management, no gamma.
+- Between texel centres interpolate linearly in both axes, tables and range alike.
+",
+        size = served.size,
+        count = tables.tables.len(),
+        u_first = tables.u.first,
+        v_first = tables.v.first,
+        step = 4.0 / (served.size - 1) as f64,
+        last = served.size - 1,
+        lobe = tables.lobe.as_ref().map_or(String::new(), lobe_files),
+    )
+}
+
+fn lobe_files(lobe: &StoredLobe) -> String {
+    let (columns, rows, radius_max) = (lobe.radius.samples, lobe.t.samples, lobe.radius_max);
+    let mut text = format!(
+        "- `lobe.exr`, {columns} x {rows} texels: the coherent lobe. Columns are the radius `sqrt(u^2 + v^2)` from 0 to
+  `radius_max` = {radius_max}, rows are `t` from 0 to 1.
+",
+    );
+    if lobe.cross.is_none() {
+        text += "- The lobe has no cross term here: the sum over cross patches below is 0.\n";
+    }
+    if let Some(cross) = &lobe.cross {
+        let (patches, side) = (cross.patches.len(), cross.u.samples);
+        text += &format!(
+            "- `lobe.NNN.exr`, {patches} files of {side} x {side} texels: the lobe's cross term, one per Chebyshev polynomial.
+  Columns are `u` from `-radius_max` to `radius_max`, rows `v` from `radius_max` down to `-radius_max`.
+",
+        );
+    }
+    text
+}
+
+fn evaluation(tables: &StoredTables) -> String {
+    let steps = match tables.basis {
+        Basis::Chebyshev if tables.served.is_some() => {
+            "2. `t = |w| / sqrt(4 - u^2 - v^2)`, at most 1 (0 where the root is 0).
+3. `low` and `high` from `range.exr` at (u, v); `s = (t - low) / (high - low)`.
+4. `T_0 = 1`, `T_1 = x`, `T_n = 2 x T_(n-1) - T_(n-2)`; `body` = sum over n of `T_n`, for `x = 2 s - 1`, times table n at
+   (u, v).
+5. Where there is a lobe: `glint = coherent(radius, t) / w^2 + (sum over n of T_n, for x = 2 t - 1, times cross patch n at
+   (u, v)) / |w|`; the first where `radius = sqrt(u^2 + v^2) < radius_max`, the second where `|u|` and `|v|` both are,
+   otherwise 0.
+6. `f = R G (glint + body)`, times the shadowing factor where it is switched on."
+        }
+        Basis::Chebyshev => {
+            "2. `t = |w| / sqrt(4 - u^2 - v^2)`, at most 1 (0 where the root is 0); `x = 2 t - 1`.
+3. `T_0 = 1`, `T_1 = x`, `T_n = 2 x T_(n-1) - T_(n-2)`.
+4. `body` = sum over n of `T_n` times table n at (u, v).
+5. `glint = coherent(radius, t) / w^2 + (sum over n of T_n times cross patch n at (u, v)) / |w|`; the first where
+   `radius = sqrt(u^2 + v^2) < radius_max`, the second where `|u|` and `|v|` both are, otherwise 0.
+6. `f = R G (glint + body)`, times the shadowing factor where it is switched on."
+        }
+        Basis::Taylor => {
+            "2. `body` = sum over n of `|w|^n` times table n at (u, v).
+3. `f = R G body / w^2`, times the shadowing factor where it is switched on."
+        }
+    };
+    format!(
+        "## Evaluation
+
+1. `(u, v, w) = -wi - wo`. Both directions must lie above the surface, otherwise `f = 0`.
+{steps}
+
+In one line: `{formula}`.
+",
+        formula = tables.formula
+    )
+}
+
+fn factors(example: &SpecimenFile) -> String {
+    let material = match example.optics.material {
+        Material::Ideal => "here the material is ideal, `R = 1`".to_owned(),
+        Material::Dielectric { n } => format!("here `n = {n}`, `k = 0`"),
+        Material::Conductor { n, k } => format!("here `n = {n}`, `k = {k}`"),
+    };
+    let shadowing = if example.optics.shadowing { "switched on" } else { "switched off" };
+    format!(
+        "## Factors
+
+- `G = (1 + wi.wo)^2 / (wi_z wo_z)`.
+- `R`, the Fresnel reflectance of unpolarised light at the half vector ({material}): with `c = |wi + wo| / 2` and
+  `g = sqrt((n + i k)^2 - 1 + c^2)` (complex, real part positive), `R = (|a|^2 + |b|^2) / 2`, `a = (c - g) / (c + g)`,
+  `b = ((n + i k)^2 c - g) / ((n + i k)^2 c + g)`.
+- Shadowing, {shadowing} for this specimen: with `m = (wi + wo) / |wi + wo|`,
+  `min(1, 2 m_z wo_z / (wo.m), 2 m_z wi_z / (wo.m))`.
+"
+    )
+}
+
+fn use_in_a_renderer(example: &SpecimenFile) -> String {
+    let StoredTables { usable_radius, prefilter_width, .. } = example.tables;
+    format!(
+        "## In a renderer
+
+- Radiance `= f cos(theta_i) E`, with `E` the light's irradiance on a plane facing it; integrate over extended lights. `f` does
+  not contain the cosine.
+- X, Y, Z are relative to the illuminant the tables were made for ({illuminant}): a white Lambertian surface would read
+  `Y = 1 / pi` and its X, Z those of that illuminant's white over pi. So `E` is a plain number, the light's
+  luminous irradiance; its colour is in the tables already.
+- Linear sRGB (D65): `R = 3.2404542 X - 1.5371385 Y - 0.4985314 Z`, `G = -0.9692660 X + 1.8760108 Y + 0.0415560 Z`,
+  `B = 0.0556434 X - 0.2040259 Y + 1.0572252 Z`. Pure diffraction colours lie outside sRGB: convert after summing over lights,
+  and expect negative components.
+- On a mesh the program lays x along the texture coordinate u and y at a right angle to it, on the side to which v grows:
+  where the coordinates are mirrored, so is the structure.
+- To sample directions: `cos(theta_o) d(omega_o) = du dv`, so a density over (u, v) times `cos(theta_o)` is one over
+  directions. Sample the lobe apart from the body: it is narrow and round in (u, v) about the mirror direction, where
+  `t = cos(theta_i)` and `G = w^2`: it reflects `R` times the integral of `coherent` over (u, v), to a good approximation.
+- Where `specimen.json` has a `pigment`, the pictures show one below the structure besides `f`; the tables do not hold it. It
+  adds `(1 - R(wi_z)) (1 - R(wo_z)) pigment.xyz_per_sr`, with the `R` of the factors above at `c = wi_z` and `c = wo_z`.
+- `usable_radius` = {usable_radius}: beyond this `sqrt(u^2 + v^2)` the scan's sampling cannot answer; what the tables hold there is
+  zero or doubtful.
+- `prefilter_width` = {prefilter_width}: each texel is the mean over a square of this side in u and v (0: a point sample). Blur that the
+  scene adds (angular size of the light, footprint of the pixel) comes on top.
+",
+        illuminant = serde_json::to_string(&example.optics.illuminant).unwrap_or_default().replace('"', ""),
+    )
+}
+
+fn worked_number(example: &SpecimenFile, worked: &WorkedNumber) -> String {
+    let [theta_i, phi_i, theta_r, phi_r] = worked.angles_deg;
+    let [u, v, w] = worked.q;
+    let mut text = format!(
+        "## A worked number
+
+Specimen `{name}`, light at theta {theta_i}, phi {phi_i}, viewer at theta {theta_r}, phi {phi_r} degrees.
+
+- `wi` = {wi}, `wo` = {wo}
+- `u` = {u}, `v` = {v}, `|w|` = {w}, `t` = {t}, `x` = {x}
+- In the tables: {place}{range}
+
+| n | {basis} | Y at the four texels (scale applied) | X, Y, Z interpolated |
+|---|---|---|---|
+",
+        name = example.name,
+        wi = triple(worked.wi),
+        wo = triple(worked.wo),
+        u = digits(u),
+        v = digits(v),
+        w = digits(w.abs()),
+        t = digits(worked.t),
+        x = digits(2.0 * worked.s - 1.0),
+        place = place(&worked.lookup),
+        range = match example.tables.served {
+            None => String::new(),
+            Some(_) => {
+                let [low, high] = worked.range.map(digits);
+                format!("; `low` = {low}, `high` = {high}, `s` = {}", digits(worked.s))
+            }
+        },
+        basis = match example.tables.basis {
+            Basis::Chebyshev => "`T_n`",
+            Basis::Taylor => "`\\|w\\|^n`",
+        },
+    );
+    for (n, term) in worked.terms.iter().enumerate() {
+        let corners = term.corners_y.map(digits).join(", ");
+        text += &format!("| {n} | {} | {corners} | {} |\n", digits(term.basis_value), triple(term.value));
+    }
+    text += &format!("\n- `body` = {}\n", triple(worked.sum));
+    if let Some(lobe) = &worked.lobe {
+        let inside = lobe
+            .lookup
+            .as_ref()
+            .map_or("beyond the lobe".to_owned(), |lookup| format!("in `lobe.exr`: {}", place(lookup)));
+        text += &format!(
+            "- `radius` = {}, {inside}; coherent = {}, cross sum = {}\n",
+            digits(lobe.radius),
+            triple(lobe.coherent),
+            triple(lobe.cross)
+        );
+    }
+    text += &format!(
+        "- `G` = {}, `c` = {}, `R` = {}, shadowing {}\n- **`f` = {}** (X, Y, Z in 1/sr)\n",
+        digits(worked.geometry_factor),
+        digits(worked.cos_half),
+        digits(worked.reflectance),
+        digits(worked.shadowing),
+        triple(worked.xyz),
+    );
+    text
+}
+
+fn place(lookup: &Lookup) -> String {
+    let [column, row] = lookup.texel;
+    let [x, y] = lookup.fraction.map(digits);
+    format!("columns {column} and {}, rows {row} and {}, weights of the second {x} and {y}", column + 1, row + 1)
+}
+
+fn triple(xyz: Xyz) -> String {
+    format!("({})", xyz.map(digits).join(", "))
+}
+
+/// Seven significant digits.
+fn digits(number: f64) -> String {
+    if number != 0.0 && !(1e-4..1e7).contains(&number.abs()) {
+        return format!("{number:.6e}");
+    }
+    let magnitude = if number == 0.0 { 0 } else { number.abs().log10().floor() as i32 };
+    format!("{number:.*}", (6 - magnitude).max(0) as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_seven_digits() {
+        let cases = [(1.0, "1.000000"), (-12.3456789, "-12.34568"), (0.0, "0.000000"), (1.2345678e-5, "1.234568e-5")];
+        for (number, expected) in cases.into_iter().chain([(0.00123456789, "0.001234568"), (1234567.8, "1234568")]) {
+            assert_eq!(digits(number), expected);
+        }
+    }
+}

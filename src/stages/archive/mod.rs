@@ -1,0 +1,12 @@
+//! The atlas on disk: what a version's files hold, how one is published, checked, compared, and read by others.
+
+pub mod diff;
+pub mod format_md;
+pub mod publish;
+pub mod shader_data;
+pub mod shader_export;
+pub mod specimen_file;
+pub(crate) mod verify;
+pub mod verify_files;
+pub(crate) mod verify_scans;
+pub mod worked;

@@ -1,0 +1,145 @@
+//! Whether a version is whole, and as accurate as it says.
+
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+
+use super::specimen_file;
+use super::verify_files::{VerifyReport, verify_files};
+use super::verify_scans::{AgainstScans, ReferenceCheck, Sampling, against_scans};
+use crate::stages::config::RunConfig;
+use diffraction_brdf::atlas;
+use diffraction_brdf::error::Result;
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::specimen::CheckValue;
+use diffraction_build::ground::metrics;
+use diffraction_build::tables::model::TableSet;
+
+/// Everything that was checked.
+#[derive(Debug, Serialize)]
+pub(crate) struct Verified {
+    /// The version's folder.
+    pub(crate) folder: String,
+    /// Its files.
+    pub(crate) files: VerifyReport,
+    /// Its specimens; none where files are damaged.
+    pub(crate) specimens: Vec<SpecimenCheck>,
+    /// What was not checked.
+    pub(crate) remarks: Vec<String>,
+}
+
+/// One specimen's values.
+#[derive(Debug, Serialize)]
+pub(crate) struct SpecimenCheck {
+    /// The specimen.
+    pub(crate) name: String,
+    /// Number of stored check values.
+    pub(crate) check_values: usize,
+    /// Their largest relative deviation from the tables evaluated now.
+    pub(crate) check_worst: f64,
+    /// Scans that are not the ones the tables were made from: nothing is evaluated against them.
+    pub(crate) other_scans: Vec<String>,
+    /// Directions evaluated against the scans, by group; empty where that was not asked for.
+    pub(crate) reference: Vec<ReferenceCheck>,
+}
+
+/// Stored check values have 17 digits: what they were computed from gives them back to rounding.
+const CHECK_TOLERANCE: f64 = 1e-9;
+
+/// The run a version was made by, which names the scans; or why it is not known, as a remark.
+pub(crate) type MadeBy = std::result::Result<RunConfig, String>;
+
+/// Checks a version's files, its check values and, where the scans are known, a sample of directions anew. `made_by` finds
+/// the run whose manifest has a digest.
+///
+/// # Errors
+/// A folder that is no atlas, or scans that cannot be read any more.
+pub(crate) fn verify(
+    folder: &Path,
+    sampling: Sampling,
+    made_by: impl FnOnce(&str) -> Result<MadeBy>,
+) -> Result<Verified> {
+    let files = verify_files(folder)?;
+    let (mut specimens, mut remarks) = (Vec::new(), Vec::new());
+    // Damaged files would only be evaluated to nonsense.
+    if files.failures.is_empty() {
+        let index = atlas::read_index(folder)?;
+        let run = made_by(&index.manifest_sha256)?;
+        for entry in &index.specimens {
+            specimens.push(check_specimen(&folder.join(&entry.name), run.as_ref().ok(), sampling)?);
+        }
+        remarks.extend(run.err());
+    }
+    Ok(Verified { folder: folder.display().to_string(), files, specimens, remarks })
+}
+
+/// The version to check: the one named, or the newest of an atlas, complete or damaged. Other commands fall
+/// back on an older version where the newest is damaged; here that would hide the damage.
+pub(crate) fn target(path: &Path) -> Result<PathBuf> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    if !path.is_dir() || atlas::version_number(&name).is_some() {
+        let found = atlas::resolve(path).map(|found| found.folder);
+        return found.or_else(|error| if path.is_dir() { Ok(path.to_owned()) } else { Err(error) });
+    }
+    match atlas::version_numbers(path)?.last() {
+        Some(&newest) => Ok(path.join(atlas::version_name(newest))),
+        None => Ok(atlas::resolve(path)?.folder),
+    }
+}
+
+fn check_specimen(folder: &Path, run: Option<&RunConfig>, sampling: Sampling) -> Result<SpecimenCheck> {
+    let (file, set) = specimen_file::load(folder)?;
+    let AgainstScans { other_scans, reference } = match run.filter(|_| sampling.count > 0) {
+        Some(run) => against_scans(run, &file, &set, sampling)?,
+        None => AgainstScans::default(),
+    };
+    let deviations = file.check_values.iter().map(|value| deviation(&set, value)).collect();
+    Ok(SpecimenCheck {
+        check_values: file.check_values.len(),
+        check_worst: metrics::quantiles(deviations).worst,
+        name: file.name,
+        other_scans,
+        reference,
+    })
+}
+
+/// Largest deviation of a stored check value from the tables evaluated now, relative to its Y.
+fn deviation(set: &TableSet, value: &CheckValue) -> f64 {
+    let now = brdf_xyz(set, Interpolation::Bilinear, value.wi, value.wo);
+    let scale = value.xyz[1].abs().max(f64::MIN_POSITIVE);
+    // A NaN is the worst of all.
+    metrics::quantiles((0..3).map(|c| (now[c] - value.xyz[c]).abs() / scale).collect()).worst
+}
+
+impl Verified {
+    /// What is wrong, a line each.
+    pub(crate) fn failures(&self) -> Vec<String> {
+        let files = self.files.failures.iter().map(|failure| format!("{}: {}", failure.file, failure.what));
+        let values = self
+            .specimens
+            .iter()
+            .filter(|check| check.check_worst.is_nan() || check.check_worst > CHECK_TOLERANCE)
+            .map(|check| {
+                format!("{}: stored check values differ from the tables by {:.1e}", check.name, check.check_worst)
+            });
+        let scans = self.specimens.iter().flat_map(|check| {
+            let changed = |scan| format!("{}: {scan} is not the file that the tables were made from", check.name);
+            check.other_scans.iter().map(changed)
+        });
+        let references = self.specimens.iter().flat_map(|check| {
+            check.reference.iter().filter(|reference| !reference.passed).map(|reference| {
+                format!(
+                    "{}: {}: errors against the scans with median {:.1e} and 95th percentile {:.1e}, recorded were \
+                     {:.1e} and {:.1e}",
+                    check.name,
+                    reference.region,
+                    reference.p50,
+                    reference.p95,
+                    reference.recorded_p50,
+                    reference.recorded_p95
+                )
+            })
+        });
+        files.chain(values).chain(scans).chain(references).collect()
+    }
+}

@@ -1,0 +1,136 @@
+//! A specimen's published files drawn on the GPU and compared with the CPU's pictures and the reference's.
+//!
+//! All that the GPU is given comes from files: tables, the CPU's pictures and the reference pictures of a specimen's folder.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use ndarray::Array3;
+
+use super::check::{Shade, check_picture, check_reference, reference_limit};
+use super::device::GpuDevice;
+use super::results::{GpuRow, ReferenceCheck};
+use crate::stages::archive::specimen_file;
+use crate::stages::pictures::scenes::reference_stride;
+use diffraction_brdf::atlas::DIFFERENCE_SUFFIX;
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::exr_image::read_rgb;
+use diffraction_brdf::shader::{LAYERS_MAX, SIDE_MAX, table_image};
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::pigment::Surface;
+use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
+use diffraction_build::tables::plan::lobe_width;
+use diffraction_render::render::gpu_tables::{shade, upload};
+use diffraction_render::render::png_image::write_png;
+use diffraction_render::scene::model::Scene;
+use diffraction_render::scene::samples::ShadingSamples;
+
+/// Most pixels compared along each side on a software driver, which takes seconds beyond: every which pixel then.
+/// Hardware draws whole pictures.
+const SOFTWARE_SIDE_MAX_PX: usize = 128;
+
+/// Checks scenes from the files in a specimen's folder; where a comparison fails, a picture of the differences is written
+/// beside the scene's. `reference` says whether there are reference pictures.
+///
+/// # Errors
+/// `Error::Gpu` above all; the disk's. A picture that differs is no error.
+pub fn check_files(
+    device: &GpuDevice,
+    folder: &Path,
+    specimen: &str,
+    scenes: &[&Scene],
+    config: &TablesConfig,
+    reference: bool,
+) -> Result<Vec<GpuRow>> {
+    let (file, set) = specimen_file::load(folder)?;
+    let thread = device.thread();
+    let pigment = file.pigment;
+    let surface = Surface { tables: &set, pigment: pigment.as_ref() };
+    let image = table_image(&set, pigment.map(|pigment| pigment.xyz_per_sr))?;
+    let tables = Arc::new(thread.run("upload the tables", move |gpu| upload(gpu, &image))?);
+    let shade = |samples: &Arc<ShadingSamples>| {
+        let (tables, samples) = (tables.clone(), samples.clone());
+        thread.run("shade samples", move |gpu| shade(gpu, &tables, &samples))
+    };
+    let storage = file.tables.storage;
+    let job = Job { shade: &shade, surface, optics: &file.optics, storage, folder, specimen, config, reference };
+    let side_max = if device.info().is_software() { SOFTWARE_SIDE_MAX_PX } else { usize::MAX };
+    scenes.iter().map(|scene| job.check(scene, scene.size_px.div_ceil(side_max))).collect()
+}
+
+/// What the scenes of a specimen have in common.
+struct Job<'a> {
+    shade: Shade<'a>,
+    surface: Surface<'a>,
+    optics: &'a OpticsConfig,
+    storage: Storage,
+    folder: &'a Path,
+    specimen: &'a str,
+    config: &'a TablesConfig,
+    reference: bool,
+}
+
+impl Job<'_> {
+    fn check(&self, scene: &Scene, stride: usize) -> Result<GpuRow> {
+        let by_cpu = self.picture(scene, ".exr", scene.size_px)?;
+        let mut cpu = check_picture(self.shade, self.surface, scene, &by_cpu, stride)?;
+        let mut reference = match self.reference {
+            false => None,
+            true => Some(self.against_reference(scene, &by_cpu)?),
+        };
+        let of_reference = reference.as_mut().and_then(|check| check.difference.take());
+        let difference = cpu.difference.take().or(of_reference);
+        let difference_png = difference.map(|picture| self.write_difference(&picture, &scene.name)).transpose()?;
+        let promised = tolerance_holds(self.surface.tables, self.optics, self.config);
+        Ok(GpuRow { specimen: self.specimen.to_owned(), cpu, reference, promised, difference_png })
+    }
+
+    fn against_reference(&self, scene: &Scene, by_cpu: &Array3<f32>) -> Result<ReferenceCheck> {
+        let side = scene.size_px.div_ceil(reference_stride(scene));
+        let reference = self.picture(scene, ".reference.exr", side)?;
+        let limit = reference_limit(self.config.tolerance, self.storage);
+        check_reference(self.shade, self.surface, scene, by_cpu, &reference, limit)
+    }
+
+    fn picture(&self, scene: &Scene, ending: &str, side: usize) -> Result<Array3<f32>> {
+        let path = self.folder.join(format!("scenes/{}{ending}", scene.name));
+        let (image, _) = read_rgb(&path)?;
+        if image.dim() == (side, side, 3) {
+            return Ok(image);
+        }
+        let what = format!("has {} by {} pixels where the scene has {side} by {side}", image.dim().1, image.dim().0);
+        Err(Error::bad_file(&path, what, "run the pipeline again to draw it anew"))
+    }
+
+    /// Path of the written picture, relative to the report.
+    fn write_difference(&self, picture: &Array3<u8>, scene: &str) -> Result<String> {
+        let file = format!("scenes/{scene}{DIFFERENCE_SUFFIX}");
+        write_png(&self.folder.join(&file), picture)?;
+        Ok(format!("{}/{file}", self.specimen))
+    }
+}
+
+/// Whether tables must be as good as the tolerance says: number and steps were left to it, texels hold point values of a
+/// grid that resolves the lobes, and the scan answers for the whole hemisphere.
+fn tolerance_holds(set: &TableSet, optics: &OpticsConfig, config: &TablesConfig) -> bool {
+    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    let texel = 4.0 / (set.size().max(2) - 1) as f64;
+    set.basis == Basis::Chebyshev
+        && config.count.is_none()
+        && config.wavelength_step_nm.is_none()
+        && set.prefilter_width == 0.0
+        && set.usable_radius >= 2.0
+        && texel <= lobe_width(optics.sigma_nm, low_nm)
+}
+
+/// Why the tables in a specimen's folder are more than every GPU takes, if they are.
+pub(super) fn beyond_limits(folder: &Path) -> Option<String> {
+    let tables = specimen_file::read(folder).ok()?.tables;
+    let (layers, side) = (tables.tables.len(), tables.u.samples.max(tables.v.samples));
+    let layers_max = LAYERS_MAX - usize::from(tables.served.is_some());
+    if layers > layers_max {
+        return Some(format!("its {layers} tables are more than the {layers_max} layers that every GPU takes"));
+    }
+    (side > SIDE_MAX)
+        .then(|| format!("its tables are {side} texels wide, more than the {SIDE_MAX} that every GPU takes"))
+}

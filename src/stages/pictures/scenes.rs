@@ -1,0 +1,346 @@
+//! Scenes rendered from the tables, and from the reference on a coarser lattice of the same pixels.
+
+use std::path::Path;
+use std::time::Instant;
+
+use ndarray::Array3;
+use serde_json::json;
+
+use crate::stages::config::RunConfig;
+use crate::stages::results::{SceneError, SceneResult};
+use diffraction_brdf::atlas::InputRecord;
+use diffraction_brdf::direction::{Vec3, Xyz};
+use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::evaluate::Interpolation;
+use diffraction_brdf::exr_image::{Precision, write_rgb};
+use diffraction_brdf::files;
+use diffraction_build::accuracy::directions::{Candidates, DRAWN};
+use diffraction_build::ground::colour::to_srgb8;
+use diffraction_build::ground::metrics;
+use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::pigment::{Pigment, Surface, pigment_xyz};
+use diffraction_build::tables::model::TableSet;
+use diffraction_build::tables::plan::lobe_width;
+use diffraction_render::render::cpu;
+use diffraction_render::render::png_image::{encode_animation, heat_map, side_by_side, write_png};
+use diffraction_render::scene::animation;
+use diffraction_render::scene::light::environment_count;
+use diffraction_render::scene::model::{Animation, Moving, Scene, Shape, exposure_factor};
+use diffraction_render::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
+use diffraction_render::scene::turn::Axis;
+
+/// Most pairs of directions that one scene may ask of the reference: sets the lattice of its picture.
+const REFERENCE_SAMPLES_MAX: usize = 40_000;
+
+/// Share of white at which the difference map reaches its brightest colour.
+const DIFFERENCE_FULL_SCALE: f32 = 0.1;
+
+/// End of the name of an animation's file.
+const ANIMATION: &str = ".animated.png";
+
+/// Gap between pictures side by side, and its colour.
+const GAP_PX: usize = 4;
+const GAP_RGB: [u8; 3] = [128, 128, 128];
+
+/// A scene rendered from the tables, waiting for its reference.
+pub struct SceneWork {
+    scene: Scene,
+    image: Array3<f32>,
+    exposure: f32,
+    seconds: f64,
+    /// Pixels that look up what the tables do not serve.
+    unserved: usize,
+    /// Every `stride`-th pixel is compared.
+    stride: usize,
+    subset: ShadingSamples,
+    /// What lies below the structure, which the reference does not know of.
+    pigment: Option<Pigment>,
+}
+
+/// Renders a scene from the tables and lists the pairs its reference needs.
+///
+/// # Errors
+/// A scene that cannot be rendered.
+pub fn render_tables(scene: &Scene, surface: Surface) -> Result<SceneWork> {
+    let started = Instant::now();
+    let image = cpu::render(scene, &|wi, wo| surface.xyz(Interpolation::Bilinear, wi, wo))?;
+    let seconds = started.elapsed().as_secs_f64();
+    let unserved = image.rows().into_iter().filter(|xyz| xyz.iter().any(|value| value.is_nan())).count();
+    let stride = reference_stride(scene);
+    let subset = reference_samples(scene)?;
+    let exposure = exposure_factor(scene.exposure, &image);
+    let pigment = surface.pigment.copied();
+    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, unserved, stride, subset, pigment })
+}
+
+/// The samples of a scene's reference picture.
+///
+/// # Errors
+/// A scene that cannot be rendered.
+pub fn reference_samples(scene: &Scene) -> Result<ShadingSamples> {
+    samples_of(scene, 0..scene.size_px, reference_stride(scene))
+}
+
+/// The pairs of directions of samples, in order.
+pub fn pairs_of(samples: &ShadingSamples) -> impl Iterator<Item = (Vec3, Vec3)> + '_ {
+    samples.wi.iter().zip(&samples.wo).map(|(wi, wo)| (wi.map(f64::from), wo.map(f64::from)))
+}
+
+/// Of how many pixels in each direction one has a reference.
+pub fn reference_stride(scene: &Scene) -> usize {
+    let per_pixel = samples_per_pixel(scene).max(1);
+    let side = ((REFERENCE_SAMPLES_MAX / per_pixel) as f64).sqrt().max(1.0);
+    (scene.size_px as f64 / side).ceil().max(1.0) as usize
+}
+
+/// The directions of scenes to draw from, each with a floor of its own: for tables that serve no others.
+pub fn candidates_of(set: &TableSet, scenes: &[SceneWork]) -> Vec<Candidates> {
+    let of_scene = |scene: &SceneWork| {
+        let step = scene.pair_count().div_ceil(DRAWN).max(1);
+        Candidates::of_scene(set, scene.name(), scene.pairs().step_by(step).collect())
+    };
+    scenes.iter().map(of_scene).collect()
+}
+
+impl SceneWork {
+    /// The pairs of directions whose BRDF the reference picture needs, in order.
+    pub fn pairs(&self) -> impl Iterator<Item = (Vec3, Vec3)> + '_ {
+        pairs_of(&self.subset)
+    }
+
+    /// The scene's name.
+    pub fn name(&self) -> &str {
+        &self.scene.name
+    }
+
+    /// Number of pairs.
+    pub fn pair_count(&self) -> usize {
+        self.subset.wi.len()
+    }
+
+    /// Whether the scene moves.
+    pub fn is_animated(&self) -> bool {
+        self.scene.animation.is_some()
+    }
+
+    /// Renders the animation from the tables, if there is one, at the still's exposure, and writes it into the
+    /// specimen's folder.
+    ///
+    /// # Errors
+    /// The disk's; `Error::Limit` for a frame that asks for directions which the tables do not serve.
+    pub fn animate(&self, surface: Surface, folder: &Path) -> Result<()> {
+        let Some(animation) = &self.scene.animation else {
+            return Ok(());
+        };
+        let picture = |index: usize| -> Result<Array3<u8>> {
+            let scene = animation::frame(&self.scene, animation, index);
+            let image = cpu::render(&scene, &|wi, wo| surface.xyz(Interpolation::Bilinear, wi, wo))?;
+            if image.iter().any(|value| value.is_nan()) {
+                return Err(Error::limit(
+                    format!(
+                        "frame {index} of scene \"{}\" asks for directions that the tables do not serve",
+                        scene.name
+                    ),
+                    "set tables.serve = \"all\"",
+                ));
+            }
+            Ok(to_srgb8(&image, self.exposure))
+        };
+        let bytes = encode_animation(animation.frames, animation.fps, picture)?;
+        files::replace(&folder.join(format!("scenes/{}{ANIMATION}", self.scene.name)), &bytes)
+    }
+
+    /// Whether this is one specimen's share of a scene that several appear in.
+    pub fn is_share(&self) -> bool {
+        matches!(&self.scene.shape, Shape::Mesh(mesh) if mesh.shown.is_some())
+    }
+
+    /// The reference picture, from the BRDF at [`Self::pairs`] and the pigment.
+    pub fn expected(&self, reference: &[Xyz]) -> Array3<f32> {
+        let Some(pigment) = &self.pigment else { return gather(&self.subset, reference) };
+        let shown = |((wi, wo), brdf): ((Vec3, Vec3), &Xyz)| {
+            let below = pigment_xyz(pigment, wi, wo);
+            std::array::from_fn(|c| brdf[c] + below[c])
+        };
+        let shown: Vec<Xyz> = self.pairs().zip(reference).map(shown).collect();
+        gather(&self.subset, &shown)
+    }
+
+    /// Both shares of a scene together.
+    pub fn plus(mut self, other: &Self) -> Self {
+        self.image += &other.image;
+        self.seconds += other.seconds;
+        self.unserved += other.unserved;
+        self
+    }
+
+    /// All shares together as the scene's own picture.
+    pub fn whole(self, scene: &Scene) -> Self {
+        Self { exposure: exposure_factor(scene.exposure, &self.image), scene: scene.clone(), ..self }
+    }
+
+    /// Writes the pictures into the specimen's folder and, where there is a reference, compares them. `reference` holds
+    /// the BRDF at [`Self::pairs`]; `prefix` is the specimen's folder relative to the report.
+    ///
+    /// # Errors
+    /// The disk's.
+    pub fn finish(&self, reference: Option<&[Xyz]>, folder: &Path, prefix: &str) -> Result<SceneResult> {
+        let expected = reference.map(|reference| self.expected(reference));
+        self.write(expected.as_ref(), &folder.join("scenes"), &format!("{prefix}/scenes"))
+    }
+
+    /// Writes the pictures into a folder and, where there is a reference picture, compares them; `prefix` is that folder
+    /// relative to the report.
+    ///
+    /// # Errors
+    /// The disk's.
+    pub fn write(&self, expected: Option<&Array3<f32>>, folder: &Path, prefix: &str) -> Result<SceneResult> {
+        let name = &self.scene.name;
+        let path = |ending: &str| folder.join(format!("{name}{ending}"));
+        let attributes = json!({ "kind": "tables", "scene": name, "exposure": f64::from(self.exposure) });
+        // Pixels without an answer are black in numbers, and carry the marker's colour where people look.
+        let numbers = self.image.mapv(|value| if value.is_nan() { 0.0 } else { value });
+        write_rgb(&path(".exr"), &numbers, Precision::Float, &attributes)?;
+        write_png(&path(".png"), &to_srgb8(&self.image, self.exposure))?;
+        let file = |ending: &str| format!("{prefix}/{name}{ending}");
+        let result = SceneResult {
+            name: name.clone(),
+            shape: shape_name(&self.scene.shape).into(),
+            size_px: [self.scene.size_px; 2],
+            exposure: f64::from(self.exposure),
+            seconds: self.seconds,
+            error: None,
+            unserved_pixels: self.unserved,
+            table_png: file(".png"),
+            side_by_side_png: None,
+            difference_png: None,
+            difference_scale: None,
+            animation_png: self.scene.animation.map(|_| file(ANIMATION)),
+            animation: self.scene.animation.as_ref().map(animation_text),
+        };
+        match expected {
+            Some(expected) => self.compare(expected, folder, prefix, result),
+            None => Ok(result),
+        }
+    }
+
+    fn compare(&self, expected: &Array3<f32>, folder: &Path, prefix: &str, result: SceneResult) -> Result<SceneResult> {
+        let name = &self.scene.name;
+        let ours = every(&self.image, self.stride);
+        let white = 1.0 / f64::from(self.exposure);
+        let path = |ending: &str| folder.join(format!("{name}{ending}"));
+        let difference = &ours - expected;
+        for (image, ending, kind) in [(expected, ".reference", "reference"), (&difference, ".difference", "difference")]
+        {
+            let attributes = json!({ "kind": kind, "scene": name, "exposure": f64::from(self.exposure) });
+            write_rgb(&path(&format!("{ending}.exr")), image, Precision::Float, &attributes)?;
+        }
+        let enlarge = |image: &Array3<u8>| enlarged(image, self.stride);
+        let pair = [&ours, expected].map(|image| enlarge(&to_srgb8(image, self.exposure)));
+        write_png(&path(".compare.png"), &side_by_side(&[&pair[0], &pair[1]], GAP_PX, GAP_RGB))?;
+        let map = metrics::difference_to_white_map(expected, &ours, white);
+        write_png(&path(".difference.png"), &enlarge(&heat_map(&map, DIFFERENCE_FULL_SCALE)))?;
+        let colour = metrics::ciede2000(expected, &ours, white);
+        let flat = |image: &Array3<f32>| image.iter().map(|&v| f64::from(v)).collect::<Vec<_>>();
+        let file = |ending: &str| format!("{prefix}/{name}{ending}");
+        Ok(SceneResult {
+            error: Some(SceneError {
+                pixels: ours.len() / 3,
+                relative_l2: metrics::relative_l2(&flat(expected), &flat(&ours)),
+                ciede2000_mean: colour.mean,
+                ciede2000_p95: colour.p95,
+                ciede2000_max: colour.max,
+            }),
+            side_by_side_png: Some(file(".compare.png")),
+            difference_png: Some(file(".difference.png")),
+            difference_scale: Some(format!("{} % of white", DIFFERENCE_FULL_SCALE * 100.0)),
+            ..result
+        })
+    }
+}
+
+/// What a user must know about the pictures of a specimen: an environment's directions further apart than the
+/// coherence lobe is wide at half maximum. Only around the mirror direction are there more of them.
+pub fn warnings(scenes: &[&Scene], optics: &OpticsConfig) -> Vec<String> {
+    let longest_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[1];
+    let width = (8.0 * 2f64.ln()).sqrt() * lobe_width(optics.sigma_nm, longest_nm);
+    let mut warnings = Vec::new();
+    for scene in scenes.iter().filter(|scene| scene.environment.is_some()) {
+        // Half of them lie around the mirror direction.
+        let by_light = environment_count(scene).div_ceil(2);
+        let distance = (4.0 * std::f64::consts::PI / by_light as f64).sqrt();
+        if distance > width {
+            warnings.push(format!(
+                "scene \"{}\": away from the mirror direction a pixel sees its environment in {by_light} directions, up to {:.0} \
+                 degrees apart where lobes are {:.1} degrees wide: orders of diffraction there are grainy; more \
+                 light_samples smooth them",
+                scene.name,
+                distance.to_degrees(),
+                width.to_degrees()
+            ));
+        }
+    }
+    warnings
+}
+
+/// What moves, in words for the report.
+fn animation_text(animation: &Animation) -> String {
+    let what = match animation.kind {
+        Moving::Turntable => "the object turns",
+        Moving::Light => "the light turns",
+    };
+    let axis = match animation.axis {
+        Axis::Vertical => "the vertical",
+        Axis::Viewing => "the viewing axis",
+    };
+    let how = if animation.degrees.abs() >= 360.0 { "once round" } else { "to and fro" };
+    format!("{what} {how} by {}° about {axis}, {} frames", animation.degrees, animation.frames)
+}
+
+/// Files that the scenes of a run use, each once.
+pub fn inputs(config: &RunConfig) -> Vec<InputRecord> {
+    let mut inputs: Vec<InputRecord> = Vec::new();
+    for environment in config.scenes.iter().filter_map(|scene| scene.environment.as_ref()) {
+        let path = config.relative_name(&environment.file);
+        if inputs.iter().all(|input| input.path != path) {
+            inputs.push(InputRecord { path, sha256: environment.sha256.clone() });
+        }
+    }
+    inputs
+}
+
+/// The word the manifest uses for a shape.
+pub fn shape_name(shape: &Shape) -> &'static str {
+    match shape {
+        Shape::Hemisphere => "hemisphere",
+        Shape::Sphere => "sphere",
+        Shape::Snake => "snake",
+        Shape::Mesh(_) => "mesh",
+        Shape::Patch { .. } => "patch",
+        Shape::Screen { .. } => "screen",
+    }
+}
+
+/// XYZ image from the BRDF at each sample: what `render::cpu::shade` does with a function.
+fn gather(samples: &ShadingSamples, brdf: &[Xyz]) -> Array3<f32> {
+    Array3::from_shape_fn((samples.rows, samples.columns, 3), |(row, column, channel)| {
+        let range = diffraction_render::scene::samples::pixel_range(samples, row, column);
+        range.map(|index| f64::from(samples.weight[index]) * brdf[index][channel]).sum::<f64>() as f32
+    })
+}
+
+/// Every `stride`-th pixel of an image.
+pub fn every(image: &Array3<f32>, stride: usize) -> Array3<f32> {
+    let (rows, columns, _) = image.dim();
+    Array3::from_shape_fn((rows.div_ceil(stride), columns.div_ceil(stride), 3), |(row, column, channel)| {
+        image[[row * stride, column * stride, channel]]
+    })
+}
+
+/// Each pixel as a square of `factor` pixels.
+fn enlarged(image: &Array3<u8>, factor: usize) -> Array3<u8> {
+    let (rows, columns, _) = image.dim();
+    Array3::from_shape_fn((rows * factor, columns * factor, 3), |(row, column, channel)| {
+        image[[row / factor, column / factor, channel]]
+    })
+}

@@ -1,0 +1,129 @@
+//! From a specimen's scans to its stored tables: ingested, planned, built, stored.
+
+use super::clock::{Clock, Step};
+use super::job::Job;
+use crate::stages::config::Serve;
+use crate::stages::ingest::{Scans, ingest as read_scans};
+use crate::stages::known::{Built, Known};
+use crate::stages::measured::{self, Measurement};
+use crate::stages::serve::{self, Cost, Source};
+use crate::stages::stage::Stage;
+use diffraction_brdf::files;
+use diffraction_brdf::storage::{StoredTables, read_tables};
+use diffraction_build::optics::pigment::{Pigment, Surface, pigment};
+use diffraction_build::tables::build::{self, BuildPlan};
+use diffraction_build::tables::domain::Domain;
+use diffraction_build::tables::model::{BuildRecord, TableSet, TablesConfig};
+use diffraction_build::tables::plan::lobe_radius;
+use diffraction_build::tables::rounding;
+use diffraction_render::scene::model::Scene;
+
+/// Everything that is read.
+pub(super) struct Ingested {
+    pub(super) scans: Scans,
+    pub(super) measurement: Option<Measurement>,
+    /// What is asked of the tables.
+    pub(super) tables: TablesConfig,
+    /// What is pictured with them.
+    pub(super) scenes: Vec<Scene>,
+}
+
+/// What is going to be computed.
+pub(super) struct Planned<'a> {
+    pub(super) source: Source<'a>,
+    /// What the tables are restricted to; `None` for every direction.
+    pub(super) coverage: Option<Domain>,
+    pub(super) plan: BuildPlan,
+    pub(super) known: Known<'a>,
+}
+
+/// The specimen's files, read back.
+pub(super) struct Stored {
+    /// The tables as a reader gets them.
+    pub(super) set: TableSet,
+    /// The tables before rounding, where errors are going to be told by cause.
+    pub(super) exact: Option<TableSet>,
+    pub(super) files: StoredTables,
+    pub(super) pigment: Option<Pigment>,
+    pub(super) record: BuildRecord,
+    pub(super) took: Took,
+}
+
+/// What building took.
+pub(super) struct Took {
+    pub(super) cost: Cost,
+    pub(super) processor_s: Option<f64>,
+    pub(super) memory_bytes: Option<u64>,
+    pub(super) stored_bytes: u64,
+}
+
+impl Stored {
+    /// What pictures show.
+    pub(super) fn surface(&self) -> Surface<'_> {
+        Surface { tables: &self.set, pigment: self.pigment.as_ref() }
+    }
+}
+
+/// Reads scans and measurement.
+pub(super) fn ingest(job: &Job, clock: &mut Clock) -> Step<Ingested> {
+    let (config, specimen) = (job.config, job.specimen);
+    let scans = clock.stage(Stage::ReadAndPrepare, || {
+        files::create_folder(&job.folder.join("scenes"))?;
+        read_scans(specimen)
+    })?;
+    let measurement = match &specimen.measured {
+        Some(config) => Some(clock.stage(Stage::ReadMeasured, || measured::read(config))?),
+        None => None,
+    };
+    let tables = serve::tables_for(config, &specimen.name);
+    Ok(Ingested { scans, measurement, tables, scenes: serve::pictured_scenes(config, &specimen.name) })
+}
+
+/// Plans the tables, for the scenes alone where they are restricted to them.
+pub(super) fn plan<'a>(job: &Job<'a>, ingested: &'a Ingested, clock: &mut Clock) -> Step<Planned<'a>> {
+    let optics = &job.specimen.optics;
+    let fields = &ingested.scans.fields;
+    let source = Source { fields, optics, tables: &ingested.tables };
+    let coverage = match job.config.serve {
+        Serve::All => None,
+        Serve::Scenes | Serve::Named(_) => {
+            let scenes: Vec<&Scene> = ingested.scenes.iter().collect();
+            Some(clock.stage(Stage::FindCoverage, || serve::domain_of(&source, &scenes))?)
+        }
+    };
+    let plan = clock.stage(Stage::Plan, || build::plan_for(fields, optics, &ingested.tables, coverage.clone()))?;
+    Ok(Planned { source, coverage, plan, known: Known::new(job.cache, fields) })
+}
+
+/// Builds the tables, or finds them in the cache.
+pub(super) fn build(planned: &Planned, clock: &mut Clock) -> Step<Built> {
+    let Planned { source, plan, known, .. } = planned;
+    let wavelengths = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum::<usize>();
+    let progress = clock.log.progress();
+    clock.stage_of(Stage::BuildTables, (wavelengths * plan.windows.len()) as u64, || {
+        known.tables(source, plan, &|n| progress.advance(n))
+    })
+}
+
+/// Stores the tables and reads them back: from here on they are what a reader gets.
+pub(super) fn store(job: &Job, planned: &Planned, built: Built, clock: &mut Clock) -> Step<Stored> {
+    let optics = &job.specimen.optics;
+    let tables = planned.source.tables;
+    let chosen = clock.stage(Stage::Round, || {
+        Ok(rounding::choose(&built.set, tables.storage, tables.tolerance, lobe_radius(optics)))
+    })?;
+    let stored = clock.stage(Stage::StoreTables, || chosen.write(&job.folder))?;
+    let (set, pigment, stored_bytes) = clock.stage(Stage::ReadBack, || {
+        let pigment = job.specimen.albedo.map(|albedo| pigment(albedo, optics)).transpose()?;
+        let set = read_tables(&job.folder, &stored, optics.front_factor())?;
+        Ok((set, pigment, files::bytes_of(&job.folder, "exr")?))
+    })?;
+    let took = Took {
+        cost: Cost::measured(&built, stored_bytes as f64),
+        processor_s: built.processor_s,
+        memory_bytes: built.memory_bytes,
+        stored_bytes,
+    };
+    let exact = job.config.report.reference.then_some(built.set);
+    Ok(Stored { set, exact, files: stored, pigment, record: built.record, took })
+}

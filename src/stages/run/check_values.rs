@@ -1,0 +1,49 @@
+//! Directions with values, stored for testing other programs.
+
+use diffraction_brdf::direction::{Vec3, angles_deg, from_angles_deg};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::specimen::CheckValue;
+use diffraction_build::ground::sampling;
+use diffraction_build::tables::model::TableSet;
+
+/// How many.
+const CHECK_VALUES: usize = 20;
+
+/// Half over the whole hemisphere, half around the mirror direction; some of the directions `counted` where tables are
+/// restricted to scenes.
+pub(super) fn check_values(set: &TableSet, counted: &[(Vec3, Vec3)]) -> Vec<CheckValue> {
+    if set.served.is_some() {
+        let step = counted.len().div_ceil(CHECK_VALUES).max(1);
+        return counted.iter().step_by(step).map(|&(wi, wo)| value_at(set, wi, wo)).collect();
+    }
+    let angle = |share: f64, range: f64| (share * range * 10.0).round() / 10.0;
+    (0..CHECK_VALUES)
+        .map(|index| {
+            let [a, b, c, d] = sampling::four(index);
+            let (theta_i_deg, phi_i_deg) = (angle(a, 80.0), angle(b, 360.0));
+            let (theta_r_deg, phi_r_deg) = if index % 2 == 0 {
+                (angle(c, 80.0), angle(d, 360.0))
+            } else {
+                ((theta_i_deg + angle(c, 2.0) - 1.0).abs(), (phi_i_deg + 179.0 + angle(d, 2.0)) % 360.0)
+            };
+            let (wi, wo) = (from_angles_deg(theta_i_deg, phi_i_deg), from_angles_deg(theta_r_deg, phi_r_deg));
+            let xyz = brdf_xyz(set, Interpolation::Bilinear, wi, wo);
+            CheckValue { theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, wi, wo, xyz }
+        })
+        .collect()
+}
+
+fn value_at(set: &TableSet, wi: Vec3, wo: Vec3) -> CheckValue {
+    let [[theta_i_deg, phi_i_deg], [theta_r_deg, phi_r_deg]] = [wi, wo].map(angles_deg);
+    // Samples of a picture are 32-bit floats, not quite of unit length.
+    let (wi, wo) = (from_angles_deg(theta_i_deg, phi_i_deg), from_angles_deg(theta_r_deg, phi_r_deg));
+    CheckValue {
+        theta_i_deg,
+        phi_i_deg,
+        theta_r_deg,
+        phi_r_deg,
+        wi,
+        wo,
+        xyz: brdf_xyz(set, Interpolation::Bilinear, wi, wo),
+    }
+}

@@ -1,0 +1,27 @@
+//! What the steps of one specimen are told.
+
+use std::path::{Path, PathBuf};
+
+use crate::stages::cache::Cache;
+use crate::stages::config::{RunConfig, SpecimenConfig};
+use crate::stages::results::{HeightMapFile, SpectrumFile, Statistics};
+use diffraction_brdf::error::Result;
+use diffraction_build::height::HeightField;
+
+/// Draws a specimen's heights and their spectrum into its folder; given by the floor that knows how.
+pub type Illustrate<'a> =
+    &'a (dyn Fn(&HeightField, &Statistics, &Path, &str) -> Result<(HeightMapFile, SpectrumFile)> + Sync);
+
+/// One specimen of a run.
+pub(super) struct Job<'a> {
+    /// The run.
+    pub(super) config: &'a RunConfig,
+    /// The specimen.
+    pub(super) specimen: &'a SpecimenConfig,
+    /// Its folder in the version to come.
+    pub(super) folder: PathBuf,
+    /// What earlier runs kept.
+    pub(super) cache: &'a Cache,
+    /// Draws its heights.
+    pub(super) illustrate: Illustrate<'a>,
+}

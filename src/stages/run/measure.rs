@@ -1,0 +1,103 @@
+//! From stored tables to what is known of them: pictures, the reference, errors, measured reflectance.
+
+use super::build::{Ingested, Planned, Stored};
+use super::clock::{Clock, Step};
+use super::job::Job;
+use crate::stages::measured::{self, MeasuredResult};
+use crate::stages::pictures::scenes::{SceneWork, candidates_of, render_tables};
+use crate::stages::stage::Stage;
+use diffraction_brdf::direction::{Vec3, Xyz};
+use diffraction_brdf::error::Result;
+use diffraction_build::accuracy::directions::{DIRECTIONS, ErrorDirections};
+use diffraction_build::accuracy::power_sums::{PowerSum, power_sums};
+use diffraction_build::accuracy::reference::Reference;
+use diffraction_build::accuracy::rows::{ErrorRow, error_rows};
+
+/// What the stored tables show, and how far that is from the reference.
+pub(super) struct Measured {
+    pub(super) stored: Stored,
+    /// The scenes as the tables show them, and for each the reference's XYZ at its pairs, where that is asked for.
+    pub(super) pictures: Vec<(SceneWork, Option<Vec<Xyz>>)>,
+    /// The pairs of directions on which errors are counted.
+    pub(super) counted: Vec<(Vec3, Vec3)>,
+    pub(super) errors: Vec<ErrorRow>,
+    pub(super) power_sums: Vec<PowerSum>,
+    /// Share of the reflected luminous power at normal incidence that lies in the coherent lobe.
+    pub(super) lobe_share: Option<f64>,
+    pub(super) measured: Option<MeasuredResult>,
+}
+
+/// Renders, evaluates the reference at the same directions, and compares.
+pub(super) fn measure(
+    job: &Job,
+    ingested: &Ingested,
+    planned: &Planned,
+    mut stored: Stored,
+    clock: &mut Clock,
+) -> Step<Measured> {
+    let works = render(job, ingested, &stored, clock)?;
+    let directions = match job.config.serve.is_all() {
+        true => ErrorDirections::of_regions(&stored.set),
+        false => ErrorDirections::drawn(&stored.set, candidates_of(&stored.set, &works), DIRECTIONS),
+    };
+    let counted = directions.pairs.clone();
+    // Dropped with this function: the tables before rounding have told all they can.
+    let exact = stored.exact.take();
+    let reference = match &exact {
+        None => None,
+        Some(exact) => Some(clock.stage(Stage::EvaluateReference, || {
+            let pictures = works.iter().flat_map(SceneWork::pairs);
+            planned.known.reference(&planned.source, &planned.plan, exact.tables.len(), directions, pictures)
+        })?),
+    };
+    let (errors, (power_sums, lobe_share)) = clock.stage(Stage::MeasureErrors, || {
+        let errors = match (&reference, &exact) {
+            (Some(reference), Some(exact)) => {
+                let mut errors = error_rows(reference, &stored.set, exact);
+                errors.push(planned.known.direct_row(&planned.source, reference)?);
+                errors
+            }
+            _ => Vec::new(),
+        };
+        Ok((errors, power_sums(&stored.set)))
+    })?;
+    let measured = match &ingested.measurement {
+        None => None,
+        Some(measurement) => Some(clock.stage(Stage::CompareMeasured, || {
+            let file = job.config.relative_name(&measurement.config.file);
+            let memory_bytes = planned.plan.spectra.memory_bytes;
+            measured::compare(&ingested.scans.fields, &job.specimen.optics, measurement, file, memory_bytes)
+        })?),
+    };
+    let pictures = with_reference(works, reference.as_ref(), counted.len());
+    Ok(Measured { stored, pictures, counted, errors, power_sums, lobe_share, measured })
+}
+
+/// The scenes from the tables, and the files of animations.
+fn render(job: &Job, ingested: &Ingested, stored: &Stored, clock: &mut Clock) -> Step<Vec<SceneWork>> {
+    let surface = stored.surface();
+    let works = clock.stage(Stage::RenderScenes, || {
+        ingested.scenes.iter().map(|scene| render_tables(scene, surface)).collect::<Result<Vec<_>>>()
+    })?;
+    if works.iter().any(SceneWork::is_animated) {
+        clock
+            .stage(Stage::RenderAnimations, || works.iter().try_for_each(|work| work.animate(surface, &job.folder)))?;
+    }
+    Ok(works)
+}
+
+/// Each scene with the reference's values at its own pairs, which follow the first `counted` ones, scene after scene.
+fn with_reference(
+    works: Vec<SceneWork>,
+    reference: Option<&Reference>,
+    counted: usize,
+) -> Vec<(SceneWork, Option<Vec<Xyz>>)> {
+    let mut next = counted;
+    let own = |work: SceneWork| {
+        let own = next..next + work.pair_count();
+        next = own.end;
+        let values = reference.map(|reference| reference.xyz[own].to_vec());
+        (work, values)
+    };
+    works.into_iter().map(own).collect()
+}

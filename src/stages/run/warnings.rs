@@ -1,0 +1,98 @@
+//! What a user must know about tables and scans before using them, in whole sentences.
+
+use crate::stages::ingest::Scans;
+use diffraction_brdf::storage::StoredTables;
+use diffraction_build::height::HeightField;
+use diffraction_build::height::statistics::seam_warning;
+use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
+use diffraction_build::tables::model::{Basis, Rounding, Storage, TableSet, TablesConfig};
+
+/// Of stored tables; `texel` is their distance in u and v.
+pub(super) fn table_warnings(set: &TableSet, stored: &StoredTables, tables: &TablesConfig, texel: f64) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if set.usable_radius < 2.0 {
+        warnings.push(format!(
+            "the scan's sampling answers for |(u, v)| up to {:.2} only: beyond, some wavelengths are missing and values are too dark",
+            set.usable_radius
+        ));
+    }
+    if set.prefilter_width > 0.0 {
+        warnings.push(format!(
+            "a texel ({:.4}) is wider than the coherence lobe: each holds the mean over a square of {:.4} in u and v, \
+             so single directions differ from the point values while pictures of extended lights and pixels do not",
+            texel, set.prefilter_width
+        ));
+    }
+    warnings.extend(stored.rounding.and_then(|rounding| format_warning(stored.storage, tables, rounding)));
+    if set.basis == Basis::Taylor {
+        warnings.push("tables of the published Taylor series, kept for comparison".into());
+    }
+    warnings
+}
+
+/// Of the number format: that the automatic choice is floats although halves do for most, or that
+/// halves were asked for and are too coarse.
+fn format_warning(storage: Storage, tables: &TablesConfig, rounding: Rounding) -> Option<String> {
+    let Rounding { half, allowed, .. } = rounding;
+    let shift = format!("one colour in twenty by {half:.1e} or more");
+    let left = format!("the tolerance of {:.0e} leaves {allowed:.1e} to storage", tables.tolerance);
+    match (storage, tables.storage) {
+        (Storage::Float, None) => Some(format!(
+            "stored as 32-bit floats: 16-bit ones would shift {shift}, and {left}; textures of 16-bit floats, as on GPUs, \
+             show that shift"
+        )),
+        (Storage::Half, Some(_)) if half > allowed => {
+            Some(format!("16-bit floats shift {shift}, and {left}: tables.storage = \"auto\" would take 32-bit ones"))
+        }
+        _ => None,
+    }
+}
+
+/// Ratio of two scans' rms heights or pitches from which on they are doubted to show one surface.
+const UNLIKE: f64 = 2.0;
+
+/// Of scans: of each but the first, whose statistics stand beside these warnings, by its
+/// file's name; whether they are alike enough to be averaged; whether each fits itself where it repeats.
+pub(super) fn scan_warnings(scans: &Scans, optics: &OpticsConfig) -> Vec<String> {
+    let name = |index: usize| scans.provenance[index].file_name.as_str();
+    let several = scans.fields.len() > 1;
+    let mut warnings = Vec::new();
+    for (index, statistics) in scans.statistics.iter().enumerate().skip(1) {
+        warnings.extend(statistics.warnings.iter().map(|warning| format!("{}: {warning}", name(index))));
+    }
+    if optics.edge == Edge::Tile {
+        let seen = scans.fields.iter().enumerate().filter(|(_, field)| seams_are_seen(field, optics));
+        for (index, field) in seen {
+            let prefix = if several { format!("{}: ", name(index)) } else { String::new() };
+            warnings.extend(seam_warning(field).map(|warning| format!("{prefix}{warning}")));
+        }
+    }
+    let rms: Vec<f64> = scans.statistics.iter().map(|statistics| statistics.rms_height_nm).collect();
+    let pitch = |axis: usize| scans.fields.iter().map(|field| field.pitch_nm[axis]).collect::<Vec<_>>();
+    for (what, values) in [("rms height", rms), ("pitch along x", pitch(0)), ("pitch along y", pitch(1))] {
+        warnings.extend(unlike(what, &values, &name));
+    }
+    warnings
+}
+
+/// Whether a coherence window lies on the edges: one in the middle of a scan 8 sigma wide, as `fade` asks for, does not.
+fn seams_are_seen(field: &HeightField, optics: &OpticsConfig) -> bool {
+    let inside = field.extent_nm().iter().all(|extent_nm| *extent_nm >= 8.0 * optics.sigma_nm);
+    !(inside && optics.windows == Windows::Centre)
+}
+
+/// Says which scans differ most, where that is by more than [`UNLIKE`].
+fn unlike<'a>(what: &str, values_nm: &[f64], name: &dyn Fn(usize) -> &'a str) -> Option<String> {
+    let by_value = |a: &usize, b: &usize| values_nm[*a].total_cmp(&values_nm[*b]);
+    let (low, high) = ((0..values_nm.len()).min_by(by_value)?, (0..values_nm.len()).max_by(by_value)?);
+    (values_nm[high] > UNLIKE * values_nm[low]).then(|| {
+        format!(
+            "The scans differ much in {what} ({}: {:.3} nm, {}: {:.3} nm), and are averaged into one surface all the same; \
+             specimens of their own keep them apart.",
+            name(low),
+            values_nm[low],
+            name(high),
+            values_nm[high]
+        )
+    })
+}

@@ -1,0 +1,31 @@
+//! The program from outside: manifests and scans in a folder of their own, commands, and what they leave on the disk.
+
+#[macro_use]
+#[path = "../common/skip.rs"]
+mod skip;
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../common/manifest_fixture.rs"]
+mod manifest_fixture;
+#[path = "../common/scan_files.rs"]
+mod scan_files;
+
+mod cache;
+mod damage;
+mod evaluation;
+mod extremes;
+mod faults;
+mod forecast_reference;
+mod general;
+mod interruption;
+mod manifest_errors;
+mod manifest_values;
+mod measured;
+mod meshes;
+mod moving;
+mod place;
+mod real_scans;
+mod scans;
+mod served;
+mod settings;
+mod versions;

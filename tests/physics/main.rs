@@ -1,0 +1,15 @@
+//! The optics against closed forms, symmetries and an independent evaluator.
+
+#[macro_use]
+#[path = "../common/skip.rs"]
+mod skip;
+#[path = "../common/mod.rs"]
+mod common;
+
+mod gratings;
+mod mirror;
+mod random;
+mod reference_values;
+mod symmetry;
+mod table_values;
+mod taylor;

@@ -1,0 +1,122 @@
+//! The directions on which a run counts errors: enough lit ones even of a grating, and light that tables miss is found.
+
+use std::f64::consts::TAU;
+
+use crate::common::surfaces::{random, sampled, tables_config};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_build::accuracy::directions::{Candidates, ErrorDirections, Group};
+use diffraction_build::accuracy::reference;
+use diffraction_build::accuracy::rows::{Cause, ErrorRow, error_rows};
+use diffraction_build::ground::sampling::{Region, direction_pairs};
+use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::tables::build::{build, plan};
+use diffraction_build::tables::model::TableSet;
+
+fn daylight() -> OpticsConfig {
+    OpticsConfig {
+        illuminant: Illuminant::D65,
+        wavelength_nm: [380.0, 780.0],
+        sigma_nm: 1500.0,
+        edge: Edge::Tile,
+        windows: Windows::Grid,
+        material: Material::Ideal,
+        shadowing: false,
+        factor: Factor::Scalar,
+    }
+}
+
+fn tables(field: &HeightField) -> TableSet {
+    build(std::slice::from_ref(field), &daylight(), &tables_config(1e-3, Some(201)), &|_| ()).unwrap().0
+}
+
+/// Rows of tables against the field's reference, at directions that the tables themselves choose.
+fn rows(field: &HeightField, set: &TableSet) -> Vec<ErrorRow> {
+    let fields = std::slice::from_ref(field);
+    let plan = plan(fields, &daylight(), &tables_config(1e-3, Some(201))).unwrap();
+    let directions = ErrorDirections::of_regions(set);
+    let reference = reference::evaluate(fields, &daylight(), &plan, set.tables.len(), directions, []).unwrap();
+    error_rows(&reference, set, set)
+}
+
+fn total(rows: &[ErrorRow], region: Region) -> &ErrorRow {
+    rows.iter().find(|row| row.cause == Cause::TotalCubic && row.group == Group::Region(region)).unwrap()
+}
+
+#[test]
+fn a_grating_shows_as_many_lit_directions_as_anything() {
+    let grating = sampled([128, 32], [50.0, 200.0], |x, _| 60.0 * (TAU * x / 1600.0).sin());
+    let set = tables(&grating);
+    let found = rows(&grating, &set);
+    let floor = total(&found, Region::Hemisphere).floor_per_sr;
+    for region in Region::ALL {
+        let row = total(&found, region);
+        println!(
+            "{}: {} lit of {:.3}, 95 % {:.1e}, L2 {:.1e}",
+            row.group, row.directions, row.share_above, row.p95, row.relative_l2
+        );
+        assert!((110..=160).contains(&row.directions) && row.floor_per_sr == floor, "{row:?}");
+        assert_eq!(row.missed_directions, 0, "{row:?}");
+    }
+    // Drawn as they come, few would be.
+    let lit = |&(wi, wo): &_| brdf_xyz(&set, Interpolation::Cubic, wi, wo)[1] > floor;
+    let unselected = direction_pairs(Region::Hemisphere, 128).iter().filter(|pair| lit(pair)).count();
+    assert!(unselected < 32 && total(&found, Region::Hemisphere).share_above < 0.25, "{unselected}");
+    // 1 % of a matt surface that reflects everything, or more.
+    assert!(floor >= 1e-2 / std::f64::consts::PI);
+}
+
+#[test]
+fn light_that_the_tables_miss_is_found() {
+    let rough = random([96, 96], [100.0, 100.0], 400.0, 60.0, 3);
+    let whole = tables(&rough);
+    let mut torn = whole.clone();
+    for table in &mut torn.tables {
+        let right = ndarray::Slice::from(100..);
+        table.slice_axis_mut(ndarray::Axis(1), right).fill(0.0);
+    }
+    for region in [Region::Hemisphere, Region::Grazing] {
+        let [good, bad] = [&whole, &torn].map(|set| total(&rows(&rough, set), region).clone());
+        println!("{good:?}\n{bad:?}");
+        assert!(good.missed_directions == 0 && good.worst < 0.2 && good.relative_l2 < 0.05, "{good:?}");
+        // Of what is dark to these tables, as much is lit as they lack; so many of 32 drawn within four deviations. They
+        // call lit what has half of the floor, which makes it a few less.
+        let lacking = (good.share_above - bad.share_above) / (1.0 - bad.share_above);
+        let fewest = 32.0 * lacking - 4.0 * (32.0 * lacking * (1.0 - lacking)).sqrt();
+        assert!(bad.missed_directions as f64 >= fewest.max(8.0) && bad.worst > 0.9, "{fewest}: {bad:?}");
+        assert!(bad.relative_l2 > 4.0 * good.relative_l2, "{} {}", bad.relative_l2, good.relative_l2);
+    }
+}
+
+#[test]
+fn tables_without_light_are_not_right_for_it() {
+    let rough = random([96, 96], [100.0, 100.0], 400.0, 60.0, 3);
+    let mut dark = tables(&rough);
+    dark.tables.iter_mut().for_each(|table| table.fill(0.0));
+    dark.lobe = None;
+    for row in rows(&rough, &dark).iter().filter(|row| row.cause == Cause::Total) {
+        assert!(row.share_above == 0.0 && row.directions_below == 160, "{row:?}");
+        assert!(row.missed_directions > 80 && row.p50 == 1.0 && row.relative_l2 == 1.0, "{row:?}");
+    }
+}
+
+#[test]
+fn directions_stand_for_their_share_and_depend_on_nothing_else() {
+    let rough = random([96, 96], [100.0, 100.0], 400.0, 60.0, 3);
+    let set = tables(&rough);
+    let drawn = |turn, count| ErrorDirections::drawn(&set, Candidates::of_regions(&set, turn), count);
+    let few = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap().install(|| drawn(0, 128));
+    let many = drawn(0, 128);
+    assert!(few.pairs == many.pairs && few.groups == many.groups);
+    assert_eq!(many.pairs.len(), many.groups.iter().map(|group| group.len()).sum::<usize>());
+    for group in &many.groups {
+        let weights = group.weights();
+        let [lit, _] = group.counts;
+        assert!((weights[..lit].iter().sum::<f64>() - group.share_above).abs() < 1e-12, "{group:?}");
+        assert!(group.counts[1] == 0 || (weights.iter().sum::<f64>() - 1.0).abs() < 1e-12, "{group:?}");
+    }
+    // Another turn has other directions, not one in common.
+    let others = drawn(1, 64);
+    assert!(others.pairs.iter().all(|pair| !many.pairs.contains(pair)));
+}

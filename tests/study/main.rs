@@ -1,0 +1,10 @@
+//! The page of a study and the tolerances it tries; the study itself is tested in its own crate.
+
+#[macro_use]
+#[path = "../common/skip.rs"]
+mod skip;
+#[path = "../common/mod.rs"]
+mod common;
+
+mod study_page;
+mod tolerance;
