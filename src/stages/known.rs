@@ -140,8 +140,11 @@ impl<'a> Known<'a> {
         let [pairs_key, errors_key] = self.reference_keys(input, plan, nodes, &errors);
         let mut known = self.cache.load(&pairs_key).and_then(|bytes| decode_pairs(&bytes)).unwrap_or_default();
         let mut asked = HashSet::new();
-        let is_new = |pair: &Pair| !known.contains_key(&bits(pair)) && asked.insert(bits(pair));
-        let missing: Vec<Pair> = pictures.iter().copied().filter(is_new).collect();
+        let missing: Vec<Pair> = pictures
+            .iter()
+            .copied()
+            .filter(|pair| !known.contains_key(&bits(pair)) && asked.insert(bits(pair)))
+            .collect();
         let counted = self.cache.load(&errors_key).and_then(|bytes| decode_counted(&bytes, &errors));
         let (fixed, is_counted) = (errors.pairs.len(), counted.is_some());
         self.count(|used| {

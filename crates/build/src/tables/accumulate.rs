@@ -256,10 +256,11 @@ impl<'a> Wave<'a> {
         let mut phasor = [[Lane::ZERO; B]; 2];
         for (j, w) in nodes.iter().enumerate() {
             for (row, weight) in weights.iter_mut().zip(self.spectra.node_weights(k * w)) {
-                row[j / 4][j % 4] = (k * weight) as f32;
+                row[j / SIMD_WIDTH][j % SIMD_WIDTH] = (k * weight) as f32;
             }
             let mean = self.spectra.mean_phasor_at(k * w);
-            (phasor[0][j / 4][j % 4], phasor[1][j / 4][j % 4]) = (mean.re as f32, mean.im as f32);
+            (phasor[0][j / SIMD_WIDTH][j % SIMD_WIDTH], phasor[1][j / SIMD_WIDTH][j % SIMD_WIDTH]) =
+                (mean.re as f32, mean.im as f32);
         }
         let (first_row, rows) = self.interpolated_rows::<B, N>(&weights, scratch);
         Filled { wave: self, rows, first_row, phasor }
