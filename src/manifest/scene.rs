@@ -113,7 +113,6 @@ fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Res
         lights: lights(section, kind, &shape)?,
         animation: section.get("animate").map(|item| animation(&item, &shape, size_px)).transpose()?,
         shape,
-        turn: Turn::default(),
         size_px,
         turn: Turn::default(),
         exposure: section.get("exposure").map_or(Ok(Exposure::Auto), |item| exposure(&item))?,

@@ -2,7 +2,7 @@
 
 use crate::report::axes::{Axis, level_lines, line, marks_below, title_below, upright_lines};
 use crate::report::numbers;
-use crate::report::svg::{at, escape, ticks};
+use crate::report::svg::{at, escape};
 use diffraction_build::accuracy::power_sums::PowerSum;
 use diffraction_build::accuracy::rows::ErrorRow;
 
