@@ -112,7 +112,7 @@ fn label(text: &str, x: &str, y: f64, anchor: &str) -> String {
 }
 
 /// A line through points, which are values of both axes; nothing for none.
-pub fn line(points: impl Iterator<Item = (f64, f64)>, x: &Axis, y: &Axis, style: &str) -> String {
+pub fn polyline(points: impl Iterator<Item = (f64, f64)>, x: &Axis, y: &Axis, style: &str) -> String {
     let places: Vec<String> = points.map(|(a, b)| format!("{} {}", at(x.at(a)), at(y.at(b)))).collect();
     if places.is_empty() {
         return String::new();

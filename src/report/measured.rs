@@ -1,6 +1,6 @@
 //! Measured reflectance in the report: figures per column, curves overlaid, places of the peaks.
 
-use crate::report::axes::{Axis, level_lines, line, marks_below, title_below};
+use crate::report::axes::{Axis, level_lines, marks_below, polyline, title_below};
 use crate::report::numbers;
 use crate::report::svg::{at, escape, ticks};
 use crate::stages::measured::read::Kind;
@@ -196,7 +196,7 @@ fn plot(curve: &CurveResult, label: &str) -> String {
         })
         .collect::<String>();
     let model = curve.at.iter().copied().zip(curve.model.iter().copied());
-    body += &line(model, &x, &y, "stroke:currentColor;stroke-width:1.4");
+    body += &polyline(model, &x, &y, "stroke:currentColor;stroke-width:1.4");
     format!(
         r#"<svg class="plot" viewBox="0 0 {WIDTH} {}" role="img" aria-label="{}">{body}</svg>"#,
         at(TOP + HEIGHT + 40.0),

@@ -1,6 +1,6 @@
 //! SVG plots of a run's numbers: error ranges, power sums, stage times.
 
-use crate::report::axes::{Axis, level_lines, line, marks_below, title_below, upright_lines};
+use crate::report::axes::{Axis, level_lines, marks_below, polyline, title_below, upright_lines};
 use crate::report::numbers;
 use crate::report::svg::{at, escape};
 use diffraction_build::accuracy::power_sums::PowerSum;
@@ -142,7 +142,7 @@ fn curve(points: &[(f64, f64)], colour: &str, x: &Axis, y: &Axis) -> String {
             format!(r#"<circle style="fill:{colour}" cx="{}" cy="{}" r="2.5"/>"#, at(x.at(theta_deg)), at(y.at(sum)))
         })
         .collect();
-    line(points.iter().copied(), x, y, &format!("stroke:{colour};stroke-width:1.6")) + &dots
+    polyline(points.iter().copied(), x, y, &format!("stroke:{colour};stroke-width:1.6")) + &dots
 }
 
 /// One line of a plot.

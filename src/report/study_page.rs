@@ -37,7 +37,7 @@ pub type File = (String, Vec<u8>);
 /// well.
 ///
 /// # Errors
-/// `Error::Call` if a plot or the page cannot be made: a defect of the program.
+/// `Error::Call` if the page cannot be made: a defect of the program.
 pub fn study_files(study: &Study, stability: &Stability) -> Result<Vec<File>> {
     let mut pictures: Vec<File> = Vec::new();
     let (mut of_specimens, mut strips) = (Vec::new(), Vec::new());

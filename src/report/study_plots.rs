@@ -1,6 +1,6 @@
 //! Plots of a study as SVG: error against cost, against the number of tables, and against each knob.
 
-use crate::report::axes::{self, Axis, level_lines, title_below, title_beside, upright_lines};
+use crate::report::axes::{self, Axis, level_lines, polyline, title_below, title_beside, upright_lines};
 use crate::report::svg::{at, escape};
 use diffraction_build::ground::sampling::Region;
 use diffraction_study::stability::{DepthRow, GrazingRow, SeriesRow, Stability};
@@ -286,7 +286,7 @@ fn draw_panel(panel: &Panel, names: &[&str]) -> String {
         let index = style(&series.name, names);
         let points = || series.points.iter().copied().filter(drawable);
         let stroke = format!("stroke:{};stroke-width:2;stroke-linejoin:round", COLOURS[index % COLOURS.len()]);
-        body += &axes::line(points(), &x, &y, &stroke);
+        body += &polyline(points(), &x, &y, &stroke);
         body += &points().map(|(a, b)| mark([x.at(a), y.at(b)], index)).collect::<String>();
     }
     body
