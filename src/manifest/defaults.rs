@@ -78,7 +78,7 @@ pub fn optics() -> OpticsConfig {
         windows: Windows::Grid,
         material: Material::Ideal,
         shadowing: false,
-        factor: Factor::Scalar,
+        factor: Factor::Vector,
     }
 }
 

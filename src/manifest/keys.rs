@@ -21,7 +21,7 @@ pub const ATLAS: Keys = Keys { table: "[atlas]", names: &["name", "out"] };
 /// Illumination and averaging; defaults for every specimen.
 pub(crate) const OPTICS: Keys = Keys {
     table: "[optics]",
-    names: &["illuminant", "wavelength_nm", "coherence", "windows", "material", "shadowing"],
+    names: &["illuminant", "wavelength_nm", "coherence", "windows", "material", "factor", "shadowing"],
 };
 
 /// Laser lines in place of a named illuminant.
