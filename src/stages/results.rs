@@ -5,7 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::cache::CacheUse;
+use super::cache::store::CacheUse;
 pub use super::gpu::results::{GpuResult, GpuRow};
 use super::stage::Stage;
 use crate::stages::measured::MeasuredResult;

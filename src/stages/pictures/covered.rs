@@ -13,7 +13,7 @@ const UNSERVED_RGB: [u8; 3] = [70, 70, 74];
 const OUTSIDE_RGB: [u8; 3] = [255, 255, 255];
 
 /// The square [-2, 2]² of (u, v), +v up; `None` where every direction is served.
-pub(crate) fn reached_picture(set: &TableSet) -> Option<Array3<u8>> {
+pub(crate) fn covered_picture(set: &TableSet) -> Option<Array3<u8>> {
     let served = set.served.as_ref()?;
     let table = set.tables.first()?;
     // The first polynomial is 1: its table is the mean over the depths served.
@@ -68,7 +68,7 @@ mod tests {
             served: Some(Served { size: 5, first: [1, 3], range }),
             usable_radius: 2.0,
         };
-        let picture = reached_picture(&set).unwrap();
+        let picture = covered_picture(&set).unwrap();
         let at = |u: f64, v: f64| {
             let pixel = |x: f64| ((x + 2.0) / 4.0 * SIDE_PX as f64) as usize;
             [0, 1, 2].map(|c| picture[[pixel(-v), pixel(u), c]])
@@ -78,6 +78,6 @@ mod tests {
             assert_eq!(at(u, v), UNSERVED_RGB);
         }
         assert_eq!(at(1.9, 1.9), OUTSIDE_RGB);
-        assert!(reached_picture(&TableSet { served: None, ..set }).is_none());
+        assert!(covered_picture(&TableSet { served: None, ..set }).is_none());
     }
 }
