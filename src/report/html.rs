@@ -238,7 +238,7 @@ fn specimen_section(
         scenes => scenes,
         budget => specimen.budget.as_ref().map(budget_facts::budget),
         reached => match &specimen.reached_png {
-            Some(path) => Some(safe(album.img(path, "The part of the disc that is served")?)),
+            Some(path) => Some(safe(album.img(path, "The part of the disc that is covered")?)),
             None => None,
         },
         errors => errors

@@ -53,7 +53,7 @@ struct SpecimenPlan {
     forecast: Option<Forecast>,
     /// What evaluating its reference will take, where that is asked for.
     reference: Option<ReferenceForecast>,
-    /// What its tables leave out, where they do not serve every direction.
+    /// What its tables leave out, where they are restricted to scenes.
     budget: Option<Budget>,
     failure: Option<String>,
 }
