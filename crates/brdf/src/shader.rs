@@ -4,7 +4,7 @@
 //!
 //! | binding | variable | what |
 //! |---|---|---|
-//! | 0 | `params` | uniform buffer: [`TableParams`], 2112 bytes, below |
+//! | 0 | `params` | uniform buffer: [`TableParams`], 2128 bytes, below |
 //! | 1 | `tables` | 2D array texture, RGBA16F: [`TableImage::tables`]; where tables serve certain scenes, one layer more |
 //! | 2 | `cross_terms` | 2D array texture, RGBA16F: [`TableImage::cross`] |
 //! | 3 | `lobe` | 2D texture, RGBA32F, not filtered: [`TableImage::coherent`] |
@@ -24,9 +24,12 @@
 //! | 32 | u32 | `served` | 1 where tables serve certain scenes only |
 //! | 36 | f32 | `grid_last` | texels along u of the whole grid, less one |
 //! | 40, 44 | f32 | `first_column`, `first_row` | where in the whole grid the tables begin |
-//! | 48 | vec4 f32 | `pigment` | X, Y, Z in 1/sr, and 1; zeros for the BRDF alone |
-//! | 64 | 64 x vec4 f32 | `table_scales` | value = texel times scale, four layers to a vector |
-//! | 1088 | 64 x vec4 f32 | `cross_scales` | likewise |
+//! | 48 | u32 | `factor` | 0 scalar, 1 vector |
+//! | 52 | u32 | `unused` | 0 |
+//! | 56 | vec2 f32 | `permittivity` | `(n + ik)²` |
+//! | 64 | vec4 f32 | `pigment` | X, Y, Z in 1/sr, and 1; zeros for the BRDF alone |
+//! | 80 | 64 x vec4 f32 | `table_scales` | value = texel times scale, four layers to a vector |
+//! | 1104 | 64 x vec4 f32 | `cross_scales` | likewise |
 
 use bytemuck::{Pod, Zeroable};
 use half::f16;
@@ -271,7 +274,7 @@ mod tests {
             ($($field:ident)*) => { [$((stringify!($field), offset_of!(TableParams, $field))),*] };
         }
         let fields = offsets!(basis table_count cross_count material shadowing radius_max index_n index_k served grid_last
-            first_column first_row pigment table_scales cross_scales);
+            first_column first_row factor unused permittivity pigment table_scales cross_scales);
         let cells = |line: &'static str| Some(line.strip_prefix("//! | ")?.split(" | ").collect::<Vec<_>>());
         let rows = include_str!("shader.rs").lines().filter_map(cells).filter(|cells| cells.len() == 4);
         let stated = rows.skip(1).flat_map(|cells| {
@@ -279,7 +282,7 @@ mod tests {
             names.zip(cells[0].split(", ").map(|offset| offset.parse().unwrap())).collect::<Vec<_>>()
         });
         assert_eq!(stated.collect::<Vec<_>>(), fields);
-        assert_eq!(size_of::<TableParams>(), 2112);
+        assert_eq!(size_of::<TableParams>(), 2128);
     }
 
     #[test]

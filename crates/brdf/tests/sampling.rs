@@ -3,13 +3,12 @@
 #[path = "tiny_atlas/mod.rs"]
 mod tiny_atlas;
 
-use diffraction_brdf::front_factor::Factor;
 use std::f64::consts::PI;
 use std::path::Path;
 use std::sync::OnceLock;
 
 use diffraction_brdf::direction::from_angles_deg;
-use diffraction_brdf::{Brdf, FrontFactor, Material, Served, Vec3, Xyz};
+use diffraction_brdf::{Brdf, Factor, FrontFactor, Material, Served, Vec3, Xyz};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{ReadConfig, read_scan};
@@ -74,6 +73,13 @@ fn specimens() -> &'static [(&'static str, Brdf)] {
         let mut all: Vec<_> = generated.map(|(name, material)| (name, built(name, material, Level::None, None))).into();
         let measured = "grating_nanosurf_314nm";
         all.push((measured, built(measured, Material::Dielectric { n: 1.5 }, Level::Plane, Some(300.0))));
+        // The tables are the same for the other model of reflection.
+        for (of, name) in [(0, "corn_snake_like, vector"), (3, "sinusoid_1600nm, vector"), (4, "cd_track_like, vector")]
+        {
+            let mut tables = all[of].1.tables().clone();
+            tables.front_factor.factor = Factor::Vector;
+            all.push((name, Brdf::new(tables).unwrap()));
+        }
         all.push(("tiny", Brdf::new(tiny_atlas::tiny_tables()).unwrap()));
         all
     })
