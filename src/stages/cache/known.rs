@@ -105,13 +105,7 @@ impl<'a> Known<'a> {
             return evaluate(errors, pictures.into_iter().collect::<Vec<_>>());
         }
         let pictures: Vec<Pair> = pictures.into_iter().collect();
-        let transforms = json!({ "optics": input.optics, "spectra": transforms_parts(plan) });
-        let pairs_key = self.key("pictures", &transforms);
-        let parts = json!({
-            "transforms": transforms, "plan": plan_parts(plan), "nodes": nodes,
-            "pairs": files::sha256_hex(&pair_bytes(&errors.pairs)),
-        });
-        let errors_key = self.key("errors", &parts);
+        let [pairs_key, errors_key] = self.reference_keys(input, plan, nodes, &errors);
         let mut known = self.cache.load(&pairs_key).and_then(|bytes| decode_pairs(&bytes)).unwrap_or_default();
         let mut asked = HashSet::new();
         let missing: Vec<Pair> = pictures
@@ -141,18 +135,39 @@ impl<'a> Known<'a> {
         all.xyz.extend(pictures.iter().map(|pair| known[&bits(pair)]));
         all.pairs.extend(&pictures);
         if !missing.is_empty() {
-            if (known.len() * PAIR_BYTES) as u64 > self.cache.limit_bytes() / PAIRS_SHARE {
-                let asked: HashSet<[u64; 6]> = pictures.iter().map(bits).collect();
-                known.retain(|pair, _| asked.contains(pair));
-            }
             // Other plans hold other frequencies: what asks for more than this one has is nothing for them.
             let held = |pair: &Pair| plan.spectra.holds(input.optics, wave_vector_change(pair.0, pair.1));
             for pair in missing.iter().filter(|pair| !held(pair)) {
                 known.remove(&bits(pair));
             }
-            self.cache.store(&pairs_key, &encode_pairs(&known));
+            self.keep_pairs(&pairs_key, known, &pictures);
         }
         Ok(all)
+    }
+
+    /// Keys of the values at pictures' pairs, and of those on which errors are counted.
+    fn reference_keys(
+        &self,
+        input: &BuildInput,
+        plan: &BuildPlan,
+        nodes: usize,
+        errors: &ErrorDirections,
+    ) -> [String; 2] {
+        let transforms = json!({ "optics": input.optics, "spectra": transforms_parts(plan) });
+        let parts = json!({
+            "transforms": transforms, "plan": plan_parts(plan), "nodes": nodes,
+            "pairs": files::sha256_hex(&pair_bytes(&errors.pairs)),
+        });
+        [self.key("pictures", &transforms), self.key("errors", &parts)]
+    }
+
+    /// Keeps the values at pictures' pairs: where they are too many, those that were asked for last.
+    fn keep_pairs(&self, key: &str, mut known: HashMap<[u64; 6], Xyz>, asked: &[Pair]) {
+        if (known.len() * PAIR_BYTES) as u64 > self.cache.limit_bytes() / PAIRS_SHARE {
+            let asked: HashSet<[u64; 6]> = asked.iter().map(bits).collect();
+            known.retain(|pair, _| asked.contains(pair));
+        }
+        self.cache.store(key, &encode_pairs(&known));
     }
 
     /// [`rows::direct_row`] with the direct sum's values where they are known.
@@ -192,7 +207,7 @@ fn digest_of(fields: &[HeightField]) -> String {
 /// Everything that a value of the transforms depends on besides heights and optics. Frequencies are not among it: which of
 /// them a plan holds changes none. Nor is the memory: a plan that does not fit it is none.
 fn transforms_parts(plan: &BuildPlan) -> Value {
-    json!({ "s": plan.spectra.s, "tolerance": plan.spectra.tolerance })
+    json!({ "phase_scale_per_nm": plan.spectra.phase_scale_per_nm, "tolerance": plan.spectra.tolerance })
 }
 
 /// Everything that a plan settles beyond what follows from heights and optics.

@@ -165,12 +165,17 @@ fn triangle_quantile(share: f64) -> f64 {
 
 /// Transforms that hold every sample.
 fn spectra_config(rows: &[RowSamples], memory_bytes: u64) -> SpectraConfig {
-    let mut config = SpectraConfig { s: [0.0; 2], frequency: [[0.0; 2]; 2], tolerance: DEPTH_TOLERANCE, memory_bytes };
+    let mut config = SpectraConfig {
+        phase_scale_per_nm: [0.0; 2],
+        frequency: [[0.0; 2]; 2],
+        tolerance: DEPTH_TOLERANCE,
+        memory_bytes,
+    };
     for row in rows {
         let shortest_nm = row.wavelengths_nm.iter().copied().fold(f64::MAX, f64::min);
         for &wo in &row.wo {
             let q = wave_vector_change(row.wi, wo);
-            config.s[1] = config.s[1].max(TAU * q[2].abs() / shortest_nm);
+            config.phase_scale_per_nm[1] = config.phase_scale_per_nm[1].max(TAU * q[2].abs() / shortest_nm);
             for (range, component) in config.frequency.iter_mut().zip(q) {
                 let reach = component.abs() / shortest_nm;
                 *range = [range[0].min(-reach), range[1].max(reach)];

@@ -84,9 +84,8 @@ pub(super) fn ingest(job: &Job, clock: &mut Clock) -> Step<Ingested> {
 
 /// Plans the tables, for the scenes alone where they are restricted to them.
 pub(super) fn plan<'a>(job: &Job<'a>, ingested: &'a Ingested, clock: &mut Clock) -> Step<Planned<'a>> {
-    let optics = &job.specimen.optics;
     let fields = &ingested.scans.fields;
-    let input = BuildInput::new(fields, optics, &ingested.tables);
+    let input = BuildInput::new(fields, &job.specimen.optics, &ingested.tables);
     let coverage = match job.config.serve {
         Serve::All => None,
         Serve::Scenes | Serve::Named(_) => {

@@ -49,8 +49,8 @@ pub fn reference_forecast(
     pictures: &[&ShadingSamples],
     threads: usize,
 ) -> ReferenceForecast {
-    let depth = plan.spectra.s[1] - plan.spectra.s[0];
-    let nodes = chebyshev::nodes_for_exponential(plan.half_height_range_nm, depth, plan.spectra.tolerance) as f64;
+    let [low, high] = plan.spectra.phase_scale_per_nm;
+    let nodes = chebyshev::nodes_for_exponential(plan.half_height_range_nm, high - low, plan.spectra.tolerance) as f64;
     let counted = counted_pairs(plan, pictures);
     let mut forecast = ReferenceForecast {
         picture_pairs: pictures.iter().map(|samples| samples.wi.len() as u64).sum(),

@@ -1,4 +1,4 @@
-//! The yardstick: Eq. 1 of Dhillon et al. 2014 summed directly over every sample, in double precision.
+//! The reference: Eq. 1 of Dhillon et al. 2014 summed directly over every sample, in double precision.
 //!
 //! No Fourier transform, no table, no interpolation in `s`: for one pair of directions and every
 //! wavelength, `P = ΣΣ g exp(i k w h) exp(2πi(ξx + ηy))` over the scan. Slow and obvious on purpose; the
@@ -19,7 +19,7 @@ use crate::height::HeightField;
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
 
-/// How closely the reference takes wavenumbers.
+/// The step of the reference in wavenumber.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WavenumberStep {
     /// Largest step, in units of the window's frequency width divided by `|(u, v)|`: 1.41 standard deviations of what one
@@ -60,8 +60,8 @@ pub fn resolving_wavelengths(
 pub fn resolving_count(optics: &OpticsConfig, q: Vec3, half_range_nm: f64, step: WavenumberStep) -> usize {
     let [low_nm, high_nm] = optics.wavelength_nm;
     let span = 1.0 / low_nm - 1.0 / high_nm;
-    let rho = q[0].hypot(q[1]);
-    let needed = span * TAU * (rho * optics.sigma_nm).hypot(q[2] * half_range_nm) / step.of_width;
+    let radius = q[0].hypot(q[1]);
+    let needed = span * TAU * (radius * optics.sigma_nm).hypot(q[2] * half_range_nm) / step.of_width;
     let fewest = match optics.illuminant {
         // Spiky or arbitrary spectra: weights integrate them exactly, but times polynomials through the wavelengths, which
         // then have to follow the surface's spectrum at each spike by itself.
@@ -166,66 +166,70 @@ struct AxisWeights {
     power: Vec<f64>,
 }
 
+impl AxisWeights {
+    fn new(lines: Vec<(Vec<Complex<f64>>, f64)>) -> Self {
+        let part =
+            |of: fn(&Complex<f64>) -> f64| lines.iter().map(move |(samples, _)| samples.iter().map(of).collect());
+        Self {
+            re: part(|sample| sample.re).collect(),
+            im: part(|sample| sample.im).collect(),
+            power: lines.iter().map(|(_, power)| *power).collect(),
+        }
+    }
+}
+
 fn axis_weights(placement: Placement, along: &Along, frequency: f64) -> AxisWeights {
-    let mut weights = AxisWeights { re: Vec::new(), im: Vec::new(), power: Vec::new() };
     let positions = &along.axis.position_nm;
+    let nothing = || vec![(vec![Complex::default(); positions.len()], 0.0)];
     // Past the sampling's own limit the surface is unknown; its alias would be a wrong answer.
     if frequency.abs() * along.pitch_nm > 0.5 && along.count > 1 {
-        return AxisWeights {
-            re: vec![vec![0.0; positions.len()]],
-            im: vec![vec![0.0; positions.len()]],
-            power: vec![0.0],
-        };
+        return AxisWeights::new(nothing());
     }
-    let mut push = |samples: Vec<Complex<f64>>, power: f64| {
-        weights.re.push(samples.iter().map(|s| s.re).collect());
-        weights.im.push(samples.iter().map(|s| s.im).collect());
-        weights.power.push(power);
-    };
-    let period = along.count as f64 * along.pitch_nm;
-    match placement {
+    AxisWeights::new(match placement {
         Placement::Inside { .. } => {
             let samples = positions.iter().zip(&along.axis.amplitude);
             let scale = along.pitch_nm / along.axis.norm_nm.sqrt();
-            push(samples.map(|(x, g)| Complex::from_polar(scale * g, TAU * frequency * x)).collect(), 1.0);
+            vec![(samples.map(|(x, g)| Complex::from_polar(scale * g, TAU * frequency * x)).collect(), 1.0)]
         }
-        Placement::TileCentre => {
-            let reach = (8.0 * along.sigma_nm / period).ceil() as i64 + 1;
-            let scale = along.pitch_nm / (PI.sqrt() * along.sigma_nm).sqrt();
-            let samples = positions.iter().map(|x| {
-                let images = (-reach..=reach).map(|j| {
-                    let x = x + j as f64 * period;
-                    let g = (-0.5 * (x / along.sigma_nm).powi(2)).exp();
-                    Complex::from_polar(scale * g, TAU * frequency * x)
-                });
-                images.sum()
-            });
-            push(samples.collect(), 1.0);
-        }
+        Placement::TileCentre => vec![(tile_centre_weights(along, frequency), 1.0)],
         Placement::TileMean => {
-            let kernel = Kernel::GaussianPower { sigma_nm: along.sigma_nm };
-            let half = kernel.half_width(1.0 / period, 0.0) * period;
-            let centre = frequency * period;
-            for line in (centre - half).ceil() as i64..=(centre + half).floor() as i64 {
-                // A single sample is a surface without structure along this axis: its other lines are aliases.
-                if along.count == 1 && line != 0 {
-                    continue;
-                }
-                let at = line as f64 / period;
-                let scale = 1.0 / along.count as f64;
-                let samples = positions.iter().map(|x| Complex::from_polar(scale, TAU * at * x)).collect();
-                push(samples, kernel.value(frequency - at, 1.0 / period, 0.0));
-            }
-            if weights.power.is_empty() {
-                weights = AxisWeights {
-                    re: vec![vec![0.0; positions.len()]],
-                    im: vec![vec![0.0; positions.len()]],
-                    power: vec![0.0],
-                };
-            }
+            let lines = tile_mean_weights(along, frequency);
+            if lines.is_empty() { nothing() } else { lines }
         }
-    }
-    weights
+    })
+}
+
+/// One window on the repeated scan: a sample counts with all its images.
+fn tile_centre_weights(along: &Along, frequency: f64) -> Vec<Complex<f64>> {
+    let period = along.count as f64 * along.pitch_nm;
+    let reach = (8.0 * along.sigma_nm / period).ceil() as i64 + 1;
+    let scale = along.pitch_nm / (PI.sqrt() * along.sigma_nm).sqrt();
+    let of_sample = |x: &f64| {
+        let images = (-reach..=reach).map(|j| {
+            let x = x + j as f64 * period;
+            let g = (-0.5 * (x / along.sigma_nm).powi(2)).exp();
+            Complex::from_polar(scale * g, TAU * frequency * x)
+        });
+        images.sum()
+    };
+    along.axis.position_nm.iter().map(of_sample).collect()
+}
+
+/// The mean over all windows: the lines of the repeated scan that the window's power reaches, each with its share.
+fn tile_mean_weights(along: &Along, frequency: f64) -> Vec<(Vec<Complex<f64>>, f64)> {
+    let period = along.count as f64 * along.pitch_nm;
+    let kernel = Kernel::GaussianPower { sigma_nm: along.sigma_nm };
+    let half = kernel.half_width(1.0 / period, 0.0) * period;
+    let centre = frequency * period;
+    let of_line = |line: i64| {
+        let at = line as f64 / period;
+        let scale = 1.0 / along.count as f64;
+        let samples = along.axis.position_nm.iter().map(|x| Complex::from_polar(scale, TAU * at * x)).collect();
+        (samples, kernel.value(frequency - at, 1.0 / period, 0.0))
+    };
+    let lines = (centre - half).ceil() as i64..=(centre + half).floor() as i64;
+    // A single sample is a surface without structure along this axis: its other lines are aliases.
+    lines.filter(|&line| along.count > 1 || line == 0).map(of_line).collect()
 }
 
 /// Rows handled together: their phasors stay in cache while all wavelengths pass.
@@ -331,9 +335,9 @@ mod tests {
 
     /// Relative errors of the luminance of one line, wherever in the spectrum it shows, ascending; places darker than a
     /// hundredth of the brightest are left out.
-    fn errors(optics: &OpticsConfig, rho: f64, count: usize) -> Vec<f64> {
+    fn errors(optics: &OpticsConfig, radius: f64, count: usize) -> Vec<f64> {
         let [low_nm, high_nm] = optics.wavelength_nm;
-        let deviation = 1.0 / (TAU * SQRT_2 * rho * optics.sigma_nm);
+        let deviation = 1.0 / (TAU * SQRT_2 * radius * optics.sigma_nm);
         let exact = uniform_wavelengths(&optics.illuminant, optics.wavelength_nm, 0.005).unwrap();
         let coarse = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count).unwrap();
         let luminance = |quadrature: &SpectralQuadrature, centre: f64| -> f64 {
@@ -369,16 +373,19 @@ mod tests {
             // The kinks of a lamp are sharper than daylight's.
             let in_pictures = if optics.illuminant == Illuminant::D65 { 1e-4 } else { 4e-4 };
             for (step, most) in [(FULL_STEP, 2e-6), (PICTURE_STEP, in_pictures)] {
-                for rho in [0.1, 0.4, 0.8, 1.2, 1.9] {
-                    let count = resolving_count(&optics, [rho, 0.0, -0.5], 0.0, step);
+                for radius in [0.1, 0.4, 0.8, 1.2, 1.9] {
+                    let count = resolving_count(&optics, [radius, 0.0, -0.5], 0.0, step);
                     let [found, with_fewer] = [count, count / 2].map(|count| {
-                        let errors = errors(&optics, rho, count);
+                        let errors = errors(&optics, radius, count);
                         errors[errors.len() * 95 / 100]
                     });
-                    assert!(found < most, "{:?} {step:?} {rho}: {count}: {found:e}", optics.illuminant);
+                    assert!(found < most, "{:?} {step:?} {radius}: {count}: {found:e}", optics.illuminant);
                     // Where the window decides.
-                    let is_fewest = rho < 1.9 || optics.illuminant == Illuminant::F(11);
-                    assert!(is_fewest || with_fewer > 2.0 * most, "{step:?} {rho}: {with_fewer:e} with half as many");
+                    let is_fewest = radius < 1.9 || optics.illuminant == Illuminant::F(11);
+                    assert!(
+                        is_fewest || with_fewer > 2.0 * most,
+                        "{step:?} {radius}: {with_fewer:e} with half as many"
+                    );
                 }
             }
         }

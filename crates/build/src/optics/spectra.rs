@@ -1,4 +1,4 @@
-//! Transforms of `exp(-i s h)` at a few nodes of `s = k |w|`, from which every wavelength and every
+//! Transforms of `exp(-i s h)` at a few nodes of the phase scale `s = k |w|`, from which every wavelength and every
 //! `w` follow.
 //!
 //! For a fixed frequency `(ξ, η)` the transform `P` is an entire function of `s` of bandwidth
@@ -24,8 +24,8 @@ use diffraction_brdf::error::{Error, Result};
 /// What decides size and accuracy of the transforms.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpectraConfig {
-    /// Smallest and largest `s` in 1/nm: 0 and `2 · 2π / λ_min` for the whole hemisphere.
-    pub s: [f64; 2],
+    /// Smallest and largest phase scale `s` in 1/nm: 0 and `2 · 2π / λ_min` for the whole hemisphere.
+    pub phase_scale_per_nm: [f64; 2],
     /// Smallest and largest frequency wanted in 1/nm, along x and y.
     pub frequency: [[f64; 2]; 2],
     /// Amplitude error of the interpolation in `s`, relative to the window's whole amplitude.
@@ -47,10 +47,8 @@ impl SpectraConfig {
 pub struct Spectra {
     /// Number of nodes in `s`.
     pub nodes: usize,
-    /// Smallest and largest `s` in 1/nm.
-    pub s: [f64; 2],
     /// The nodes in 1/nm, and how values between them follow.
-    pub depth: Interpolant,
+    pub over_phase: Interpolant,
     /// `E / sqrt(A)` in nm² (nm for the tile's lines) at each node; layout `[η line][ξ line][node]`.
     pub data: Vec<Complex<f32>>,
     /// Index of the first stored line along ξ and η.
@@ -171,7 +169,7 @@ pub fn line_counts(field: &HeightField, placement: Placement, sigma_nm: f64, fre
 }
 
 /// Smallest number of at least `size` with prime factors 2, 3 and 5 only: fast for the FFT.
-pub fn smooth_size(size: usize) -> usize {
+pub(crate) fn smooth_size(size: usize) -> usize {
     (size..)
         .find(|&n| {
             let mut rest = n;
@@ -186,15 +184,19 @@ pub fn smooth_size(size: usize) -> usize {
 }
 
 /// Number of nodes in `s` that a field takes.
-pub fn nodes_for(field: &HeightField, config: &SpectraConfig) -> usize {
-    chebyshev::nodes_for_exponential(half_height_range_nm(field), config.s[1] - config.s[0], config.tolerance)
+pub(crate) fn nodes_for(field: &HeightField, config: &SpectraConfig) -> usize {
+    chebyshev::nodes_for_exponential(
+        half_height_range_nm(field),
+        config.phase_scale_per_nm[1] - config.phase_scale_per_nm[0],
+        config.tolerance,
+    )
 }
 
 /// Refuses what [`transform`] would refuse.
 ///
 /// # Errors
 /// `Error::Limit` if the transforms would need more memory than allowed.
-pub fn check_memory(
+pub(crate) fn check_memory(
     field: &HeightField,
     placement: Placement,
     optics: &OpticsConfig,
@@ -213,13 +215,13 @@ fn checked_values(plans: &[AxisPlan; 2], nodes: usize, memory_bytes: u64) -> Res
     }
     Err(Error::limit(
         format!(
-            "the transforms need {} MiB ({nodes} depth nodes on {} x {} frequencies) and {} MiB are allowed",
+            "the transforms need {} MiB ({nodes} nodes in phase scale on {} x {} frequencies) and {} MiB are allowed",
             bytes >> 20,
             plans[0].lines,
             plans[1].lines,
             memory_bytes >> 20
         ),
-        "raise tables.memory_mib, clip outliers with despike (depth sets the nodes), or lower tables.tolerance's demand",
+        "raise tables.memory_mib, clip outliers with despike (the range of heights sets the nodes), or lower tables.tolerance's demand",
     ))
 }
 
@@ -234,13 +236,12 @@ pub fn transform(
     config: &SpectraConfig,
 ) -> Result<Spectra> {
     let (kernel, plans) = window_plan(field, placement, optics.sigma_nm, config.frequency);
-    let [s_min, s_max] = config.s;
+    let [s_min, s_max] = config.phase_scale_per_nm;
     let nodes = nodes_for(field, config);
     let values = checked_values(&plans, nodes, config.memory_bytes)?;
     let mut spectra = Spectra {
         nodes,
-        s: config.s,
-        depth: Interpolant::new(nodes, s_min, s_max),
+        over_phase: Interpolant::new(nodes, s_min, s_max),
         data: vec![Complex::default(); values],
         first: [plans[0].first, plans[1].first],
         lines: [plans[0].lines, plans[1].lines],
@@ -254,7 +255,7 @@ pub fn transform(
     };
     let heights = window_heights(field, &plans);
     let mut engine = Engine::new(&plans);
-    for (node, s) in spectra.depth.nodes().to_vec().into_iter().enumerate() {
+    for (node, s) in spectra.over_phase.nodes().to_vec().into_iter().enumerate() {
         let phasor = Zip::from(&heights).par_map_collect(|h| Complex::cis(-s * h));
         let mean = mean_phasor(&phasor, &plans);
         spectra.mean_phasor.push(mean);
@@ -387,18 +388,18 @@ fn pick(line: &[Complex<f64>], plan: &AxisPlan, phase: &[Complex<f64>], out: &mu
 
 impl Spectra {
     /// Weights that interpolate the nodes to `s` (1/nm).
-    pub fn node_weights(&self, s: f64) -> Vec<f64> {
-        self.depth.weights(s)
+    pub(crate) fn node_weights(&self, s: f64) -> Vec<f64> {
+        self.over_phase.weights(s)
     }
 
     /// The mean phasor `c(s)`.
-    pub fn mean_phasor_at(&self, s: f64) -> Complex<f64> {
+    pub(crate) fn mean_phasor_at(&self, s: f64) -> Complex<f64> {
         combined(&self.mean_phasor, &self.node_weights(s))
     }
 
     /// Transform of the window along one axis at a frequency (1/nm), divided by the root of the axis'
     /// norm: `G̃ / sqrt(A)` is the product of both axes.
-    pub fn window_transform(&self, axis: usize, frequency: f64) -> f64 {
+    pub(crate) fn window_transform(&self, axis: usize, frequency: f64) -> f64 {
         let [value] = self.window_transforms(axis, [frequency]);
         value
     }

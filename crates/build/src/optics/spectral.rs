@@ -1,7 +1,7 @@
-//! The BRDF straight from the transforms, at full spectral resolution: the fast yardstick.
+//! The BRDF straight from the transforms, at full spectral resolution: the fast reference.
 //!
 //! Between the direct sum (`reference`), a thousand times slower, and the tables: no grid in (u, v), no
-//! expansion in `w`, no coarse wavelengths; only the interpolation in depth and frequency is shared with
+//! expansion in `w`, no coarse wavelengths; only the interpolation in phase scale and frequency is shared with
 //! the tables. It is itself held against the direct sum.
 
 use std::collections::BTreeMap;
@@ -143,7 +143,7 @@ mod tests {
                 [a.min(b), a.max(b)]
             };
             let wide = SpectraConfig {
-                s: [0.0, 2.0 * TAU / low_nm],
+                phase_scale_per_nm: [0.0, 2.0 * TAU / low_nm],
                 frequency: [[-2.0 / low_nm, 2.0 / low_nm]; 2],
                 tolerance: 1e-6,
                 memory_bytes: 1 << 30,

@@ -1,6 +1,6 @@
 //! Building a table set: transforms, order, sums over wavelengths, conversion to coefficients.
 
-use super::accumulate::GROUP;
+use super::accumulate::SIMD_WIDTH;
 use super::coverage::ranges::Coverage;
 use super::input::BuildInput;
 use super::lobe::{PhasorPower, coherent};
@@ -33,7 +33,8 @@ pub fn build_planned(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> 
 
 fn build_chebyshev(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Result<(TableSet, BuildRecord)> {
     let mut begun: Option<Sums> = None;
-    let mut phasors = plan.lobe_seen.then(|| PhasorPower::new(plan.spectra.s, plan.half_height_range_nm));
+    let mut phasors =
+        plan.lobe_seen.then(|| PhasorPower::new(plan.spectra.phase_scale_per_nm, plan.half_height_range_nm));
     let share = 1.0 / plan.windows.len() as f64;
     for &(scan, placement) in &plan.windows {
         let spectra = spectra::transform(&input.fields[scan], placement, input.optics, &plan.spectra)?;
@@ -80,6 +81,6 @@ fn build_chebyshev(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Re
 
 /// Texels times wavelengths times nodes: what tables are summed of, in the groups that are summed together.
 fn node_samples(plan: &BuildPlan, nodes: &Nodes) -> u64 {
-    let groups = nodes.rings.iter().map(|nodes| nodes.count.next_multiple_of(GROUP) as f64);
+    let groups = nodes.rings.iter().map(|nodes| nodes.count.next_multiple_of(SIMD_WIDTH) as f64);
     plan.ring_samples().iter().zip(groups).map(|(samples, nodes)| samples * nodes).sum::<f64>() as u64
 }

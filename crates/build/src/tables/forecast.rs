@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::accumulate::{GROUP, LANES_MAX, WAVES};
+use super::accumulate::{LANES_PER_PASS, SIMD_WIDTH, WAVELENGTHS_PER_PASS};
 use super::coverage::shares::RING_SHARE;
 use super::input::BuildInput;
 use super::lobe;
@@ -96,7 +96,7 @@ pub fn forecast_of(input: &BuildInput, plan: &BuildPlan, threads: usize) -> Fore
     let steps = plan.rings.iter().flat_map(|r| r.quadrature.wavelengths_nm.windows(2).map(|p| (p[0] - p[1]).abs()));
     // Halves, whatever the tables are.
     let range_bytes = if plan.coverage.is_some() { texels * 3.0 * 2.0 } else { 0.0 };
-    let in_groups = |nodes: usize| nodes.next_multiple_of(GROUP) as f64;
+    let in_groups = |nodes: usize| nodes.next_multiple_of(SIMD_WIDTH) as f64;
     Forecast {
         windows: plan.windows.len(),
         speckle_deviation: speckle_deviation(&plan.windows, input.optics.sigma_nm),
@@ -146,7 +146,7 @@ fn lobe_ns(input: &BuildInput, plan: &BuildPlan) -> f64 {
 /// Most bytes on the heap at once: while a window is transformed, while it is summed, or while the sums become tables.
 fn memory_bytes(plan: &BuildPlan, windows: &[WindowWork], nodes: &[usize], tables: usize) -> f64 {
     let numbers = plan.texels.window_texels() as f64 * 3.0 * 4.0;
-    let sums = numbers * nodes.iter().copied().max().unwrap_or(tables).next_multiple_of(GROUP) as f64;
+    let sums = numbers * nodes.iter().copied().max().unwrap_or(tables).next_multiple_of(SIMD_WIDTH) as f64;
     // Sums and tables stand side by side, the transforms are gone.
     let mut most = sums + numbers * tables as f64;
     for (index, window) in windows.iter().enumerate() {
@@ -171,9 +171,9 @@ fn scratch_bytes(plan: &BuildPlan, window: &WindowWork, ring: &Ring, nodes: usiz
     let extent = |texels: usize| (2.0 * ring.radius[1]).min(texels as f64 * texel);
     let lines = extent(plan.texels.rows.len()) / (plan.wavelength_min_nm * step[1]) + taps[1];
     let columns = extent(plan.texels.columns.len()) / texel * box_samples;
-    let lanes = (nodes.div_ceil(GROUP) as f64).min(LANES_MAX as f64) * parts;
+    let lanes = (nodes.div_ceil(SIMD_WIDTH) as f64).min(LANES_PER_PASS as f64) * parts;
     // It is allocated with up to an eighth to spare.
-    17.0 / 16.0 * WAVES as f64 * lines * columns * lanes * 16.0
+    17.0 / 16.0 * WAVELENGTHS_PER_PASS as f64 * lines * columns * lanes * 16.0
 }
 
 /// Rms heights of a ring's texels, of that of all: few of them lie where the relief is deepest.
@@ -195,7 +195,9 @@ fn ring_nodes(input: &BuildInput, plan: &BuildPlan, tables: usize) -> Vec<usize>
 fn ring_ns(work: &RingWork, nodes: usize) -> f64 {
     let in_lanes =
         NS_PER_LINE_NODE * work.line_products + NS_PER_LANE_TAP * work.tap_products + NS_PER_LANE_SUM * work.powers;
-    NS_PER_WAVE * work.wavelengths + NS_PER_KERNEL_VALUE * work.kernel_values + nodes.div_ceil(GROUP) as f64 * in_lanes
+    NS_PER_WAVE * work.wavelengths
+        + NS_PER_KERNEL_VALUE * work.kernel_values
+        + nodes.div_ceil(SIMD_WIDTH) as f64 * in_lanes
 }
 
 /// The order estimator: every tested texel at all its wavelengths and fine nodes, once per tap where powers are summed.

@@ -34,7 +34,7 @@ impl Grid {
     }
 
     /// Columns with `|u| <= reach`, as a half-open range.
-    pub fn columns_within(&self, reach: f64) -> std::ops::Range<usize> {
+    pub(crate) fn columns_within(&self, reach: f64) -> std::ops::Range<usize> {
         let middle = (self.size - 1) / 2;
         if reach < 0.0 {
             return middle..middle;

@@ -23,7 +23,7 @@ const TEXELS_PER_WIDTH: [f64; 2] = [12.0, 4.0];
 /// Fewest wavelengths over which the lobe is integrated: it is a smooth function of `1/λ`...
 const WAVELENGTHS: usize = 200;
 
-/// ...but for deep surfaces. `|c|²` consists of waves in `1/λ` at lags `|w| Δh` of height differences, whose standard
+/// ...but for surfaces with a high relief. `|c|²` consists of waves in `1/λ` at lags `|w| Δh` of height differences, whose standard
 /// deviation is `√2 |w|` times the rms height: nodes 0.57 deviations apart, as for the reference.
 fn wavelengths_needed(optics: &OpticsConfig, rms_nm: f64) -> usize {
     let [low_nm, high_nm] = optics.wavelength_nm;

@@ -7,7 +7,7 @@ pub mod coverage;
 pub mod forecast;
 pub mod grid;
 pub mod input;
-pub mod lobe;
+mod lobe;
 pub mod model;
 mod nodes;
 mod order;

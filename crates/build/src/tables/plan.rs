@@ -1,6 +1,6 @@
 //! What a build will do: everything that can be known without transforming.
 
-use super::accumulate::{BoxFilter, GROUP};
+use super::accumulate::{BoxFilter, SIMD_WIDTH};
 use super::coverage::ranges::{Coverage, Hull};
 use super::coverage::restrict::{Restricted, Whole, restrict};
 use super::grid::Grid;
@@ -110,27 +110,20 @@ pub(super) fn plan_within(input: &BuildInput, scope: Scope) -> Result<BuildPlan>
     let half_height_range_nm = input.half_height_range_nm;
     let nodes_over =
         |[low, high]: [f64; 2]| nodes_bound_over(half_height_range_nm, wavelength_min_nm, fine_tolerance, high - low);
-    let (everything, all) = (Hull::whole(radius_max), Texels::whole(grid));
-    let crosses = windows.iter().any(|(_, placement)| *placement != Placement::TileMean);
+    let hull = Hull::whole(radius_max);
+    let whole = Whole {
+        texels: &Texels::whole(grid),
+        hull,
+        nodes_bound: nodes_over(hull.abs_w),
+        lobe_radius,
+        crosses: windows.iter().any(|(_, placement)| *placement != Placement::TileMean),
+    };
     let part = match &scope.coverage {
-        None => Restricted {
-            rings: rings(input, radius_max)?,
-            transformed: everything,
-            covered: everything,
-            lobe_seen: true,
-            crosses,
-        },
+        None => everything(input, &whole)?,
         Some(coverage) => {
-            let spectra = spectra_config(input, &everything, filter.width);
-            let whole = Whole {
-                texels: &all,
-                windows: &window_works(input, &windows, &spectra, filter.samples),
-                hull: everything,
-                nodes_bound: nodes_over(everything.abs_w),
-                lobe_radius,
-                crosses,
-            };
-            restrict(input, coverage, &whole)?
+            let spectra = spectra_config(input, &hull, filter.width);
+            let work = window_works(input, &windows, &spectra, filter.samples);
+            restrict(input, coverage, &whole, &work)?
         }
     };
     let with_wavelengths = |ring: Ring| match scope.rim_wavelengths {
@@ -139,7 +132,7 @@ pub(super) fn plan_within(input: &BuildInput, scope: Scope) -> Result<BuildPlan>
     };
     let plan = BuildPlan {
         rings: part.rings.into_iter().map(with_wavelengths).collect(),
-        texels: scope.coverage.as_ref().map_or(all, Coverage::texels),
+        texels: scope.coverage.as_ref().map_or_else(|| whole.texels.clone(), Coverage::texels),
         spectra: spectra_config(input, &part.transformed, filter.width),
         nodes_bound: nodes_over(part.covered.abs_w),
         abs_w: part.transformed.abs_w,
@@ -156,6 +149,12 @@ pub(super) fn plan_within(input: &BuildInput, scope: Scope) -> Result<BuildPlan>
     };
     plan.check_memory(input)?;
     Ok(plan)
+}
+
+/// All that there is to plan.
+fn everything(input: &BuildInput, whole: &Whole) -> Result<Restricted> {
+    let rings = rings(input, whole.hull.radius[1])?;
+    Ok(Restricted { rings, transformed: whole.hull, covered: whole.hull, lobe_seen: true, crosses: whole.crosses })
 }
 
 impl BuildPlan {
@@ -202,7 +201,7 @@ impl BuildPlan {
     /// Refuses what is known to exceed the memory allowed.
     fn check_memory(&self, input: &BuildInput) -> Result<()> {
         // As few nodes as there can be; how many it will be is known later.
-        self.check_sums(input.tables.count.unwrap_or(GROUP), 0)?;
+        self.check_sums(input.tables.count.unwrap_or(SIMD_WIDTH), 0)?;
         if input.tables.basis == Basis::Chebyshev {
             // Windows of one scan are alike.
             for (scan, field) in input.fields.iter().enumerate() {
@@ -217,7 +216,7 @@ impl BuildPlan {
     /// Refuses sums over so many nodes, and tables beside them, that exceed the memory allowed.
     pub(super) fn check_sums(&self, nodes: usize, tables: usize) -> Result<()> {
         let memory_bytes = self.spectra.memory_bytes;
-        let numbers = 3 * (nodes.next_multiple_of(GROUP) + tables) as u64;
+        let numbers = 3 * (nodes.next_multiple_of(SIMD_WIDTH) + tables) as u64;
         let bytes = self.texels.window_texels() as u64 * size_of::<f32>() as u64 * numbers;
         if bytes <= memory_bytes {
             return Ok(());
@@ -285,7 +284,7 @@ fn spectra_config(input: &BuildInput, hull: &Hull, width: f64) -> SpectraConfig 
         [low / if low < 0.0 { low_nm } else { high_nm }, high / if high > 0.0 { low_nm } else { high_nm }]
     };
     SpectraConfig {
-        s: [tau / high_nm * hull.abs_w[0], tau / low_nm * hull.abs_w[1]],
+        phase_scale_per_nm: [tau / high_nm * hull.abs_w[0], tau / low_nm * hull.abs_w[1]],
         frequency: [frequencies(hull.u), frequencies(hull.v)],
         tolerance: PHASE_SHARE * input.tables.tolerance,
         memory_bytes: (input.tables.memory_mib as u64) << 20,

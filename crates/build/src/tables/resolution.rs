@@ -34,7 +34,7 @@ pub fn usable_radius(optics: &OpticsConfig, pitch_nm: [f64; 2]) -> f64 {
 
 /// Samples per texel and axis that average a box of this width over a lobe of the shortest wavelength:
 /// spaced 1.2 standard deviations, the midpoint rule errs by `2 exp(-2π²/1.2²)` = 2e-6.
-pub fn box_samples(optics: &OpticsConfig, width: f64) -> usize {
+pub(crate) fn box_samples(optics: &OpticsConfig, width: f64) -> usize {
     let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
     ((width / (1.2 * lobe_width(optics.sigma_nm, low_nm))).ceil() as usize).max(1)
 }
@@ -46,7 +46,12 @@ pub fn nodes_bound(half_height_range_nm: f64, wavelength_min_nm: f64, tolerance:
 }
 
 /// The same over an interval of this length in `w`.
-pub fn nodes_bound_over(half_height_range_nm: f64, wavelength_min_nm: f64, tolerance: f64, w_length: f64) -> usize {
+pub(crate) fn nodes_bound_over(
+    half_height_range_nm: f64,
+    wavelength_min_nm: f64,
+    tolerance: f64,
+    w_length: f64,
+) -> usize {
     nodes_for_exponential(2.0 * half_height_range_nm, w_length * TAU / wavelength_min_nm, tolerance)
 }
 

@@ -2,7 +2,7 @@
 //!
 //! `|P|² = Σ_p (k |w|)^p Σ_{n+m=p} Re(F_n F*_m)` with `F_n` the transform of `g (-i h)^n / n!`, so
 //! `table_p = ∫ S x̄ k^p Σ Re(F_n F*_m) / (λ² A) dλ`. The terms grow like `exp(k |w| |h - h'|)` before
-//! they cancel down to the result: the method's depth is limited by the digits of the storage.
+//! they cancel down to the result: the height of a relief that the method takes is limited by the digits of the storage.
 
 use std::f64::consts::TAU;
 
@@ -115,12 +115,12 @@ fn height_differences(field: &HeightField) -> Vec<(f64, f64)> {
 /// # Errors
 /// `Error::Limit` where the terms would cancel catastrophically in the wanted storage, and transforms or sums beyond the
 /// allowed memory; `Error::Call` for a plan restricted to some directions.
-pub fn build_taylor(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Result<(TableSet, BuildRecord)> {
+pub(crate) fn build_taylor(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Result<(TableSet, BuildRecord)> {
     if plan.coverage.is_some() {
         return Err(Error::Call("the published method's tables are for every direction".into()));
     }
     let BuildInput { fields, optics, tables: config, .. } = *input;
-    let forecast = forecast(fields, plan.spectra.s[1], config.tolerance);
+    let forecast = forecast(fields, plan.spectra.phase_scale_per_nm[1], config.tolerance);
     refuse_catastrophe(&forecast, config.storage.unwrap_or(Storage::Float))?;
     let terms = config.count.unwrap_or(forecast.terms).max(1);
     check_limits(plan, terms, config)?;
@@ -170,7 +170,7 @@ fn refuse_catastrophe(forecast: &SeriesForecast, storage: Storage) -> Result<()>
     let instead = if storage == Storage::Half && forecast.rounding(Storage::Float) <= CATASTROPHE {
         "use tables.storage = \"float\", or tables.basis = \"chebyshev\""
     } else {
-        "use tables.basis = \"chebyshev\", or clip outliers if they set the depth"
+        "use tables.basis = \"chebyshev\", or clip outliers if they set the range of heights"
     };
     Err(Error::limit(
         format!(
@@ -309,8 +309,8 @@ mod tests {
     use super::*;
     use ndarray::Array2;
 
-    fn field(depth_nm: f64) -> HeightField {
-        let heights_nm = Array2::from_shape_fn((32, 64), |(_, x)| 0.5 * depth_nm * (x as f64 * TAU / 64.0).sin());
+    fn field(height_nm: f64) -> HeightField {
+        let heights_nm = Array2::from_shape_fn((32, 64), |(_, x)| 0.5 * height_nm * (x as f64 * TAU / 64.0).sin());
         HeightField { heights_nm, pitch_nm: [60.0, 60.0] }
     }
 
@@ -328,9 +328,9 @@ mod tests {
     }
 
     #[test]
-    fn terms_grow_with_depth_and_tolerance_and_a_flat_surface_needs_one() {
+    fn terms_grow_with_relief_and_tolerance_and_a_flat_surface_needs_one() {
         let s = 2.0 * TAU / 380.0;
-        let terms = |depth, tolerance| forecast(&[field(depth)], s, tolerance).terms;
+        let terms = |height_nm, tolerance| forecast(&[field(height_nm)], s, tolerance).terms;
         assert_eq!(terms(0.0, 1e-6), 1);
         assert!(terms(100.0, 1e-3) < terms(200.0, 1e-3) && terms(100.0, 1e-3) < terms(100.0, 1e-6));
         // Stirling: x^T / T! = 1e-4 at x = 6.6 (200 nm) for T = 24; the mean over pairs lies below the worst pair.

@@ -34,22 +34,22 @@ impl Texels {
     }
 
     /// Whether every texel of the grid counts.
-    pub fn is_whole(&self) -> bool {
+    pub(crate) fn is_whole(&self) -> bool {
         self.runs.is_none()
     }
 
     /// Texels in the window, counted or not.
-    pub fn window_texels(&self) -> usize {
+    pub(crate) fn window_texels(&self) -> usize {
         self.rows.len() * self.columns.len()
     }
 
     /// Number of texels within `radius[0] <= |(u, v)| < radius[1]`.
-    pub fn count_within(&self, radius: [f64; 2]) -> usize {
+    pub(crate) fn count_within(&self, radius: [f64; 2]) -> usize {
         self.rows.clone().flat_map(|row| self.runs_in(row, radius)).map(|run| run.len()).sum()
     }
 
     /// Runs of columns of a row (of the grid) within `radius[0] <= |(u, v)| < radius[1]`.
-    pub fn runs_in(&self, row: usize, radius: [f64; 2]) -> Vec<Range<usize>> {
+    pub(crate) fn runs_in(&self, row: usize, radius: [f64; 2]) -> Vec<Range<usize>> {
         let v = self.grid.v(row);
         // What lies inside the next ring's hole.
         let outer = inner_columns(&self.grid, radius[1], v);

@@ -53,8 +53,8 @@ pub(super) fn window_works(
     spectra: &SpectraConfig,
     box_samples: usize,
 ) -> Vec<WindowWork> {
-    let span = spectra.s[1] - spectra.s[0];
-    let transforms = chebyshev::nodes_for_exponential(input.half_height_range_nm, span, spectra.tolerance) as f64;
+    let [low, high] = spectra.phase_scale_per_nm;
+    let transforms = chebyshev::nodes_for_exponential(input.half_height_range_nm, high - low, spectra.tolerance) as f64;
     let of_window = |&(scan, placement): &(usize, Placement)| {
         let is_power = placement == Placement::TileMean;
         let work = WindowWork { transforms, ..lines(&input.fields[scan], placement, input.optics.sigma_nm, spectra) };

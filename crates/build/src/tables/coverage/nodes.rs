@@ -2,7 +2,7 @@
 
 use super::restrict::widened;
 use super::shares::{RING_SHARE, WIDE_SHARE};
-use crate::tables::accumulate::GROUP;
+use crate::tables::accumulate::SIMD_WIDTH;
 use crate::tables::order::OrderEstimator;
 use crate::tables::plan::BuildPlan;
 use crate::tables::rings::{Ring, RingNodes};
@@ -16,9 +16,9 @@ pub(in crate::tables) fn ring_nodes(order: &OrderEstimator, plan: &BuildPlan, ri
     let limits = plan.abs_w_within(ring);
     let over = |abs_w: [f64; 2], share: f64| {
         // Fewer than the tables would leave their highest polynomials without information.
-        let first = tables.next_multiple_of(GROUP);
-        let last = plan.nodes_over(abs_w).next_multiple_of(GROUP).max(first);
-        RingNodes { abs_w, count: order.ring_nodes(ring, abs_w, share, (first..=last).step_by(GROUP)) }
+        let first = tables.next_multiple_of(SIMD_WIDTH);
+        let last = plan.nodes_over(abs_w).next_multiple_of(SIMD_WIDTH).max(first);
+        RingNodes { abs_w, count: order.ring_nodes(ring, abs_w, share, (first..=last).step_by(SIMD_WIDTH)) }
     };
     let enough = over(ring.abs_w, RING_SHARE).count;
     let [coarse @ .., finest] = STEPS.map(|step| widened(ring.abs_w, step, limits));

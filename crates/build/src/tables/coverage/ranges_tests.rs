@@ -142,9 +142,9 @@ proptest! {
         }
     }
 
-    /// Where `|q|²` is known, every direction of a box is served at its own `t`, and at few others.
+    /// Where `|q|²` is known, every direction of a box is covered at its own `t`, and at few others.
     #[test]
-    fn a_known_length_of_q_ties_depth_to_the_radius(
+    fn a_known_length_of_q_ties_t_to_the_radius(
         q_squared in 0.1..4.0f64, spread in 0.0..0.05f64, u in -1.9..1.9f64, v in -1.9..1.9f64, side in 0.0..1.5f64,
         places in proptest::collection::vec((0.0..1.0f64, 0.0..1.0f64, 0.0..1.0f64), 40),
     ) {
@@ -168,8 +168,8 @@ proptest! {
             }
         }
         for (row, column, t) in coverage.iter() {
-            let rho = coverage.grid.u(column).hypot(coverage.grid.v(row));
-            prop_assert!(rho < band[1].sqrt() + 0.03);
+            let radius = coverage.grid.u(column).hypot(coverage.grid.v(row));
+            prop_assert!(radius < band[1].sqrt() + 0.03);
             // Two texels' diagonals and the band: w² = |q|² - ρ² changes by no more.
             let [low, high] = coverage.abs_w_at(row, column, t);
             let change = high * high - low * low;

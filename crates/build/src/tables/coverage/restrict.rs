@@ -13,8 +13,6 @@ use diffraction_brdf::error::{Error, Result};
 pub(in crate::tables) struct Whole<'a> {
     /// All texels.
     pub texels: &'a Texels,
-    /// The work of every window.
-    pub windows: &'a [WindowWork],
     /// Extent of all directions.
     pub hull: Hull,
     /// Upper bound of the numbers of nodes in `w`.
@@ -39,16 +37,21 @@ pub(in crate::tables) struct Restricted {
     pub crosses: bool,
 }
 
-/// Leaves out of a plan for every direction what a coverage does not ask for.
+/// Leaves out of a plan for every direction, with the work of its windows, what a coverage does not ask for.
 ///
 /// What remains of the rings, of `|w|` and of the transforms' nodes is cut at places that do not move with every texel of
 /// the coverage: sums then are what they were for one that differs little, bit for bit.
 ///
 /// # Errors
 /// An invisible light; a coverage of nothing.
-pub(in crate::tables) fn restrict(input: &BuildInput, coverage: &Coverage, whole: &Whole) -> Result<Restricted> {
+pub(in crate::tables) fn restrict(
+    input: &BuildInput,
+    coverage: &Coverage,
+    whole: &Whole,
+    work: &[WindowWork],
+) -> Result<Restricted> {
     let rings = fine_rings(input, whole.hull.radius[1])?;
-    let rings = join_rings(rings, input, whole.texels, whole.windows, whole.nodes_bound);
+    let rings = join_rings(rings, input, whole.texels, work, whole.nodes_bound);
     let covered = coverage.hull().ok_or_else(|| {
         Error::limit("no scene sees and lights any of this surface", "change the scene, or set tables.serve = \"all\"")
     })?;

@@ -2,7 +2,7 @@
 
 use super::ranges::Coverage;
 use super::shares::RING_SHARE;
-use crate::tables::accumulate::GROUP;
+use crate::tables::accumulate::SIMD_WIDTH;
 use crate::tables::grid::Grid;
 use crate::tables::input::BuildInput;
 use crate::tables::resolution::{lobe_width, nodes_expected};
@@ -87,7 +87,7 @@ fn ring_operations(window: &WindowWork, ring: &Ring, texels: f64, grid: &Grid, n
     // Every power is a square or two; and at every wavelength a texel's enters X, Y and Z.
     let sums = window.parts * work.powers + 3.0 * texels * work.wavelengths;
     OPERATIONS_PER_KERNEL_VALUE * work.kernel_values
-        + nodes.div_ceil(GROUP) as f64 * (work.line_products + work.tap_products + sums)
+        + nodes.div_ceil(SIMD_WIDTH) as f64 * (work.line_products + work.tap_products + sums)
 }
 
 /// The rings that hold texels of a coverage, with the `|w|` that these are asked for.
