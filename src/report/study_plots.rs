@@ -58,7 +58,7 @@ pub struct Figure {
 }
 
 /// Error over the hemisphere against build time, evaluation time and bytes.
-pub(crate) fn cost_figure(study: &SpecimenStudy) -> Figure {
+pub fn cost_figure(study: &SpecimenStudy) -> Figure {
     let error = |row: &MethodRow| {
         let found = row.errors.iter().find(|e| e.region == Region::Hemisphere);
         found.map_or(f64::NAN, |e| e.quantiles.p95)
@@ -67,7 +67,7 @@ pub(crate) fn cost_figure(study: &SpecimenStudy) -> Figure {
 }
 
 /// The same where (u, v) lies on texels: what is left without the grid.
-pub(crate) fn cost_figure_on_texels(study: &SpecimenStudy) -> Figure {
+pub fn cost_figure_on_texels(study: &SpecimenStudy) -> Figure {
     costs(study, "error against cost without the grid's share", &|row| row.on_texels.p95)
 }
 
@@ -88,7 +88,7 @@ fn costs(study: &SpecimenStudy, title: &str, error: &dyn Fn(&MethodRow) -> f64) 
 }
 
 /// Error of the tables against their number, and colour difference against bytes.
-pub(crate) fn tables_figure(study: &SpecimenStudy) -> Figure {
+pub fn tables_figure(study: &SpecimenStudy) -> Figure {
     let mut tables = by_method(study, &|row| {
         let count: f64 = row.setting.split(' ').next().and_then(|n| n.parse().ok()).unwrap_or(0.0);
         (if row.basis.is_some() { count } else { 0.0 }, row.on_texels.p95)
@@ -120,7 +120,7 @@ fn by_method(study: &SpecimenStudy, point: &dyn Fn(&MethodRow) -> (f64, f64)) ->
 }
 
 /// Median and 95th percentile against the setting of one knob; `None` where fewer than two settings were tried.
-pub(crate) fn knob_figure(study: &SpecimenStudy, knobs: &[&str], axis: &str) -> Option<Figure> {
+pub fn knob_figure(study: &SpecimenStudy, knobs: &[&str], axis: &str) -> Option<Figure> {
     let mut series = Vec::new();
     for &knob in knobs {
         let rows: Vec<_> = study.knobs.iter().filter(|row| row.knob == knob).collect();
@@ -143,7 +143,7 @@ pub(crate) fn knob_figure(study: &SpecimenStudy, knobs: &[&str], axis: &str) -> 
 }
 
 /// Measured against asked for, and what it costs.
-pub(crate) fn tolerance_figure(study: &SpecimenStudy) -> Option<Figure> {
+pub fn tolerance_figure(study: &SpecimenStudy) -> Option<Figure> {
     let rows = &study.tolerances;
     if rows.is_empty() {
         return None;
@@ -171,7 +171,7 @@ pub(crate) fn tolerance_figure(study: &SpecimenStudy) -> Option<Figure> {
 }
 
 /// Relief, the published series in each number format, and grazing directions.
-pub(crate) fn stability_figures(stability: &Stability) -> Vec<(&'static str, Figure)> {
+pub fn stability_figures(stability: &Stability) -> Vec<(&'static str, Figure)> {
     vec![
         ("depth", depth_figure(&stability.depths)),
         ("series", series_figure(&stability.series)),
