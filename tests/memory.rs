@@ -5,8 +5,8 @@ mod common;
 use std::sync::Mutex;
 
 use common::surfaces::{laser, random, tables_config};
-use diffraction_atlas::stages::coverage::cover;
-use diffraction_atlas::stages::known::Built;
+use diffraction_atlas::stages::built::Built;
+use diffraction_atlas::stages::coverage::savings::cover;
 use diffraction_atlas::stages::usage::{HeapCounter, lend_heap_counter, with_heap_bytes};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;

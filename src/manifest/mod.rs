@@ -26,7 +26,7 @@ use toml::de::DeTable;
 
 pub use model::{AtlasSection, GpuSection, Manifest};
 
-use crate::stages::cache::CacheConfig;
+use crate::stages::cache::store::CacheConfig;
 use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
 use diffraction_brdf::error::{Error, Result};
 use reader::Section;

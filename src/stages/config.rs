@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::cache::CacheConfig;
+use super::cache::store::CacheConfig;
 use crate::stages::measured::MeasuredConfig;
 use diffraction_build::height::prepare::PrepareConfig;
 use diffraction_build::height::read::ReadConfig;

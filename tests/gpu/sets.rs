@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use crate::skip::skipped;
-use diffraction_atlas::stages::coverage::cover;
+use diffraction_atlas::stages::coverage::savings::cover;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};

@@ -155,7 +155,7 @@ fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<
     if let Some(first) = beyond.first() {
         return Err(Error::limit(
             format!(
-                "{} of {} directions, row {first} the first, lie outside of what this atlas serves: its tables were made \
+                "{} of {} directions, row {first} the first, lie outside of what this atlas covers: its tables were made \
                  for the scenes of its manifest alone",
                 beyond.len(),
                 pairs.len()

@@ -175,7 +175,7 @@ fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
         );
         if let Some(served) = &file.tables.served {
             text += &format!(
-                "  serves the scenes of its manifest alone: {} x {} of {} x {} texels\n",
+                "  restricted to the scenes of its manifest: {} x {} of {} x {} texels\n",
                 file.tables.u.samples, file.tables.v.samples, served.size, served.size
             );
         }

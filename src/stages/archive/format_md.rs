@@ -152,23 +152,23 @@ fn evaluation(tables: &StoredTables) -> String {
         Basis::Chebyshev if tables.served.is_some() => {
             "2. `t = |w| / sqrt(4 - u^2 - v^2)`, at most 1 (0 where the root is 0).
 3. `low` and `high` from `range.exr` at (u, v); `s = (t - low) / (high - low)`.
-4. `T_0 = 1`, `T_1 = x`, `T_n = 2 x T_(n-1) - T_(n-2)`; `body` = sum over n of `T_n`, for `x = 2 s - 1`, times table n at
+4. `T_0 = 1`, `T_1 = x`, `T_n = 2 x T_(n-1) - T_(n-2)`; `diffuse` = sum over n of `T_n`, for `x = 2 s - 1`, times table n at
    (u, v).
 5. Where there is a lobe: `cross` = (sum over n of `T_n`, for `x = 2 t - 1`, times cross patch n at (u, v)) / `|w|` where `|u|`
    and `|v|` both are below `radius_max`, otherwise 0; `lobe`: see Factors.
-6. `f = D (body + cross) + C lobe`, times the shadowing factor where it is switched on."
+6. `f = D (diffuse + cross) + C lobe`, times the shadowing factor where it is switched on."
         }
         Basis::Chebyshev => {
             "2. `t = |w| / sqrt(4 - u^2 - v^2)`, at most 1 (0 where the root is 0); `x = 2 t - 1`.
 3. `T_0 = 1`, `T_1 = x`, `T_n = 2 x T_(n-1) - T_(n-2)`.
-4. `body` = sum over n of `T_n` times table n at (u, v).
+4. `diffuse` = sum over n of `T_n` times table n at (u, v).
 5. `cross` = (sum over n of `T_n` times cross patch n at (u, v)) / `|w|` where `|u|` and `|v|` both are below `radius_max`,
    otherwise 0; `lobe`: see Factors.
-6. `f = D (body + cross) + C lobe`, times the shadowing factor where it is switched on."
+6. `f = D (diffuse + cross) + C lobe`, times the shadowing factor where it is switched on."
         }
         Basis::Taylor => {
-            "2. `body` = sum over n of `|w|^n` times table n at (u, v).
-3. `f = D body / w^2`, times the shadowing factor where it is switched on."
+            "2. `diffuse` = sum over n of `|w|^n` times table n at (u, v).
+3. `f = D diffuse / w^2`, times the shadowing factor where it is switched on."
         }
     };
     format!(
@@ -234,7 +234,7 @@ fn use_in_a_renderer(example: &SpecimenFile) -> String {
 - On a mesh the program lays x along the texture coordinate u and y at a right angle to it, on the side to which v grows:
   where the coordinates are mirrored, so is the structure.
 - To sample directions: `cos(theta_o) d(omega_o) = du dv`, so a density over (u, v) times `cos(theta_o)` is one over
-  directions. Sample the lobe apart from the body: it is narrow and round in (u, v) about the mirror direction, where
+  directions. Sample the lobe apart from the diffuse part: it is narrow and round in (u, v) about the mirror direction, where
   `t = cos(theta_i)` and `G = w^2`: it reflects `R` times the integral of `coherent` over (u, v), to a good approximation.
 - Where `specimen.json` has a `pigment`, the pictures show one below the structure besides `f`; the tables do not hold it. It
   adds `(1 - R(wi_z)) (1 - R(wo_z)) pigment.xyz_per_sr`, with the `R` of the factors above at `c = wi_z` and `c = wo_z`.
@@ -287,7 +287,7 @@ Specimen `{name}`, light at theta {theta_i}, phi {phi_i}, viewer at theta {theta
         let corners = term.corners_y.map(digits).join(", ");
         text += &format!("| {n} | {} | {corners} | {} |\n", digits(term.basis_value), triple(term.value));
     }
-    text += &format!("\n- `body` = {}\n", triple(worked.sum));
+    text += &format!("\n- `diffuse` = {}\n", triple(worked.sum));
     if let Some(lobe) = &worked.lobe {
         let inside = lobe
             .lookup

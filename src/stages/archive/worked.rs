@@ -64,7 +64,7 @@ pub struct WorkedNumber {
     pub t: f64,
     /// Where in the tables.
     pub lookup: Lookup,
-    /// Lowest and highest `t` between the texels there, where tables do not serve every direction; [0, 1] elsewhere.
+    /// Lowest and highest `t` between the texels there, where tables are restricted to scenes; [0, 1] elsewhere.
     pub range: [f64; 2],
     /// Where `t` lies in that range: what the tables' polynomials are evaluated at.
     pub s: f64,
@@ -102,7 +102,7 @@ pub fn work_number(tables: &TableSet, angles_deg: [f64; 4]) -> WorkedNumber {
 
     let (lookup, range) = match &tables.served {
         None => (look_up([(u + 2.0) / 4.0, (2.0 - v) / 4.0], [tables.size(), tables.size()]), [0.0, 1.0]),
-        Some(served) => served_place(served, u, v),
+        Some(window) => place_in_window(window, u, v),
     };
     let s = (t - range[0]) / (range[1] - range[0]);
     let terms: Vec<Term> =
@@ -128,14 +128,14 @@ pub fn work_number(tables: &TableSet, angles_deg: [f64; 4]) -> WorkedNumber {
         Factor::Vector => (vector_factor(tables.front_factor.material, wi, wo).unwrap_or(scalar), reflectance),
     };
     let xyz = std::array::from_fn(|channel| {
-        let body = match tables.basis {
+        let diffuse = match tables.basis {
             Basis::Chebyshev => sum[channel],
             Basis::Taylor => sum[channel] / (w * w),
         };
         let cross = lobe.as_ref().map_or(0.0, |lobe| lobe.cross[channel] / w.abs());
         let coherent =
             lobe.as_ref().map_or(0.0, |lobe| lobe.coherent[channel] + lobe.image.map_or(0.0, |i| i.1[channel]));
-        shadowing * (diffuse_factor * (body + cross) + coherent_factor * coherent)
+        shadowing * (diffuse_factor * (diffuse + cross) + coherent_factor * coherent)
     });
     WorkedNumber {
         angles_deg,
@@ -190,14 +190,14 @@ fn vector_factor(material: Material, wi: Vec3, wo: Vec3) -> Option<f64> {
     Some(2.0 * theta_i.cos() * theta_o.cos() * q)
 }
 
-/// Where in a served window, and the range of `t` there.
-fn served_place(served: &Served, u: f64, v: f64) -> (Lookup, [f64; 2]) {
-    let (rows, columns, _) = served.range.dim();
-    let texel = 4.0 / (served.size - 1) as f64;
-    let at = [(u + 2.0) / texel - served.first[1] as f64, (2.0 - v) / texel - served.first[0] as f64];
+/// Where in the window of restricted tables, and the range of `t` there.
+fn place_in_window(window: &Served, u: f64, v: f64) -> (Lookup, [f64; 2]) {
+    let (rows, columns, _) = window.range.dim();
+    let texel = 4.0 / (window.size - 1) as f64;
+    let at = [(u + 2.0) / texel - window.first[1] as f64, (2.0 - v) / texel - window.first[0] as f64];
     let last = [(columns - 1) as f64, (rows - 1) as f64];
     let lookup = look_up([at[0] / last[0], at[1] / last[1]], [columns, rows]);
-    let range = term(Basis::Chebyshev, 0, 0.0, 0.0, &served.range, &lookup).value;
+    let range = term(Basis::Chebyshev, 0, 0.0, 0.0, &window.range, &lookup).value;
     (lookup, [range[0], range[1]])
 }
 
@@ -344,8 +344,8 @@ mod tests {
         let worked = work_number(&set, near_mirror);
         let [u, v, w] = worked.q;
         let (radius, x) = (u.hypot(v), 2.0 * worked.t - 1.0);
-        let glint = (1.0 + 2.0 * worked.t) * (4.0 - 4.0 * radius / 0.2) / (w * w) + (0.25 + 2.0 * x) / w.abs();
+        let lobe = (1.0 + 2.0 * worked.t) * (4.0 - 4.0 * radius / 0.2) / (w * w) + (0.25 + 2.0 * x) / w.abs();
         let difference = worked.xyz[1] - work_number(&without, near_mirror).xyz[1];
-        assert!((difference / (worked.geometry_factor * glint) - 1.0).abs() < 1e-12);
+        assert!((difference / (worked.geometry_factor * lobe) - 1.0).abs() < 1e-12);
     }
 }

@@ -1,5 +1,6 @@
 //! Pictures of specimens: the manifest's scenes from the tables and from the reference, alone and shared.
 
+pub(crate) mod covered;
 pub(crate) mod preview;
 pub mod scenes;
 pub(crate) mod shared_scenes;

@@ -2,10 +2,11 @@
 
 use super::clock::{Clock, Step};
 use super::job::Job;
+use crate::stages::built::Built;
+use crate::stages::cache::known::Known;
 use crate::stages::config::Serve;
-use crate::stages::coverage;
+use crate::stages::coverage::{asked, savings};
 use crate::stages::ingest::{Scans, ingest as read_scans};
-use crate::stages::known::{Built, Known};
 use crate::stages::measured::{self, Measurement};
 use crate::stages::stage::Stage;
 use diffraction_brdf::files;
@@ -77,8 +78,8 @@ pub(super) fn ingest(job: &Job, clock: &mut Clock) -> Step<Ingested> {
         Some(config) => Some(clock.stage(Stage::ReadMeasured, || measured::read(config))?),
         None => None,
     };
-    let tables = coverage::tables_for(config, &specimen.name);
-    Ok(Ingested { scans, measurement, tables, scenes: coverage::pictured_scenes(config, &specimen.name) })
+    let tables = asked::tables_for(config, &specimen.name);
+    Ok(Ingested { scans, measurement, tables, scenes: asked::pictured_scenes(config, &specimen.name) })
 }
 
 /// Plans the tables, for the scenes alone where they are restricted to them.
@@ -90,7 +91,7 @@ pub(super) fn plan<'a>(job: &Job<'a>, ingested: &'a Ingested, clock: &mut Clock)
         Serve::All => None,
         Serve::Scenes | Serve::Named(_) => {
             let scenes: Vec<&Scene> = ingested.scenes.iter().collect();
-            Some(clock.stage(Stage::FindCoverage, || coverage::cover(&input, &scenes))?)
+            Some(clock.stage(Stage::FindCoverage, || savings::cover(&input, &scenes))?)
         }
     };
     let plan = clock.stage(Stage::Plan, || plan_for(&input, coverage.clone()))?;
@@ -121,7 +122,7 @@ pub(super) fn store(job: &Job, planned: &Planned, built: Built, clock: &mut Cloc
         Ok((set, pigment, files::bytes_of(&job.folder, "exr")?))
     })?;
     let took = Took {
-        cost: coverage::cost_of(&built, stored_bytes as f64),
+        cost: savings::cost_of(&built, stored_bytes as f64),
         processor_s: built.processor_s,
         memory_bytes: built.memory_bytes,
         stored_bytes,

@@ -11,13 +11,13 @@ use super::job::Job;
 use super::measure::Measured;
 use super::warnings::{scan_warnings, table_warnings};
 use crate::stages::archive::specimen_file::{self, SpecimenFile};
-use crate::stages::cache::CacheUse;
+use crate::stages::cache::store::CacheUse;
 use crate::stages::config::SpecimenConfig;
-use crate::stages::coverage;
+use crate::stages::coverage::savings;
+use crate::stages::pictures::covered::covered_picture;
 use crate::stages::pictures::preview::write_preview;
 use crate::stages::pictures::scenes;
 use crate::stages::pictures::shared_scenes::{self, Share};
-use crate::stages::reached::reached_picture;
 use crate::stages::results::{BuildResult, HeightMapFile, LobeResult, SceneResult, SpecimenResult, SpectrumFile};
 use crate::stages::stage::Stage;
 use diffraction_brdf::atlas::InputRecord;
@@ -77,7 +77,7 @@ pub(super) fn describe(
         Some(covered) => Some(clock.stage(Stage::AccountSavings, || {
             let scenes: Vec<&Scene> = ingested.scenes.iter().collect();
             let (whole, cost) = (&job.config.tables, measured.stored.took.cost);
-            coverage::account(&planned.input, &scenes, covered, whole, cost, job.config.report.savings)
+            savings::account(&planned.input, &scenes, covered, whole, cost, job.config.report.savings)
         })?),
     };
     Ok(Described {
@@ -103,7 +103,7 @@ fn warnings(ingested: &Ingested, planned: &Planned, measured: &Measured) -> Vec<
 /// All pictures but those of `scenes`, which are written already.
 fn write_pictures(job: &Job, ingested: &Ingested, surface: Surface, scenes: Vec<SceneResult>) -> Result<Pictures> {
     let (folder, name) = (&job.folder, &job.specimen.name);
-    let coverage = reached_picture(surface.tables);
+    let coverage = covered_picture(surface.tables);
     let preview_png = match &coverage {
         None => {
             write_preview(surface, folder)?;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::stages::cache::Cache;
+use crate::stages::cache::store::Cache;
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::results::{HeightMapFile, SpectrumFile, Statistics};
 use diffraction_brdf::error::Result;

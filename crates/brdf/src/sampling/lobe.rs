@@ -6,7 +6,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::{NODES, Reflectance, choose, node_cosine, probability};
+use super::choice::{NODES, Reflectance, choose, node_cosine, probability};
 use crate::direction::{Vec3, max_abs_w};
 use crate::front_factor::{Factor, FrontFactor, image_radius2};
 use crate::table_set::Lobe;

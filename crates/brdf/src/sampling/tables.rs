@@ -13,7 +13,7 @@ use std::ops::Range;
 
 use ndarray::Array3;
 
-use super::{NODES, choose, node_cosine, probability};
+use super::choice::{NODES, choose, node_cosine, probability};
 use crate::chebyshev;
 use crate::direction::{Vec3, max_abs_w};
 use crate::table_set::{Basis, TableSet};

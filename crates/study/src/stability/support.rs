@@ -2,7 +2,7 @@
 
 use ndarray::Array2;
 
-use super::{Guard, StabilityCase};
+use super::case::{Guard, StabilityCase};
 pub use crate::study::pair_of;
 use crate::study::stored;
 use diffraction_brdf::chebyshev::{gauss_nodes, interpolation_weights, shifted_values};

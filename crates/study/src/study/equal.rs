@@ -12,10 +12,11 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::batch::{PackedTables, Pair, stored};
+use super::config::{StudyConfig, StudySpecimen};
 use super::methods::Context;
+use super::rows::Refusal;
 use super::sample::{floor_per_sr, luminances};
 use super::texels::Texels;
-use super::{Refusal, StudyConfig, StudySpecimen};
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
