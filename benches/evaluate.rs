@@ -33,6 +33,7 @@ fn optics() -> OpticsConfig {
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 2_000.0,
+        lobe_sigma_nm: None,
         edge: Edge::Fade,
         windows: Windows::Centre,
         material: Material::Dielectric { n: 1.56 },

@@ -28,6 +28,7 @@ fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
         wavelength_nm: [380.0, 780.0],
         // The 16 µm tile holds 8 sigma.
         sigma_nm: 2_000.0,
+        lobe_sigma_nm: None,
         edge,
         windows,
         material: Material::Dielectric { n: 1.56 },

@@ -42,6 +42,7 @@
 //!     illuminant: Illuminant::Lines(vec![Line { wavelength_nm: 550.0, power: 1.0 }]),
 //!     wavelength_nm: [380.0, 780.0],
 //!     sigma_nm: 1_500.0,
+//!     lobe_sigma_nm: None,
 //!     edge: Edge::Tile,
 //!     windows: Windows::Grid,
 //!     material: Material::Ideal,

@@ -5,8 +5,8 @@ mod common;
 use std::sync::Mutex;
 
 use common::surfaces::{laser, random, tables_config};
-use diffraction_atlas::stages::coverage::cover;
-use diffraction_atlas::stages::known::Built;
+use diffraction_atlas::stages::built::Built;
+use diffraction_atlas::stages::coverage::savings::cover;
 use diffraction_atlas::stages::usage::{HeapCounter, lend_heap_counter, with_heap_bytes};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
@@ -57,6 +57,7 @@ fn daylight(sigma_nm: f64, edge: Edge, windows: Windows) -> OpticsConfig {
         illuminant,
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
+        lobe_sigma_nm: None,
         edge,
         windows,
         material,

@@ -2,8 +2,8 @@
 
 use crate::common::surfaces::{laser, random, tables_config};
 use assert_cmd::Command;
-use diffraction_atlas::stages::forecast_run::{ReferenceForecast, reference_forecast};
 use diffraction_atlas::stages::pictures::scenes::{reference_samples, render_tables};
+use diffraction_atlas::stages::run::reference_forecast::{ReferenceForecast, reference_forecast};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::optics::pigment::Surface;

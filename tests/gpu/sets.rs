@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use crate::skip::skipped;
-use diffraction_atlas::stages::coverage::cover;
+use diffraction_atlas::stages::coverage::savings::cover;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
@@ -42,6 +42,7 @@ pub fn optics(windows: Windows, material: Material, shadowing: bool) -> OpticsCo
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 1_500.0,
+        lobe_sigma_nm: None,
         edge: Edge::Tile,
         windows,
         material,

@@ -29,6 +29,7 @@ fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
+        lobe_sigma_nm: None,
         edge,
         windows,
         material: Material::Ideal,

@@ -21,6 +21,7 @@ fn daylight() -> OpticsConfig {
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 1500.0,
+        lobe_sigma_nm: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Ideal,

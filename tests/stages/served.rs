@@ -1,6 +1,6 @@
 //! Tables made for certain scenes show them as tables for every direction do, and answer nothing else.
 
-use diffraction_atlas::stages::coverage::{account, cover, measure};
+use diffraction_atlas::stages::coverage::savings::{account, cover, measure};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, serves};
 use diffraction_build::height::HeightField;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};

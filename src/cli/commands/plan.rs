@@ -8,11 +8,11 @@ use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome, bytes_in_words};
 use crate::manifest::{self, convert::run_config};
 use crate::stages::config::{RunConfig, SpecimenConfig};
-use crate::stages::coverage;
-use crate::stages::forecast_run::{ReferenceForecast, reference_forecast};
+use crate::stages::coverage::{asked, savings};
 use crate::stages::ingest::ingest;
 use crate::stages::measured;
 use crate::stages::pictures::scenes::reference_samples;
+use crate::stages::run::reference_forecast::{ReferenceForecast, reference_forecast};
 use diffraction_brdf::error::Result;
 use diffraction_build::tables::coverage::budget::{Budget, Cost};
 use diffraction_build::tables::forecast::{Forecast, forecast_of};
@@ -25,7 +25,7 @@ use diffraction_render::scene::samples::ShadingSamples;
 /// Arguments of `plan`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
 #[command(after_help = "Example:\n  diffraction-atlas plan snakes.toml --json")]
-pub struct PlanArgs {
+pub(crate) struct PlanArgs {
     /// What to plan for
     #[arg(default_value = MANIFEST)]
     pub manifest: PathBuf,
@@ -53,7 +53,7 @@ struct SpecimenPlan {
     forecast: Option<Forecast>,
     /// What evaluating its reference will take, where that is asked for.
     reference: Option<ReferenceForecast>,
-    /// What its tables leave out, where they do not serve every direction.
+    /// What its tables leave out, where they are restricted to scenes.
     budget: Option<Budget>,
     failure: Option<String>,
 }
@@ -62,11 +62,11 @@ struct SpecimenPlan {
 ///
 /// # Errors
 /// A wrong manifest. A specimen that would fail is part of the plan, and of the exit status.
-pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
     let config = run_config(manifest, text);
     let threads = rayon::current_num_threads();
-    let asked_for = config.specimens.iter().filter(|specimen| coverage::is_asked_for(&config, &specimen.name));
+    let asked_for = config.specimens.iter().filter(|specimen| asked::is_asked_for(&config, &specimen.name));
     let mut pictures = Pictures::default();
     let specimens = asked_for.map(|specimen| {
         plan_specimen(&config, specimen, threads, &mut pictures).unwrap_or_else(|error| SpecimenPlan {
@@ -82,7 +82,7 @@ pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
         threads,
         tolerance: config.tables.tolerance,
         specimens: specimens.collect(),
-        left_out: coverage::left_out(&config),
+        left_out: asked::left_out(&config),
     };
     if args.json {
         output::print_json(&plan)?;
@@ -105,14 +105,14 @@ fn plan_specimen(
 ) -> Result<SpecimenPlan> {
     specimen.measured.as_ref().map(measured::read).transpose()?;
     let ingested = ingest(specimen)?;
-    let tables = coverage::tables_for(config, &specimen.name);
-    let input = BuildInput::new(&ingested.fields, &specimen.optics, &tables);
-    let (plan, budget) = match coverage::restricted_to(config, &specimen.name) {
+    let tables = asked::tables_for(config, &specimen.name);
+    let input = BuildInput::new(&ingested.fields, &ingested.optics, &tables);
+    let (plan, budget) = match asked::restricted_to(config, &specimen.name) {
         None => (plan::plan(&input)?, None),
         Some(scenes) => {
             let scenes: Vec<&Scene> = scenes.iter().collect();
-            let covered = coverage::cover(&input, &scenes)?;
-            let budget = coverage::predict(&input, &scenes, &covered, &config.tables)?;
+            let covered = savings::cover(&input, &scenes)?;
+            let budget = savings::predict(&input, &scenes, &covered, &config.tables)?;
             (plan::plan_for(&input, Some(covered))?, Some(budget))
         }
     };
@@ -120,7 +120,7 @@ fn plan_specimen(
     let reference = match config.report.reference {
         false => None,
         true => {
-            let samples = pictures.of(coverage::pictured_scenes(config, &specimen.name))?;
+            let samples = pictures.of(asked::pictured_scenes(config, &specimen.name))?;
             Some(reference_forecast(&input, &plan, forecast.tables, &samples, threads))
         }
     };

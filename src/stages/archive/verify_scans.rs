@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::specimen_file::SpecimenFile;
 use crate::stages::config::RunConfig;
-use crate::stages::coverage;
+use crate::stages::coverage::asked;
 use crate::stages::ingest::{Scans, ingest};
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::{Error, Result};
@@ -26,7 +26,7 @@ use diffraction_render::scene::samples::samples;
 
 /// Which directions are evaluated anew.
 #[derive(Debug, Clone, Copy)]
-pub struct Sampling {
+pub(crate) struct Sampling {
     /// Directions above the floor, of each group.
     pub count: usize,
     /// Chooses them.
@@ -101,7 +101,7 @@ pub(super) fn against_scans(
         row.is_some()
     });
     let ErrorDirections { groups, pairs } = ErrorDirections::drawn(set, candidates, sampling.count);
-    let exact = reference(&scans.fields, &specimen.optics, &run.tables, &pairs)?;
+    let exact = reference(&scans.fields, &scans.optics, &run.tables, &pairs)?;
     let mut directions = pairs.iter().zip(&exact);
     let mut reference = Vec::new();
     for group in &groups {
@@ -153,7 +153,7 @@ fn hemisphere_candidates(set: &TableSet, seed: u64) -> Vec<Candidates> {
 
 /// Directions of the scenes that the tables were made for, others than the recorded ones.
 fn scene_candidates(run: &RunConfig, file: &SpecimenFile, set: &TableSet, seed: u64) -> Result<Vec<Candidates>> {
-    let scenes = coverage::restricted_to(run, &file.name).unwrap_or_default();
+    let scenes = asked::restricted_to(run, &file.name).unwrap_or_default();
     let of_scene = |scene: &Scene| {
         let samples = samples(scene)?;
         let count = samples.weight.len();

@@ -2,10 +2,11 @@
 
 use super::clock::{Clock, Step};
 use super::job::Job;
+use crate::stages::built::Built;
+use crate::stages::cache::known::Known;
 use crate::stages::config::Serve;
-use crate::stages::coverage;
+use crate::stages::coverage::{asked, savings};
 use crate::stages::ingest::{Scans, ingest as read_scans};
-use crate::stages::known::{Built, Known};
 use crate::stages::measured::{self, Measurement};
 use crate::stages::stage::Stage;
 use diffraction_brdf::files;
@@ -77,23 +78,24 @@ pub(super) fn ingest(job: &Job, clock: &mut Clock) -> Step<Ingested> {
         Some(config) => Some(clock.stage(Stage::ReadMeasured, || measured::read(config))?),
         None => None,
     };
-    let tables = coverage::tables_for(config, &specimen.name);
-    Ok(Ingested { scans, measurement, tables, scenes: coverage::pictured_scenes(config, &specimen.name) })
+    let tables = asked::tables_for(config, &specimen.name);
+    Ok(Ingested { scans, measurement, tables, scenes: asked::pictured_scenes(config, &specimen.name) })
 }
 
 /// Plans the tables, for the scenes alone where they are restricted to them.
 pub(super) fn plan<'a>(job: &Job<'a>, ingested: &'a Ingested, clock: &mut Clock) -> Step<Planned<'a>> {
+    let optics = &ingested.scans.optics;
     let fields = &ingested.scans.fields;
-    let input = BuildInput::new(fields, &job.specimen.optics, &ingested.tables);
-    let restricted = match job.config.serve {
+    let input = BuildInput::new(fields, optics, &ingested.tables);
+    let coverage = match job.config.serve {
         Serve::All => None,
         Serve::Scenes | Serve::Named(_) => {
             let scenes: Vec<&Scene> = ingested.scenes.iter().collect();
-            Some(clock.stage(Stage::FindCoverage, || coverage::cover(&input, &scenes))?)
+            Some(clock.stage(Stage::FindCoverage, || savings::cover(&input, &scenes))?)
         }
     };
-    let plan = clock.stage(Stage::Plan, || plan_for(&input, restricted.clone()))?;
-    Ok(Planned { input, coverage: restricted, plan, known: Known::new(job.cache, fields) })
+    let plan = clock.stage(Stage::Plan, || plan_for(&input, coverage.clone()))?;
+    Ok(Planned { input, coverage, plan, known: Known::new(job.cache, fields) })
 }
 
 /// Builds the tables, or finds them in the cache.
@@ -108,7 +110,7 @@ pub(super) fn build(planned: &Planned, clock: &mut Clock) -> Step<Built> {
 
 /// Stores the tables and reads them back: from here on they are what a reader gets.
 pub(super) fn store(job: &Job, planned: &Planned, built: Built, clock: &mut Clock) -> Step<Stored> {
-    let optics = &job.specimen.optics;
+    let optics = planned.input.optics;
     let tables = planned.input.tables;
     let chosen = clock.stage(Stage::Round, || {
         Ok(rounding::choose(&built.set, tables.storage, tables.tolerance, lobe_radius(optics)))
@@ -120,7 +122,7 @@ pub(super) fn store(job: &Job, planned: &Planned, built: Built, clock: &mut Cloc
         Ok((set, pigment, files::bytes_of(&job.folder, "exr")?))
     })?;
     let took = Took {
-        cost: coverage::cost_of(&built, stored_bytes as f64),
+        cost: savings::cost_of(&built, stored_bytes as f64),
         processor_s: built.processor_s,
         memory_bytes: built.memory_bytes,
         stored_bytes,

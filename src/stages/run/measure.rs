@@ -66,7 +66,7 @@ pub(super) fn measure(
         Some(measurement) => Some(clock.stage(Stage::CompareMeasured, || {
             let file = job.config.relative_name(&measurement.config.file);
             let memory_bytes = planned.plan.spectra.memory_bytes;
-            measured::compare(&ingested.scans.fields, &job.specimen.optics, measurement, file, memory_bytes)
+            measured::compare(&ingested.scans.fields, &ingested.scans.optics, measurement, file, memory_bytes)
         })?),
     };
     let pictures = with_reference(works, reference.as_ref(), counted.len());

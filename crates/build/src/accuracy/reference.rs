@@ -90,8 +90,8 @@ fn diffuse_shares(
         uv,
         &[w],
     )[0][1];
-    let rho = uv[0].hypot(uv[1]);
-    let Some(ring) = plan.rings.iter().find(|r| rho >= r.radius[0] && rho < r.radius[1]) else {
+    let radius = uv[0].hypot(uv[1]);
+    let Some(ring) = plan.ring_at(radius) else {
         return Ok([exact; 3]);
     };
     let [low, high] = match &plan.coverage {
@@ -99,7 +99,7 @@ fn diffuse_shares(
         Some(coverage) => coverage.abs_w_near(uv).unwrap_or(ring.abs_w),
     };
     let mut points = chebyshev::gauss_nodes(nodes, low, high);
-    let weights = chebyshev::interpolation_weights(nodes, low, high, w.min(max_abs_w(rho)));
+    let weights = chebyshev::interpolation_weights(nodes, low, high, w.min(max_abs_w(radius)));
     points.push(w);
     let values = spectral::diffuse_power(spectra, &ring.quadrature, uv, &points);
     let interpolated = values.iter().zip(&weights).map(|(value, weight)| value[1] * weight).sum();

@@ -27,10 +27,20 @@ pub struct Point {
 /// Which part of a window's power.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// `|P|² / A` in nm², the coherent part included.
+    /// `|P|² / A` in nm², the coherent part apart.
     Total,
     /// `|E|² / A` in nm⁴: without the coherent part, divided by `s²`.
     Diffuse,
+}
+
+/// A window's power at a point, without cancellation however small `s` is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WindowPower {
+    /// `|c G̃|² / A`; 0 where only the diffuse part is asked for.
+    pub coherent: f64,
+    /// What is left of `|P|² / A`: the diffuse part and its cross term with the coherent one; `|E|² / A` where only the diffuse
+    /// part is asked for.
+    pub rest: f64,
 }
 
 /// What an evaluation needs besides the transforms; one for each thread spares allocations.
@@ -73,7 +83,7 @@ impl Spectra {
         count: usize,
         point: impl Fn(usize) -> Point,
         buffers: &mut Buffers,
-        mut found: impl FnMut(usize, f64),
+        mut found: impl FnMut(usize, WindowPower),
     ) {
         for first in (0..count).step_by(FOUR) {
             let points: [Point; FOUR] = std::array::from_fn(|i| point((first + i).min(count - 1)));
@@ -102,7 +112,7 @@ impl Spectra {
     }
 
     #[inline(always)]
-    fn powers_of<const L: usize>(&self, part: Part, points: &[Point; L], weights: &mut Weights<L>) -> [f64; L] {
+    fn powers_of<const L: usize>(&self, part: Part, points: &[Point; L], weights: &mut Weights<L>) -> [WindowPower; L] {
         let s = points.map(|point| point.s);
         self.over_phase.weights_of(s, &mut weights.nodes);
         let frequency = [0, 1].map(|axis| points.map(|point| point.frequency[axis]));
@@ -121,10 +131,17 @@ impl Spectra {
         if self.mean_power {
             let [power] = self
                 .sums_over_lines(frequency, weights, |re, im| [std::array::from_fn(|i| re[i] * re[i] + im[i] * im[i])]);
-            std::array::from_fn(|i| coherent[i].norm_sqr() + scale[i] * scale[i] * power[i])
+            std::array::from_fn(|i| WindowPower {
+                coherent: coherent[i].norm_sqr(),
+                rest: scale[i] * scale[i] * power[i],
+            })
         } else {
             let [re, im] = self.sums_over_lines(frequency, weights, |re, im| [re, im]);
-            std::array::from_fn(|i| (coherent[i] + Complex::new(re[i], im[i]) * scale[i]).norm_sqr())
+            std::array::from_fn(|i| {
+                let rest = Complex::new(re[i], im[i]) * scale[i];
+                let cross = 2.0 * (coherent[i].conj() * rest).re;
+                WindowPower { coherent: coherent[i].norm_sqr(), rest: cross + rest.norm_sqr() }
+            })
         }
     }
 
@@ -218,6 +235,7 @@ mod tests {
             illuminant: Illuminant::E,
             wavelength_nm: [380.0, 780.0],
             sigma_nm: SIGMA_NM,
+            lobe_sigma_nm: None,
             edge: Edge::Tile,
             windows: Windows::Grid,
             material: Material::Ideal,
@@ -307,7 +325,7 @@ mod tests {
                         &mut buffers,
                         |index, power| {
                             assert_eq!(index, found.len());
-                            found.push(power);
+                            found.push(power.coherent + power.rest);
                         },
                     );
                     let expected: Vec<f64> = points.iter().map(|&point| plain(&spectra, part, point)).collect();

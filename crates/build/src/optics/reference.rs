@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
 use super::config::OpticsConfig;
+use super::factors::PairFactors;
 use super::kernel::Kernel;
 use super::spectra::half_height_range_nm;
 use super::window::{Placement, WindowAxis, placements, window_axis};
@@ -61,7 +62,10 @@ pub fn resolving_count(optics: &OpticsConfig, q: Vec3, half_range_nm: f64, step:
     let [low_nm, high_nm] = optics.wavelength_nm;
     let span = 1.0 / low_nm - 1.0 / high_nm;
     let radius = q[0].hypot(q[1]);
-    let needed = span * TAU * (radius * optics.sigma_nm).hypot(q[2] * half_range_nm) / step.of_width;
+    // In the lobe it is the light's own window that shapes the pulses.
+    let in_lobe = TAU * optics.lobe_sigma_nm() * radius / high_nm < LOBE_REACH;
+    let sigma_nm = if in_lobe { optics.lobe_sigma_nm() } else { optics.sigma_nm };
+    let needed = span * TAU * (radius * sigma_nm).hypot(q[2] * half_range_nm) / step.of_width;
     let fewest = match optics.illuminant {
         // Spiky or arbitrary spectra: weights integrate them exactly, but times polynomials through the wavelengths, which
         // then have to follow the surface's spectrum at each spike by itself.
@@ -108,28 +112,60 @@ pub fn brdf_spectrum(
     wo: Vec3,
     wavelengths_nm: &[f64],
 ) -> Result<Vec<f64>> {
-    let front = optics.front_factor().diffuse(wi, wo);
     let mut sum = vec![0.0; wavelengths_nm.len()];
-    if front == 0.0 {
-        return Ok(sum);
-    }
-    let q = wave_vector_change(wi, wo);
+    let Some(factors) = PairFactors::of(optics, wi, wo) else { return Ok(sum) };
     let windows = fields.iter().map(|field| placements(field, optics)).collect::<Result<Vec<_>>>()?;
     // Every window counts the same, on whatever scan it lies.
     let share = 1.0 / windows.iter().map(Vec::len).sum::<usize>() as f64;
     for (field, windows) in fields.iter().zip(windows) {
         for placement in windows {
-            let power = window_power(field, placement, optics.sigma_nm, q, wavelengths_nm);
-            for ((sum, power), nm) in sum.iter_mut().zip(power).zip(wavelengths_nm) {
-                *sum += share * front * power / (nm * nm * q[2] * q[2]);
+            let powers = window_powers(field, placement, optics, &factors, wavelengths_nm);
+            for ((sum, [rest_nm2, coherent_nm2]), nm) in sum.iter_mut().zip(powers).zip(wavelengths_nm) {
+                *sum += share * factors.brdf(*nm, rest_nm2, coherent_nm2);
             }
         }
     }
     Ok(sum)
 }
 
-/// `|P|² / A` in nm² at each wavelength for one window.
-fn window_power(field: &HeightField, placement: Placement, sigma_nm: f64, q: Vec3, wavelengths_nm: &[f64]) -> Vec<f64> {
+/// `(|P|² - |c G̃|²) / A` and `|c|² |G̃|² / A` in nm² at each wavelength for one window, the lobe's image in the horizon among
+/// the second.
+fn window_powers(
+    field: &HeightField,
+    placement: Placement,
+    optics: &OpticsConfig,
+    factors: &PairFactors,
+    wavelengths_nm: &[f64],
+) -> Vec<[f64; 2]> {
+    let lobe = Lobe::new(field, placement, optics);
+    let rest_and_lines = line_powers(field, placement, optics.sigma_nm, factors.q, wavelengths_nm);
+    let phasors2 = lobe.mean_phasors2(field, factors, wavelengths_nm);
+    let parts = rest_and_lines.into_iter().zip(phasors2).zip(wavelengths_nm);
+    parts
+        .map(|((lines, phasor2), nm)| {
+            let coherent = phasor2 * lobe.power_nm2([factors.q[0] / nm, factors.q[1] / nm]);
+            // The mean over all positions adds powers: the line in the middle is the coherent part, whatever blurs it.
+            let rest = if placement == Placement::TileMean { lines.others } else { lines.all - coherent };
+            let image = factors.image_radius.map_or(0.0, |radius| phasor2 * lobe.closed_form_nm2(radius / nm));
+            [rest, coherent + image]
+        })
+        .collect()
+}
+
+/// Powers of a window's lines in nm²: all together, and all but the one of frequency 0.
+struct LinePowers {
+    all: f64,
+    others: f64,
+}
+
+/// The powers at each wavelength for one window.
+fn line_powers(
+    field: &HeightField,
+    placement: Placement,
+    sigma_nm: f64,
+    q: Vec3,
+    wavelengths_nm: &[f64],
+) -> Vec<LinePowers> {
     let size = field.size();
     let axes: [WindowAxis; 2] =
         std::array::from_fn(|axis| window_axis(placement, axis, size[axis], field.pitch_nm[axis], sigma_nm));
@@ -138,18 +174,76 @@ fn window_power(field: &HeightField, placement: Placement, sigma_nm: f64, q: Vec
         wavelengths_nm.iter().map(|nm| axis_weights(placement, &along, q[axis] / nm)).collect()
     });
     let amplitudes = phasor_sums(field, &axes, &weights, q[2], wavelengths_nm);
-    amplitudes
-        .iter()
-        .zip(weights[0].iter().zip(&weights[1]))
-        .map(|(lines, (x, y))| {
-            let powers = lines
-                .iter()
-                .enumerate()
-                .map(|(i, amplitude)| x.power[i % x.power.len()] * y.power[i / x.power.len()] * amplitude.norm_sqr());
-            powers.sum()
-        })
-        .collect()
+    let of_lines = |lines: &Vec<Complex<f64>>, x: &AxisWeights, y: &AxisWeights| {
+        let mut powers = LinePowers { all: 0.0, others: 0.0 };
+        for (i, amplitude) in lines.iter().enumerate() {
+            let (column, row) = (i % x.power.len(), i / x.power.len());
+            let power = x.power[column] * y.power[row] * amplitude.norm_sqr();
+            powers.all += power;
+            powers.others += if x.middle == Some(column) && y.middle == Some(row) { 0.0 } else { power };
+        }
+        powers
+    };
+    amplitudes.iter().zip(weights[0].iter().zip(&weights[1])).map(|(lines, (x, y))| of_lines(lines, x, y)).collect()
 }
+
+/// The coherent lobe of one window: its mean phasor, and its form.
+struct Lobe {
+    axes: [WindowAxis; 2],
+    /// The light's standard deviation in nm where the form is its Gaussian; `None` for the samples of a window inside the scan.
+    gaussian_nm: Option<f64>,
+    sigma_nm: f64,
+}
+
+impl Lobe {
+    fn new(field: &HeightField, placement: Placement, optics: &OpticsConfig) -> Self {
+        let sigma_nm = optics.lobe_sigma_nm();
+        let axes = [0, 1].map(|axis| window_axis(placement, axis, field.size()[axis], field.pitch_nm[axis], sigma_nm));
+        let inside = matches!(placement, Placement::Inside { .. });
+        Self { axes, gaussian_nm: (!inside).then_some(sigma_nm), sigma_nm }
+    }
+
+    /// `|c|²` at each wavelength, 0 where neither the lobe nor its image reaches the direction.
+    fn mean_phasors2(&self, field: &HeightField, factors: &PairFactors, wavelengths_nm: &[f64]) -> Vec<f64> {
+        let [u, v, w] = factors.q;
+        let reach = |nm: f64| (-(TAU * self.sigma_nm * u.hypot(v) / nm).powi(2)).exp() > LOBE_LEAST;
+        let [x, y] = &self.axes;
+        let of = |nm: &f64| {
+            if !reach(*nm) {
+                return 0.0;
+            }
+            let (mut sum, mut norm) = (Complex::default(), 0.0);
+            for (row, gy) in field.heights_nm.outer_iter().skip(y.first).zip(&y.amplitude) {
+                for (h, gx) in row.iter().skip(x.first).zip(&x.amplitude) {
+                    sum += Complex::from_polar(gx * gy, TAU * w / nm * h);
+                    norm += gx * gy;
+                }
+            }
+            (sum / norm).norm_sqr()
+        };
+        wavelengths_nm.iter().map(of).collect()
+    }
+
+    /// `|G̃|² / A` in nm² at a frequency in 1/nm.
+    fn power_nm2(&self, frequency: [f64; 2]) -> f64 {
+        match self.gaussian_nm {
+            Some(_) => self.closed_form_nm2(frequency[0].hypot(frequency[1])),
+            None => (0..2).map(|axis| self.axes[axis].transforms([frequency[axis]])[0].powi(2)).product(),
+        }
+    }
+
+    /// `(∬ g)²/A exp(-(2πσκ)²)` in nm² at a distance `κ` from the mirror direction in 1/nm.
+    fn closed_form_nm2(&self, distance_per_nm: f64) -> f64 {
+        let peak: f64 = self.axes.iter().map(|axis| axis.integral_nm.powi(2) / axis.norm_nm).product();
+        peak * (-(TAU * self.sigma_nm * distance_per_nm).powi(2)).exp()
+    }
+}
+
+/// Where the lobe's power is `exp(-5.5²)` of its peak, as a multiple of `λ/2πσ`.
+const LOBE_REACH: f64 = 5.5;
+
+/// Share of its peak at which the lobe ends: the kernels of the transforms end at `exp(-5.5²)` of it.
+const LOBE_LEAST: f64 = 7e-14;
 
 struct Along<'a> {
     axis: &'a WindowAxis,
@@ -164,6 +258,8 @@ struct AxisWeights {
     re: Vec<Vec<f64>>,
     im: Vec<Vec<f64>>,
     power: Vec<f64>,
+    /// Which of the lines has the frequency 0.
+    middle: Option<usize>,
 }
 
 impl AxisWeights {
@@ -174,6 +270,7 @@ impl AxisWeights {
             re: part(|sample| sample.re).collect(),
             im: part(|sample| sample.im).collect(),
             power: lines.iter().map(|(_, power)| *power).collect(),
+            middle: None,
         }
     }
 }
@@ -185,7 +282,7 @@ fn axis_weights(placement: Placement, along: &Along, frequency: f64) -> AxisWeig
     if frequency.abs() * along.pitch_nm > 0.5 && along.count > 1 {
         return AxisWeights::new(nothing());
     }
-    AxisWeights::new(match placement {
+    let weights = AxisWeights::new(match placement {
         Placement::Inside { .. } => {
             let samples = positions.iter().zip(&along.axis.amplitude);
             let scale = along.pitch_nm / along.axis.norm_nm.sqrt();
@@ -196,7 +293,20 @@ fn axis_weights(placement: Placement, along: &Along, frequency: f64) -> AxisWeig
             let lines = tile_mean_weights(along, frequency);
             if lines.is_empty() { nothing() } else { lines }
         }
-    })
+    });
+    let middle = (placement == Placement::TileMean).then(|| tile_lines(along, frequency).position(|line| line == 0));
+    AxisWeights { middle: middle.flatten(), ..weights }
+}
+
+/// The lines of a repeated scan that its window's power reaches.
+fn tile_lines(along: &Along, frequency: f64) -> impl Iterator<Item = i64> {
+    let period = along.count as f64 * along.pitch_nm;
+    let half = Kernel::GaussianPower { sigma_nm: along.sigma_nm }.half_width(1.0 / period, 0.0) * period;
+    let centre = frequency * period;
+    let lines = (centre - half).ceil() as i64..=(centre + half).floor() as i64;
+    // A single sample is a surface without structure along this axis: its other lines are aliases.
+    let single = along.count == 1;
+    lines.filter(move |&line| !single || line == 0)
 }
 
 /// One window on the repeated scan: a sample counts with all its images.
@@ -219,17 +329,13 @@ fn tile_centre_weights(along: &Along, frequency: f64) -> Vec<Complex<f64>> {
 fn tile_mean_weights(along: &Along, frequency: f64) -> Vec<(Vec<Complex<f64>>, f64)> {
     let period = along.count as f64 * along.pitch_nm;
     let kernel = Kernel::GaussianPower { sigma_nm: along.sigma_nm };
-    let half = kernel.half_width(1.0 / period, 0.0) * period;
-    let centre = frequency * period;
     let of_line = |line: i64| {
         let at = line as f64 / period;
         let scale = 1.0 / along.count as f64;
         let samples = along.axis.position_nm.iter().map(|x| Complex::from_polar(scale, TAU * at * x)).collect();
         (samples, kernel.value(frequency - at, 1.0 / period, 0.0))
     };
-    let lines = (centre - half).ceil() as i64..=(centre + half).floor() as i64;
-    // A single sample is a surface without structure along this axis: its other lines are aliases.
-    lines.filter(|&line| along.count > 1 || line == 0).map(of_line).collect()
+    tile_lines(along, frequency).map(of_line).collect()
 }
 
 /// Rows handled together: their phasors stay in cache while all wavelengths pass.
@@ -364,6 +470,7 @@ mod tests {
                 illuminant,
                 wavelength_nm: [380.0, 780.0],
                 sigma_nm: 8_000.0,
+                lobe_sigma_nm: None,
                 edge: Edge::Tile,
                 windows: Windows::Grid,
                 material: Material::Ideal,

@@ -63,6 +63,8 @@ pub struct Spectra {
     pub mean_phasor: Vec<Complex<f64>>,
     /// `(∬ g)² / A` in nm²: the lobe's peak for `c = 1`.
     pub lobe_peak_nm2: f64,
+    /// Standard deviation in nm of the light's coherence, which shapes the lobe.
+    pub lobe_sigma_nm: f64,
     /// Half the range of the scan's heights in nm.
     pub half_range_nm: f64,
     /// Whether the lines' powers are averaged over all window positions.
@@ -70,6 +72,9 @@ pub struct Spectra {
     /// The window along x and y.
     pub axes: [WindowAxis; 2],
 }
+
+/// Share of its peak at which the lobe ends: where its table does.
+const LOBE_LEAST: f64 = 1e-9;
 
 /// Half the peak-to-valley range of the heights in nm: the bandwidth in the phase scale, measured from mid-range.
 pub fn half_height_range_nm(field: &HeightField) -> f64 {
@@ -225,6 +230,17 @@ fn checked_values(plans: &[AxisPlan; 2], nodes: usize, memory_bytes: u64) -> Res
     ))
 }
 
+/// `(∬ g)² / A` in nm² of the window that shapes the lobe: the light's own where the lines' powers are averaged over all
+/// positions, whatever blurs the lines; else the one on the scan.
+fn lobe_peak_nm2(placement: Placement, plans: &[AxisPlan; 2], optics: &OpticsConfig) -> f64 {
+    let own = |plan: &AxisPlan| plan.window.integral_nm.powi(2) / plan.window.norm_nm;
+    let light = |plan: &AxisPlan| {
+        let window = window_axis(placement, 0, plan.window.position_nm.len(), 1.0, optics.lobe_sigma_nm());
+        window.integral_nm.powi(2) / window.norm_nm
+    };
+    plans.iter().map(|plan| if placement == Placement::TileMean { light(plan) } else { own(plan) }).product()
+}
+
 /// Transforms one window of a prepared height field.
 ///
 /// # Errors
@@ -248,7 +264,8 @@ pub fn transform(
         step: [plans[0].step, plans[1].step],
         kernel,
         mean_phasor: Vec::with_capacity(nodes),
-        lobe_peak_nm2: plans.iter().map(|p| p.window.integral_nm.powi(2) / p.window.norm_nm).product(),
+        lobe_peak_nm2: lobe_peak_nm2(placement, &plans, optics),
+        lobe_sigma_nm: optics.lobe_sigma_nm(),
         half_range_nm: half_height_range_nm(field),
         mean_power: placement == Placement::TileMean,
         axes: [plans[0].window.clone(), plans[1].window.clone()],
@@ -397,6 +414,12 @@ impl Spectra {
         combined(&self.mean_phasor, &self.node_weights(s))
     }
 
+    /// `|c G̃|² / A` in nm² of the light's own window in closed form, at a distance from the mirror direction in 1/nm.
+    pub(crate) fn lobe_power_nm2(&self, distance_per_nm: f64, s: f64) -> f64 {
+        let shape = (-(TAU * self.lobe_sigma_nm * distance_per_nm).powi(2)).exp();
+        if shape < LOBE_LEAST { 0.0 } else { shape * self.lobe_peak_nm2 * self.mean_phasor_at(s).norm_sqr() }
+    }
+
     /// Transform of the window along one axis at a frequency (1/nm), divided by the root of the axis'
     /// norm: `G̃ / sqrt(A)` is the product of both axes.
     pub(crate) fn window_transform(&self, axis: usize, frequency: f64) -> f64 {
@@ -408,8 +431,9 @@ impl Spectra {
     pub(super) fn window_transforms<const L: usize>(&self, axis: usize, frequency: [f64; L]) -> [f64; L] {
         match self.kernel {
             Kernel::Semicircle => self.axes[axis].transforms(frequency),
-            Kernel::GaussianAmplitude { sigma_nm } | Kernel::GaussianPower { sigma_nm } => {
-                frequency.map(|frequency| Kernel::GaussianAmplitude { sigma_nm }.value(frequency, 1.0, 0.0))
+            Kernel::GaussianAmplitude { .. } | Kernel::GaussianPower { .. } => {
+                let light = Kernel::GaussianAmplitude { sigma_nm: self.lobe_sigma_nm };
+                frequency.map(|frequency| light.value(frequency, 1.0, 0.0))
             }
         }
     }

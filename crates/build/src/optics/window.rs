@@ -42,7 +42,13 @@ pub enum Placement {
 /// [`PITCH_SIGMAS_MAX`].
 pub fn placements(field: &HeightField, optics: &OpticsConfig) -> Result<Vec<Placement>> {
     check_pitch(field, optics.sigma_nm)?;
-    if optics.edge == Edge::Tile {
+    if optics.edge == Edge::Auto && optics.windows == Windows::Centre {
+        return Err(Error::limit(
+            "edge = \"auto\" is a mean over all positions of the window, and windows = \"centre\" asks for one",
+            "leave windows at \"grid\", or use coherence.edge = \"tile\" or \"fade\"",
+        ));
+    }
+    if optics.edge != Edge::Fade {
         return Ok(vec![match optics.windows {
             Windows::Grid => Placement::TileMean,
             Windows::Centre => Placement::TileCentre,
@@ -231,6 +237,7 @@ mod tests {
             illuminant: Illuminant::E,
             wavelength_nm: [380.0, 780.0],
             sigma_nm,
+            lobe_sigma_nm: None,
             edge: Edge::Fade,
             windows,
             material: Material::Ideal,

@@ -102,7 +102,7 @@ fn layout(input: &BuildInput, radius_max: f64, t: [f64; 2]) -> Result<Layout> {
     let [first, last] = t.map(|t| t * (rows - 1) as f64);
     Ok(Layout {
         rows,
-        columns: (radius_max / lobe_width(optics.sigma_nm, low_nm) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1,
+        columns: (radius_max / lobe_width(optics.lobe_sigma_nm(), low_nm) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1,
         read: (first as usize).saturating_sub(ROWS_MARGIN)..(last.ceil() as usize + ROWS_MARGIN + 1).min(rows),
         quadrature: quadrature(input, wavelengths_needed(optics, rms_nm))?,
     })
@@ -131,7 +131,7 @@ pub(super) fn coherent(power: &PhasorPower, input: &BuildInput, radius_max: f64,
             let radius = radius_max * column as f64 / (columns - 1) as f64;
             let mut sum = [0.0; 3];
             for (nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
-                let shape = (-(TAU * input.optics.sigma_nm * radius / nm).powi(2)).exp();
+                let shape = (-(TAU * input.optics.lobe_sigma_nm() * radius / nm).powi(2)).exp();
                 let s = TAU / nm * t * max_abs_w(radius);
                 let power = power.at(s);
                 for c in 0..3 {
@@ -147,6 +147,6 @@ pub(super) fn coherent(power: &PhasorPower, input: &BuildInput, radius_max: f64,
 /// The grid of the cross-term patch.
 pub(super) fn patch_grid(optics: &OpticsConfig, radius_max: f64) -> Grid {
     let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
-    let half = (radius_max / lobe_width(optics.sigma_nm, low_nm) * TEXELS_PER_WIDTH[1]).ceil() as usize;
+    let half = (radius_max / lobe_width(optics.lobe_sigma_nm(), low_nm) * TEXELS_PER_WIDTH[1]).ceil() as usize;
     Grid { size: 2 * half + 1, half_width: radius_max }
 }

@@ -15,7 +15,7 @@ pub fn lobe_width(sigma_nm: f64, wavelength_nm: f64) -> f64 {
 pub fn lobe_radius(optics: &OpticsConfig) -> f64 {
     let high_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[1];
     // exp(-r²/2) = 1e-9 at r = 6.44 standard deviations.
-    (6.44 * lobe_width(optics.sigma_nm, high_nm)).min(2.0)
+    (6.44 * lobe_width(optics.lobe_sigma_nm(), high_nm)).min(2.0)
 }
 
 /// Side of the table whose interpolation by cubics resolves the lobe of the shortest wavelength to the

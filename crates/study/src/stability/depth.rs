@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
-use super::StabilityCase;
+use super::case::StabilityCase;
 use super::series;
 use super::support::{
     BOUND, Comparison, HALF_AS_MANY, TOLERANCE, case, config, laser, on_texels, optics, refused, relief, scaled, tables,

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use ndarray::Array2;
 
-use super::StabilityCase;
+use super::case::StabilityCase;
 use super::support::{
     BOUND, Comparison, HALF_AS_MANY, TakenOut, case, compared, config, laser, on_row, optics, pair_of, refused, relief,
     scaled, tables,

@@ -2,7 +2,7 @@
 
 use ndarray::Array2;
 
-use super::{Guard, StabilityCase};
+use super::case::{Guard, StabilityCase};
 pub use crate::study::pair_of;
 use crate::study::stored;
 use diffraction_brdf::chebyshev::{gauss_nodes, interpolation_weights, shifted_values};
@@ -71,6 +71,7 @@ pub fn optics(sigma_nm: f64) -> OpticsConfig {
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
+        lobe_sigma_nm: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Ideal,

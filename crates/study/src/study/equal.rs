@@ -12,10 +12,11 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::batch::{PackedTables, Pair, stored};
+use super::config::{StudyConfig, StudySpecimen};
 use super::methods::Context;
+use super::rows::Refusal;
 use super::sample::{floor_per_sr, luminances};
 use super::texels::Texels;
-use super::{Refusal, StudyConfig, StudySpecimen};
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
@@ -244,8 +245,8 @@ struct Places {
 
 impl Places {
     fn of(specimen: &StudySpecimen, context: &Context, finest: &TableSet) -> Result<Self> {
-        let plan =
-            plan::plan(&BuildInput::new(&specimen.fields, &specimen.optics, &config_of(context, Basis::Chebyshev, 1)))?;
+        let config = config_of(context, Basis::Chebyshev, 1);
+        let plan = plan::plan(&BuildInput::new(&specimen.fields, &specimen.optics, &config))?;
         let drawn = direction_pairs(Region::Hemisphere, DRAWN);
         let steep_pairs: Vec<Pair> = drawn.iter().copied().filter(steep).collect();
         let bright = |(wi, wo): &Pair| brdf_xyz(finest, Interpolation::Cubic, *wi, *wo)[1];

@@ -1,9 +1,10 @@
 //! The share of each knob in the error: one is changed, the others stay at their finest.
 
 use super::batch::{Pair, stored};
+use super::config::StudyConfig;
 use super::methods::Context;
+use super::rows::KnobRow;
 use super::sample::luminances;
-use super::{KnobRow, StudyConfig};
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};

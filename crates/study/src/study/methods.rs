@@ -4,11 +4,12 @@ use std::f64::consts::TAU;
 use std::time::Instant;
 
 use super::batch::{Batch, PackedTables, Pair, stored};
+use super::config::StudyConfig;
 use super::lent::GpuClock;
 use super::pictures::Pictures;
+use super::rows::{MethodRow, Refusal, RegionErrors};
 use super::sample::Sample;
 use super::timing::Clock;
-use super::{MethodRow, Refusal, RegionErrors, StudyConfig, wave_methods};
 use crate::baselines::regular::RegularSurface;
 use crate::baselines::rough::RoughSurface;
 use crate::baselines::statistics::SurfaceStatistics;
@@ -81,7 +82,7 @@ pub struct Context<'a> {
 
 /// Steps of progress.
 pub fn count(config: &StudyConfig) -> u64 {
-    (4 + config.chebyshev.len() + config.taylor.len() + config.harmonics.len() + wave_methods::count(config)) as u64
+    (4 + config.chebyshev.len() + config.taylor.len() + config.harmonics.len()) as u64
 }
 
 /// What all methods left.
@@ -113,7 +114,7 @@ pub struct Cost {
 }
 
 impl Context<'_> {
-    /// All rows; settings that are refused are listed apart.
+    /// All rows but those of the wave methods; settings that are refused are listed apart.
     pub fn rows(&self, statistics: &SurfaceStatistics, transforms: Cost) -> Result<Rows> {
         let mut rows = Rows { methods: self.references(transforms), refusals: Vec::new() };
         let mut finest = None;
@@ -141,7 +142,6 @@ impl Context<'_> {
             Some(finest) => rows.methods.extend(self.harmonic_rows(&finest)?),
             None => self.progress.advance(self.config.harmonics.len() as u64),
         }
-        rows.methods.extend(self.wave_rows()?);
         Ok(rows)
     }
 

@@ -1,7 +1,7 @@
 //! The directions on which methods are compared, and what the direct sum says there.
 
-use super::RegionErrors;
 use super::batch::{Batch, Pair, on_all_threads};
+use super::rows::RegionErrors;
 use diffraction_brdf::direction::wave_vector_change;
 use diffraction_brdf::error::Result;
 pub use diffraction_build::accuracy::directions::floor_per_sr;

@@ -7,8 +7,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::batch::{PackedTables, stored};
+use super::config::{StudyConfig, StudySpecimen};
 use super::texels::Texels;
-use super::{StudyConfig, StudySpecimen};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_build::accuracy::directions::ErrorDirections;
@@ -22,12 +22,8 @@ use diffraction_build::tables::build;
 use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, BuildRecord, Prefilter, Rounding, Storage, TableSet, TablesConfig};
 use diffraction_build::tables::plan::{self, BuildPlan};
-use diffraction_build::tables::resolution::lobe_radius;
-use diffraction_build::tables::resolution::resolving_size;
+use diffraction_build::tables::resolution::{lobe_radius, resolving_size};
 use diffraction_build::tables::rounding::{Chosen, choose};
-
-/// Tolerances asked for.
-pub const TOLERANCES: [f64; 3] = [1e-2, 1e-3, 1e-4];
 
 /// Directions drawn, of which the first that meet usable texels are taken.
 const DRAWN: usize = 8_192;

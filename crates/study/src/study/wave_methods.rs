@@ -4,8 +4,9 @@
 //! pictures and power sums, which ask for ten thousand.
 
 use super::batch::Pair;
+use super::config::StudyConfig;
 use super::methods::{Context, Cost, Label, measured};
-use super::{MethodRow, StudyConfig};
+use super::rows::MethodRow;
 use crate::baselines::integrate_spectra;
 use crate::baselines::paths::OpticalPaths;
 use crate::baselines::wigner::{LightField, PhaseScreen, plane_of_incidence};

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::pictures::scenes::pairs_of;
+use crate::stages::pictures::scenes::pairs_of;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::{Vec3, wave_vector_change};
 use diffraction_build::accuracy::directions::{ABOVE_PER_BELOW, DIRECTIONS};

@@ -10,9 +10,8 @@ use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use super::cache::{Cache, CacheUse};
-use super::stage::Stage;
-use super::usage::{self, Stopwatch};
+use super::store::{Cache, CacheUse};
+use crate::stages::built::Built;
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
@@ -21,7 +20,6 @@ use diffraction_build::accuracy::reference::{self as accuracy_reference, Referen
 use diffraction_build::accuracy::rows::{self, ErrorRow};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::reference;
-use diffraction_build::tables::build;
 use diffraction_build::tables::coverage::ranges::Coverage;
 use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Advance, Basis, BuildRecord, Lobe, TableSet, TablesConfig};
@@ -35,39 +33,9 @@ const PAIRS_SHARE: u64 = 4;
 /// Bytes of a pair of directions with its value.
 const PAIR_BYTES: usize = 9 * 8;
 
-/// Tables, and what building them took.
-#[derive(Debug)]
-pub struct Built {
-    /// The tables.
-    pub set: TableSet,
-    /// What was chosen while building.
-    pub record: BuildRecord,
-    /// Seconds.
-    pub seconds: f64,
-    /// Seconds that all threads together ran; `None` where the system does not tell.
-    pub processor_s: Option<f64>,
-    /// Most bytes on the heap beyond those before; `None` where nobody counts them.
-    pub memory_bytes: Option<u64>,
-}
-
-impl Built {
-    /// Builds from nothing and measures.
-    ///
-    /// # Errors
-    /// Those of building.
-    pub fn measured(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Result<Self> {
-        let stopwatch = Stopwatch::start();
-        let build = || build::build_planned(input, plan, advance);
-        let (built, memory_bytes) = usage::with_heap_bytes(build);
-        let (set, record) = built?;
-        let time = stopwatch.read(Stage::BuildTables, None);
-        Ok(Self { set, record, seconds: time.wall_s, processor_s: time.cpu_s, memory_bytes })
-    }
-}
-
 /// What the cache knows of one specimen.
 #[derive(Debug)]
-pub struct Known<'a> {
+pub(crate) struct Known<'a> {
     cache: &'a Cache,
     /// The prepared heights, by their digest.
     heights: String,
@@ -206,7 +174,7 @@ impl<'a> Known<'a> {
     ///
     /// # Errors
     /// Those of the reference.
-    pub fn direct_row(&self, input: &BuildInput, reference_set: &Reference) -> Result<ErrorRow> {
+    pub(crate) fn direct_row(&self, input: &BuildInput, reference_set: &Reference) -> Result<ErrorRow> {
         rows::direct_row(reference_set, &|pairs| {
             let sum = || reference::brdf_xyz_batch(input.fields, input.optics, pairs);
             if !self.cache.is_on() {
