@@ -3,7 +3,7 @@
 mod axes;
 mod budget_facts;
 mod colour_maps;
-pub mod html;
+pub(crate) mod html;
 pub mod pictures;
 #[cfg(feature = "study")]
 pub mod study_page;

@@ -28,7 +28,7 @@ const SHOWN: [&str; 6] =
     ["FFT", "chebyshev, half", "taylor, float", "Stam, random", "Stam, regular", "spherical harmonics"];
 
 /// Name of the page in a study's folder, as in a version of an atlas.
-pub const PAGE: &str = "report.html";
+pub(crate) const PAGE: &str = "report.html";
 
 /// A file's name and its bytes.
 pub type File = (String, Vec<u8>);
@@ -125,7 +125,7 @@ fn strip(specimen: &SpecimenStudy) -> Result<Vec<Shown>> {
 ///
 /// # Errors
 /// Those of [`study_files`], and `Error::Disk`.
-pub fn write_study(folder: &Path, study: &Study, stability: &Stability) -> Result<()> {
+pub(crate) fn write_study(folder: &Path, study: &Study, stability: &Stability) -> Result<()> {
     let files = study_files(study, stability)?;
     std::fs::create_dir_all(folder).map_err(|source| Error::disk(folder, "create the folder", source))?;
     for (name, bytes) in files {

@@ -40,7 +40,7 @@ pub fn write_rgb(path: &Path, image: &Array3<f32>, precision: Precision, attribu
 
 /// As [`write_rgb`] for an image that is a window of a larger one: the header's data window is `place`, its display window
 /// the larger image.
-pub fn write_window(
+pub(crate) fn write_window(
     path: &Path,
     image: &Array3<f32>,
     place: Place,
@@ -53,11 +53,11 @@ pub fn write_window(
 
 /// Where an image lies in a larger one; both in rows and columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
+pub(crate) struct Place {
     /// Row and column of the larger image at which it begins.
-    pub first: [usize; 2],
+    pub(crate) first: [usize; 2],
     /// Rows and columns of the larger image.
-    pub whole: [usize; 2],
+    pub(crate) whole: [usize; 2],
 }
 
 impl Place {

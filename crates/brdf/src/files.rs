@@ -74,7 +74,7 @@ pub fn create_folder(path: &Path) -> Result<()> {
 }
 
 /// Waits until the bytes of a file are on the disk.
-pub fn sync_file(path: &Path) -> Result<()> {
+fn sync_file(path: &Path) -> Result<()> {
     let synced = OpenOptions::new().read(true).write(true).open(path).and_then(|file| file.sync_all());
     synced.map_err(|e| Error::disk(path, "bring to the disk", e))
 }

@@ -1,4 +1,55 @@
 //! Reads an atlas of diffraction tables, and evaluates and samples the BRDF that they hold.
+//!
+//! # Conventions
+//!
+//! - **Frame.** `wi` and `wo` are unit vectors to the light and to the viewer, both away from the surface: x along the
+//!   columns of the scan, y up the scan, z the outward normal. With `(u, v, w) = -wi - wo`, `u = v = 0` is the mirror
+//!   direction, and `w <= 0`.
+//! - **Sign.** Heights are positive outward. Look-ups in `w` go by its magnitude: `t = |w| / sqrt(4 - u² - v²)`, in [0, 1].
+//! - **Normalisation.** Values are the BRDF `f(wi, wo)` without the cosine of the light: a light of irradiance `E` on a plane that
+//!   faces it gives the radiance `f cos_theta_i E`. X, Y, Z are relative to the illuminant for which the tables were made:
+//!   a white Lambertian surface has `Y = 1/π`, and `E` is a plain number, the light's luminous irradiance. Colours of
+//!   gratings lie outside sRGB: convert after lights are summed.
+//! - **Units.** The BRDF and densities in 1/sr, weights of samples and (u, v, w) without unit, angles in radians except
+//!   where named `_deg`.
+//! - **Order.** Images have shape `[rows, columns, 3]`; row 0 is the top, `v = +2`; channels are X, Y, Z.
+//! - **No answer.** Tables may be made for certain scenes only. Where they have no answer the value is not a number, no
+//!   direction is drawn, and [`Brdf::answers`] says so beforehand. Directions below the surface have the value 0.
+//!
+//! # Usage
+//!
+//! A complete reader, which holds every specimen against the values that the atlas states for it:
+//!
+//! ```
+//! # mod tiny { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tiny_atlas/mod.rs")); }
+//! # let folder = tempfile::tempdir()?;
+//! # tiny::write_tiny_atlas(folder.path());
+//! # let path = folder.path();
+//! use diffraction_brdf::Atlas;
+//!
+//! let atlas = Atlas::open(path)?;
+//! for specimen in atlas.specimens() {
+//!     let brdf = atlas.brdf(&specimen.name)?;
+//!     for check in brdf.check_values() {
+//!         let xyz = brdf.eval(check.wi, check.wo);
+//!         assert!((xyz[1] - check.xyz[1]).abs() <= 1e-6 * check.xyz[1]);
+//!     }
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`Brdf::sample`] and [`Brdf::pdf`] are for path tracers; the example `path_trace_ball` is one of about a hundred lines.
+//! [`shader::TABLES_WGSL`] evaluates the same tables on a GPU, and [`shader::table_image`] puts them into the layout that it
+//! reads.
+//!
+//! # Features
+//!
+//! - `rayon`: reads files and evaluates slices of directions on several threads. Off by default.
+//!
+//! # Errors
+//!
+//! An [`Error`] says whose fault it is, which file, and what to do. No file makes this crate panic; files that were changed
+//! after they were published are told by their digests.
 
 pub mod atlas;
 mod brdf;

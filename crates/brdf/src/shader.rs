@@ -1,4 +1,35 @@
 //! The shader that evaluates tables, and table sets in the byte layout that it reads.
+//!
+//! Bindings of group 0 of [`TABLES_WGSL`]:
+//!
+//! | binding | variable | what |
+//! |---|---|---|
+//! | 0 | `params` | uniform buffer: [`TableParams`], 2128 bytes, below |
+//! | 1 | `tables` | 2D array texture, RGBA16F: [`TableImage::tables`]; where tables serve certain scenes, one layer more |
+//! | 2 | `cross_terms` | 2D array texture, RGBA16F: [`TableImage::cross`] |
+//! | 3 | `lobe` | 2D texture, RGBA32F, not filtered: [`TableImage::coherent`] |
+//! | 4 | `bilinear` | sampler: linear, clamped to the edges |
+//!
+//! The uniform, little-endian, by the rules of WGSL for uniform buffers (std140 gives the same):
+//!
+//! | offset in bytes | type | field | values |
+//! |---|---|---|---|
+//! | 0 | u32 | `basis` | 0 Chebyshev, 1 powers of w |
+//! | 4 | u32 | `table_count` | layers of `tables`, without the range |
+//! | 8 | u32 | `cross_count` | layers of `cross_terms`; 0 where there is no cross term |
+//! | 12 | u32 | `material` | 0 ideal, 1 dielectric, 2 conductor |
+//! | 16 | u32 | `shadowing` | 1 with the V-cavity factor |
+//! | 20 | f32 | `radius_max` | of the coherent lobe; 0 without one |
+//! | 24, 28 | f32 | `index_n`, `index_k` | refractive index n + ik |
+//! | 32 | u32 | `served` | 1 where tables serve certain scenes only |
+//! | 36 | f32 | `grid_last` | texels along u of the whole grid, less one |
+//! | 40, 44 | f32 | `first_column`, `first_row` | where in the whole grid the tables begin |
+//! | 48 | u32 | `factor` | 0 scalar, 1 vector |
+//! | 52 | u32 | `unused` | 0 |
+//! | 56 | vec2 f32 | `permittivity` | `(n + ik)²` |
+//! | 64 | vec4 f32 | `pigment` | X, Y, Z in 1/sr, and 1; zeros for the BRDF alone |
+//! | 80 | 64 x vec4 f32 | `table_scales` | value = texel times scale, four layers to a vector |
+//! | 1104 | 64 x vec4 f32 | `cross_scales` | likewise |
 
 use bytemuck::{Pod, Zeroable};
 use half::f16;
@@ -234,6 +265,24 @@ mod tests {
         assert_eq!(half_scale(4096.0), 1.0);
         assert_eq!(half_scale(4097.0), 2.0);
         assert_eq!(half_scale(0.0), 1.0);
+    }
+
+    #[test]
+    fn the_uniform_lies_as_its_table_says() {
+        use std::mem::{offset_of, size_of};
+        macro_rules! offsets {
+            ($($field:ident)*) => { [$((stringify!($field), offset_of!(TableParams, $field))),*] };
+        }
+        let fields = offsets!(basis table_count cross_count material shadowing radius_max index_n index_k served grid_last
+            first_column first_row factor unused permittivity pigment table_scales cross_scales);
+        let cells = |line: &'static str| Some(line.strip_prefix("//! | ")?.split(" | ").collect::<Vec<_>>());
+        let rows = include_str!("shader.rs").lines().filter_map(cells).filter(|cells| cells.len() == 4);
+        let stated = rows.skip(1).flat_map(|cells| {
+            let names = cells[2].split(", ").map(|name| name.trim_matches('`'));
+            names.zip(cells[0].split(", ").map(|offset| offset.parse().unwrap())).collect::<Vec<_>>()
+        });
+        assert_eq!(stated.collect::<Vec<_>>(), fields);
+        assert_eq!(size_of::<TableParams>(), 2128);
     }
 
     #[test]

@@ -3,18 +3,18 @@
 #[path = "tiny_atlas/mod.rs"]
 mod tiny_atlas;
 
-use diffraction_brdf::front_factor::Factor;
 use std::f64::consts::PI;
 use std::path::Path;
 use std::sync::OnceLock;
 
 use diffraction_brdf::direction::from_angles_deg;
-use diffraction_brdf::{Brdf, FrontFactor, Material, Served, Vec3, Xyz};
+use diffraction_brdf::{Brdf, Factor, FrontFactor, Material, Served, Vec3, Xyz};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{ReadConfig, read_scan};
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::tables::build::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 use ndarray::Array3;
 use rayon::prelude::*;
@@ -26,7 +26,7 @@ const SAMPLES: usize = 30_000;
 /// Bins of the hemisphere in y and φ, where `wi = (h sin φ, y, h cos φ)`, `h = sqrt(1 - y²)`: all of one solid angle.
 const BINS: [usize; 2] = [24, 48];
 /// Points per side of a bin at which densities are integrated.
-const POINTS: usize = 16;
+const POINTS: usize = 14;
 /// A chi-square value of this probability or less fails; the random numbers are always the same.
 const SIGNIFICANCE: f64 = 1e-4;
 
@@ -39,6 +39,7 @@ fn built(name: &str, material: Material, level: Level, blend_nm: Option<f64>) ->
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 1_500.0,
+        lobe_sigma_nm: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material,
@@ -55,7 +56,7 @@ fn built(name: &str, material: Material, level: Level, blend_nm: Option<f64>) ->
         prefilter: Prefilter::Auto,
         memory_mib: 512,
     };
-    Brdf::new(build(&[field], &optics, &config, &|_| ()).unwrap().0).unwrap()
+    Brdf::new(build(&BuildInput::new(&[field], &optics, &config), &|_| ()).unwrap().0).unwrap()
 }
 
 /// All bundled specimens with the materials of pipeline.toml, and the made-up one, which has shadowing and a cross term.
@@ -73,20 +74,40 @@ fn specimens() -> &'static [(&'static str, Brdf)] {
         let mut all: Vec<_> = generated.map(|(name, material)| (name, built(name, material, Level::None, None))).into();
         let measured = "grating_nanosurf_314nm";
         all.push((measured, built(measured, Material::Dielectric { n: 1.5 }, Level::Plane, Some(300.0))));
+        // The tables are the same for the other model of reflection.
+        for (of, name) in [(0, "corn_snake_like, vector"), (3, "sinusoid_1600nm, vector"), (4, "cd_track_like, vector")]
+        {
+            let mut tables = all[of].1.tables().clone();
+            tables.front_factor.factor = Factor::Vector;
+            all.push((name, Brdf::new(tables).unwrap()));
+        }
         all.push(("tiny", Brdf::new(tiny_atlas::tiny_tables()).unwrap()));
         all
     })
 }
 
+/// A specimen seen from one direction.
+struct Case {
+    what: String,
+    brdf: &'static Brdf,
+    wo: Vec3,
+    integrals: Integrals,
+    drawn: Drawn,
+}
+
 /// Every specimen at every angle, each at an azimuth of its own.
-fn cases() -> Vec<(&'static str, &'static Brdf, Vec3, String)> {
-    let all = specimens().iter().enumerate().flat_map(|(n, (name, brdf))| {
-        ANGLES_DEG.iter().enumerate().map(move |(k, angle)| {
-            let wo = from_angles_deg(*angle, 77.0 * (n as f64) + 31.0 * k as f64);
-            (*name, brdf, wo, format!("{name} at {angle} degrees"))
-        })
-    });
-    all.collect()
+fn cases() -> &'static [Case] {
+    static CASES: OnceLock<Vec<Case>> = OnceLock::new();
+    CASES.get_or_init(|| {
+        let pairs = (0..specimens().len()).flat_map(|n| (0..ANGLES_DEG.len()).map(move |k| (n, k)));
+        let case = |(n, k): (usize, usize)| {
+            let ((name, brdf), angle) = (&specimens()[n], ANGLES_DEG[k]);
+            let wo = from_angles_deg(angle, 77.0 * n as f64 + 31.0 * k as f64);
+            let what = format!("{name} at {angle} degrees");
+            Case { what, brdf, wo, integrals: integrate(brdf, wo), drawn: draw(brdf, wo) }
+        };
+        pairs.collect::<Vec<_>>().into_par_iter().map(case).collect()
+    })
 }
 
 fn direction(y: f64, phi: f64) -> Vec3 {
@@ -100,22 +121,37 @@ fn bin_of(wi: Vec3) -> usize {
     place(0.5 * (wi[1] + 1.0), BINS[0]) * BINS[1] + place(phi / PI + 0.5, BINS[1])
 }
 
-/// Per bin the integral of a density; and that of the BRDF times the cosine over all.
-fn integrate(brdf: &Brdf, wo: Vec3, pdf: impl Fn(Vec3) -> f64) -> (Vec<f64>, Xyz) {
+/// Integrals over the hemisphere.
+struct Integrals {
+    /// Of the density, per bin.
+    shares: Vec<f64>,
+    /// Of a density that is wrong by up to 30 %, per bin, scaled to the same total.
+    tilted: Vec<f64>,
+    /// Of the BRDF times the cosine.
+    albedo: Xyz,
+}
+
+fn integrate(brdf: &Brdf, wo: Vec3) -> Integrals {
     let mut random = fastrand::Rng::with_seed(11);
     let area = 2.0 / (BINS[0] * POINTS) as f64 * PI / (BINS[1] * POINTS) as f64;
-    let (mut bins, mut albedo) = (vec![0.0; BINS[0] * BINS[1]], [0.0; 3]);
+    let empty = vec![0.0; BINS[0] * BINS[1]];
+    let mut found = Integrals { shares: empty.clone(), tilted: empty, albedo: [0.0; 3] };
     for row in 0..BINS[0] * POINTS {
         for column in 0..BINS[1] * POINTS {
             let y = -1.0 + 2.0 * (row as f64 + random.f64()) / (BINS[0] * POINTS) as f64;
             let phi = PI * ((column as f64 + random.f64()) / (BINS[1] * POINTS) as f64 - 0.5);
             let wi = direction(y, phi);
-            bins[row / POINTS * BINS[1] + column / POINTS] += pdf(wi) * area;
+            let share = brdf.pdf(wi, wo) * area;
+            let bin = row / POINTS * BINS[1] + column / POINTS;
+            found.shares[bin] += share;
+            found.tilted[bin] += share * (1.0 + 0.3 * (3.0 * wi[0] + 5.0 * wi[1]).sin());
             let xyz = brdf.eval(wi, wo);
-            albedo.iter_mut().zip(xyz).for_each(|(sum, value)| *sum += value.max(f64::MIN) * wi[2] * area);
+            found.albedo.iter_mut().zip(xyz).for_each(|(sum, value)| *sum += value * wi[2] * area);
         }
     }
-    (bins, albedo)
+    let scale = found.shares.iter().sum::<f64>() / found.tilted.iter().sum::<f64>();
+    found.tilted.iter_mut().for_each(|share| *share *= scale);
+    found
 }
 
 /// What sampling gives: counts per bin, the mean of the weights, its standard error, the largest, and samples without one.
@@ -127,24 +163,24 @@ struct Drawn {
     lost: usize,
 }
 
-fn draw(brdf: &Brdf, wo: Vec3, count: usize) -> Drawn {
+fn draw(brdf: &Brdf, wo: Vec3) -> Drawn {
     let mut random = fastrand::Rng::with_seed(5);
     let mut drawn =
         Drawn { counts: vec![0.0; BINS[0] * BINS[1]], mean: [0.0; 3], error: [0.0; 3], largest: 0.0, lost: 0 };
-    for _ in 0..count {
+    for _ in 0..SAMPLES {
         let Some(sample) = brdf.sample(wo, [random.f64(), random.f64(), random.f64()]) else {
             drawn.lost += 1;
             continue;
         };
         drawn.counts[bin_of(sample.wi)] += 1.0;
         for c in 0..3 {
-            drawn.mean[c] += sample.weight[c] / count as f64;
-            drawn.error[c] += sample.weight[c].powi(2) / count as f64;
+            drawn.mean[c] += sample.weight[c] / SAMPLES as f64;
+            drawn.error[c] += sample.weight[c].powi(2) / SAMPLES as f64;
             drawn.largest = drawn.largest.max(sample.weight[c].abs());
         }
     }
     for c in 0..3 {
-        drawn.error[c] = ((drawn.error[c] - drawn.mean[c].powi(2)).max(0.0) / count as f64).sqrt();
+        drawn.error[c] = ((drawn.error[c] - drawn.mean[c].powi(2)).max(0.0) / SAMPLES as f64).sqrt();
     }
     drawn
 }
@@ -176,36 +212,27 @@ fn chi_square_probability(counts: &[f64], shares: &[f64], samples: usize) -> f64
 
 #[test]
 fn samples_are_drawn_from_the_density_that_is_stated() {
-    cases().par_iter().for_each(|(_, brdf, wo, what)| {
-        let (shares, _) = integrate(brdf, *wo, |wi| brdf.pdf(wi, *wo));
-        let total: f64 = shares.iter().sum();
-        let drawn = draw(brdf, *wo, SAMPLES);
-        let probability = chi_square_probability(&drawn.counts, &shares, SAMPLES);
+    for Case { what, integrals, drawn, .. } in cases() {
+        let total: f64 = integrals.shares.iter().sum();
+        let probability = chi_square_probability(&drawn.counts, &integrals.shares, SAMPLES);
         println!("{what}: density {total:.4}, probability {probability:.3}, lost {}", drawn.lost);
         assert!((total - 1.0).abs() < 0.01, "{what}: the density integrates to {total}");
         assert!(probability > SIGNIFICANCE, "{what}: chi-square of probability {probability:e}");
         assert!(drawn.lost <= SAMPLES / 500, "{what}: {} samples were lost", drawn.lost);
-    });
+    }
 }
 
 #[test]
 fn a_density_that_is_a_little_wrong_is_found_out() {
-    cases().par_iter().for_each(|(_, brdf, wo, what)| {
-        let tilted = |wi: Vec3| brdf.pdf(wi, *wo) * (1.0 + 0.3 * (3.0 * wi[0] + 5.0 * wi[1]).sin());
-        let (mut shares, _) = integrate(brdf, *wo, tilted);
-        let total: f64 = shares.iter().sum();
-        shares.iter_mut().for_each(|share| *share /= total);
-        let drawn = draw(brdf, *wo, SAMPLES);
-        let probability = chi_square_probability(&drawn.counts, &shares, SAMPLES);
+    for Case { what, integrals, drawn, .. } in cases() {
+        let probability = chi_square_probability(&drawn.counts, &integrals.tilted, SAMPLES);
         assert!(probability < 0.1 * SIGNIFICANCE, "{what}: {probability:e}");
-    });
+    }
 }
 
 #[test]
 fn mean_weights_are_the_directional_albedo() {
-    cases().par_iter().for_each(|(_, brdf, wo, what)| {
-        let (_, albedo) = integrate(brdf, *wo, |_| 0.0);
-        let drawn = draw(brdf, *wo, SAMPLES);
+    for Case { what, integrals: Integrals { albedo, .. }, drawn, .. } in cases() {
         println!("{what}: albedo {:.4}, mean {:.4} ± {:.4}", albedo[1], drawn.mean[1], drawn.error[1]);
         for c in 0..3 {
             let allowed = 4.0 * drawn.error[c] + 0.01 * albedo[c];
@@ -213,19 +240,17 @@ fn mean_weights_are_the_directional_albedo() {
             // The weights vary little: this many samples give the albedo to two per cent.
             assert!(drawn.error[c] < 0.02 * albedo[c], "{what}: ± {:?} of {albedo:?}", drawn.error);
         }
-    });
+    }
 }
 
 #[test]
 fn weights_stay_below_their_bound() {
-    cases().par_iter().for_each(|(_, brdf, wo, what)| {
-        let drawn = draw(brdf, *wo, 4 * SAMPLES);
+    for Case { what, brdf, wo, drawn, .. } in cases() {
         let bound = brdf.weight_bound(*wo);
         println!("{what}: largest weight {:.2}, bound {bound:.1}", drawn.largest);
-        assert!(drawn.largest <= bound, "{what}: {} above {bound}", drawn.largest);
-        assert!(bound.is_finite());
-        assert!(drawn.largest < 20.0 * drawn.mean[1], "{what}: {} for an albedo of {:?}", drawn.largest, drawn.mean);
-    });
+        assert!(bound.is_finite() && drawn.largest <= bound, "{what}: {} above {bound}", drawn.largest);
+        assert!(drawn.largest < 40.0 * drawn.mean[1], "{what}: {} for an albedo of {:?}", drawn.largest, drawn.mean);
+    }
 }
 
 #[test]
@@ -239,6 +264,18 @@ fn light_and_viewer_may_be_exchanged() {
             }
         }
     }
+}
+
+/// Integral of the density.
+fn density_total(brdf: &Brdf, wo: Vec3) -> f64 {
+    const SIDE: usize = 300;
+    let at = |n: usize| {
+        direction(
+            -1.0 + 2.0 * ((n / SIDE) as f64 + 0.5) / SIDE as f64,
+            PI * ((n % SIDE) as f64 + 0.5) / SIDE as f64 - PI / 2.0,
+        )
+    };
+    (0..SIDE * SIDE).map(|n| brdf.pdf(at(n), wo)).sum::<f64>() * 2.0 * PI / (SIDE * SIDE) as f64
 }
 
 #[test]
@@ -257,9 +294,8 @@ fn where_tables_have_no_answer_nothing_is_drawn_and_the_density_is_zero() {
     let brdf = Brdf::new(set).unwrap();
     for angle in ANGLES_DEG {
         let wo = from_angles_deg(angle, 160.0);
-        let (shares, _) = integrate(&brdf, wo, |wi| brdf.pdf(wi, wo));
-        let drawn = draw(&brdf, wo, SAMPLES);
-        let total: f64 = shares.iter().sum();
+        let drawn = draw(&brdf, wo);
+        let total = density_total(&brdf, wo);
         let found = 1.0 - drawn.lost as f64 / SAMPLES as f64;
         assert!((total - found).abs() < 0.01, "{angle}: {total} {found}");
         let mut random = fastrand::Rng::with_seed(3);

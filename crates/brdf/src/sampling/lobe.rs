@@ -6,9 +6,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::{NODES, Reflectance, choose, node_cosine, probability};
+use super::choice::{NODES, Reflectance, choose, node_cosine, probability};
 use crate::direction::{Vec3, max_abs_w};
-use crate::front_factor::FrontFactor;
+use crate::front_factor::{Factor, FrontFactor, image_radius2};
 use crate::table_set::Lobe;
 
 /// Strips across the lobe.
@@ -25,6 +25,7 @@ pub(super) struct LobeDensity {
     rows: usize,
     columns: usize,
     radius_max: f64,
+    factor: Factor,
     reflectance: Reflectance,
     /// What strips reflect, by the viewer's node.
     strips: Vec<[f64; STRIPS]>,
@@ -49,7 +50,8 @@ impl LobeDensity {
         let (rows, columns, _) = lobe.coherent.dim();
         let sum = lobe.coherent.rows().into_iter().map(|xyz| xyz.sum().max(0.0)).collect();
         let reflectance = Reflectance::new(front_factor);
-        let mut density = Self { sum, rows, columns, radius_max: lobe.radius_max, reflectance, strips: Vec::new() };
+        let (radius_max, factor) = (lobe.radius_max, front_factor.factor);
+        let mut density = Self { sum, rows, columns, radius_max, factor, reflectance, strips: Vec::new() };
         density.strips = (0..NODES).map(|node| density.strips_of(node_cosine(node))).collect();
         density
     }
@@ -108,19 +110,25 @@ impl LobeDensity {
     /// `f cos_theta_i` of the lobe alone, all channels added, without shadowing.
     fn shape(&self, [sin_o, cos_o]: [f64; 2], h: f64, y: f64, phi: f64) -> f64 {
         let (sin, cos) = phi.sin_cos();
-        let u = -h * sin - sin_o;
-        let w = h * cos.max(0.0) + cos_o;
-        let r2 = u * u + y * y;
-        let radius = r2.sqrt();
+        let (wi, wo) = ([h * sin, -y, h * cos.max(0.0)], [sin_o, 0.0, cos_o]);
+        let radius2 = (wi[0] + sin_o).powi(2) + y * y;
+        let w = wi[2] + cos_o;
+        let q2 = radius2 + w * w;
+        let direct = self.coherent(w, radius2.sqrt());
+        let shape = match self.factor {
+            // G cos_i / w², with G = |q|⁴ / (4 cos_i cos_o).
+            Factor::Scalar => direct * q2 * q2 / (4.0 * cos_o * w * w),
+            Factor::Vector => (direct + self.coherent(w, image_radius2(wi, wo).sqrt())) * wi[2],
+        };
+        self.reflectance.at(q2) * shape
+    }
+
+    /// The coherent part at `|w|` and a radius: linear look-up, 0 from `radius_max` on.
+    fn coherent(&self, w: f64, radius: f64) -> f64 {
         if radius >= self.radius_max {
             return 0.0;
         }
         let t = (w / max_abs_w(radius)).min(1.0);
-        self.reflectance.times_geometry(r2 + w * w, cos_o) * self.coherent(t, radius) / (w * w)
-    }
-
-    /// Linear look-up.
-    fn coherent(&self, t: f64, radius: f64) -> f64 {
         let [y, x] = [t * (self.rows - 1) as f64, radius / self.radius_max * (self.columns - 1) as f64];
         let (row, column) = ((y as usize).min(self.rows - 2), (x as usize).min(self.columns - 2));
         let (y, x) = (y - row as f64, x - column as f64);
@@ -180,7 +188,7 @@ impl LobeDensity {
 }
 
 /// Unit vector along the viewer's projection (x where it has none), and the projection's length.
-fn projection(wo: Vec3) -> ([f64; 2], f64) {
+pub(super) fn projection(wo: Vec3) -> ([f64; 2], f64) {
     let sin_o = wo[0].hypot(wo[1]);
     if sin_o < 1e-9 { ([1.0, 0.0], 0.0) } else { ([wo[0] / sin_o, wo[1] / sin_o], sin_o) }
 }

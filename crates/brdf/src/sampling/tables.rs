@@ -1,15 +1,19 @@
 //! Directions drawn from the tables: cells of the (u, v) grid, as far as they lie above the horizon for the viewer.
 //!
 //! For a viewer, the directions to the light fill the disc of radius 1 about `-wo` in (u, v). A band of rows is chosen in
-//! proportion to the tables within its widest chord of that disc, then a row likewise, `v` evenly in the row, and `u` in
-//! proportion to the cells of the row within the chord at `v` itself. Sums along rows are kept, so that a chord costs two
-//! look-ups.
+//! proportion to the tables within its widest chord of that disc, then a row likewise, `v` evenly in the row, and `u`
+//! within the chord at `v` itself. Sums along rows are kept, so that a piece of a chord costs two look-ups.
+//!
+//! Cells hold the BRDF times the cosine, and are to be drawn in proportion to it over solid angle: with
+//! `wi = (-s, y, ...)`, `s = h sin φ`, `h = sqrt(1 - y²)`, that is `dy dφ = dv du / cos_theta_i`. So a chord is cut into
+//! [`PIECES`] pieces that narrow towards its ends by a factor of four, within which the cosine varies by two; in a piece, `u`
+//! is drawn in proportion to the cells, and in those at the ends, far narrower than a cell, evenly in `φ`.
 
 use std::ops::Range;
 
 use ndarray::Array3;
 
-use super::{NODES, choose, node_cosine, probability};
+use super::choice::{NODES, choose, node_cosine, probability};
 use crate::chebyshev;
 use crate::direction::{Vec3, max_abs_w};
 use crate::table_set::{Basis, TableSet};
@@ -20,9 +24,12 @@ const DEPTHS: usize = 9;
 const RINGS: usize = 128;
 /// Azimuths of the viewer that are averaged.
 const AZIMUTHS: usize = 48;
-/// Cosines of the light below this count as this: the front factor grows without bound towards the horizon, where the
-/// even remainder of the samples takes over.
+/// Cosines and depths below this count as this where means over azimuth are made of what grows without bound.
 const COSINE_MIN: f64 = 0.1;
+/// What a cell counts of its largest value over the depths, beside its mean.
+const PEAK_SHARE: f64 = 0.2;
+/// Pieces of a chord: the edges of half of them lie at `h (1 - 4^-k)` from its middle, and at `h`.
+const PIECES: usize = 12;
 
 #[derive(Debug, Clone)]
 pub(super) struct TableDensity {
@@ -51,8 +58,39 @@ struct Node {
 /// How the tables at each `t` count, by ring of the radius: for a viewer at a node, averaged over its azimuth.
 struct Average {
     weights: Vec<[f64; DEPTHS]>,
-    /// Share of the azimuths that see the ring.
-    seen: Vec<f64>,
+    /// The same without the light's cosine, and of all azimuths rather than those that see the ring.
+    reflected: Vec<[f64; DEPTHS]>,
+}
+
+/// The part of a row that is above the horizon and within the grid, in pieces.
+struct Chord {
+    /// Half the length of the whole.
+    half: f64,
+    /// `s` at the edges of the pieces, from low to high; `φ` there; and the sum of the cells up to there.
+    edges: [f64; PIECES + 1],
+    phi: [f64; PIECES + 1],
+    sums: [f64; PIECES + 1],
+}
+
+impl Chord {
+    /// Whether a piece is drawn from evenly in `φ`.
+    fn is_even(&self, piece: usize) -> bool {
+        piece == 0 || piece == PIECES - 1 || self.is_flat()
+    }
+
+    /// Whether all cells are zero.
+    fn is_flat(&self) -> bool {
+        !(self.sums[PIECES] > self.sums[0])
+    }
+
+    fn mass(&self, piece: usize) -> f64 {
+        let width = self.edges[piece + 1] - self.edges[piece];
+        if !(width > 0.0) {
+            return 0.0;
+        }
+        let sum = if self.is_flat() { width } else { self.sums[piece + 1] - self.sums[piece] };
+        sum * (self.phi[piece + 1] - self.phi[piece]) / width
+    }
 }
 
 impl TableDensity {
@@ -77,10 +115,13 @@ impl TableDensity {
                 let values = depths.values([row, column], radius, &mut scratch);
                 let ring = ring_of(radius);
                 for (node, average) in averages.iter().enumerate() {
-                    let value: f64 =
-                        average.weights[ring].iter().zip(values).map(|(weight, value)| weight * value).sum();
-                    texels[node][row * texel_columns + column] = value as f32;
-                    reflected[node] += value * average.seen[ring] * step * step;
+                    let mean = |weights: &[f64; DEPTHS]| {
+                        weights.iter().zip(values).map(|(weight, value)| weight * value).sum::<f64>()
+                    };
+                    let weights = &average.weights[ring];
+                    let peak = values.iter().fold(0f64, |peak, value| peak.max(*value)) * weights.iter().sum::<f64>();
+                    texels[node][row * texel_columns + column] = (mean(weights) + PEAK_SHARE * peak) as f32;
+                    reflected[node] += mean(&average.reflected[ring]) * step * step;
                 }
             }
         }
@@ -103,19 +144,19 @@ impl TableDensity {
         let (row, _, rest) = choose(self.rows_of(band, &all), rest, |row| self.row_mass(node, row, &all, wo));
         let [top, bottom] = within(row, 1, &all);
         let place = top + rest * (bottom - top);
-        let chord = self.chord(place, wo);
         let sums = self.row(node, row);
-        let [low, high] = chord.map(|x| sum_at(sums, x));
-        let x = if high > low {
-            inverse(sums, low + u2 * (high - low)).clamp(chord[0], chord[1])
-        } else if chord[1] > chord[0] {
-            chord[0] + u2 * (chord[1] - chord[0])
+        let chord = self.chord(place, sums, wo);
+        let (piece, _, rest) = choose(0..PIECES, u2, |piece| chord.mass(piece));
+        let between = |values: &[f64]| values[piece] + rest * (values[piece + 1] - values[piece]);
+        let (s, cos) = if chord.is_even(piece) {
+            let (sin, cos) = between(&chord.phi).sin_cos();
+            (chord.half * sin, chord.half * cos)
         } else {
-            return None;
+            let s = self.s(inverse(sums, between(&chord.sums)), wo);
+            let s = s.clamp(chord.edges[piece], chord.edges[piece + 1]);
+            (s, (chord.half * chord.half - s * s).max(0.0).sqrt())
         };
-        let [wi_x, wi_y] = [-(self.first[0] + x * self.step) - wo[0], self.wi_y(place, wo)];
-        let cos2 = 1.0 - wi_x * wi_x - wi_y * wi_y;
-        (cos2 > 0.0).then(|| [wi_x, wi_y, cos2.sqrt()])
+        Some([-s, self.wi_y(place, wo), cos])
     }
 
     /// In 1/sr.
@@ -132,21 +173,28 @@ impl TableDensity {
         let band = row / self.band;
         let [bands, rows] = [self.bands(&all), self.rows_of(band, &all)];
         let [top, bottom] = within(row, 1, &all);
-        let chord = self.chord(place, wo);
-        if !(bands.contains(&band) && rows.contains(&row) && bottom > top && chord[1] > chord[0]) {
+        if !(bands.contains(&band) && rows.contains(&row) && bottom > top) {
             return 0.0;
         }
         let sums = self.row(node, row);
-        let [low, high] = chord.map(|x| sum_at(sums, x));
-        let along = if high > low {
-            f64::from(sums[x as usize + 1] - sums[x as usize]) / (high - low)
+        let chord = self.chord(place, sums, wo);
+        let piece = chord.edges.partition_point(|edge| *edge <= -wi[0]).clamp(1, PIECES) - 1;
+        let width = chord.phi[piece + 1] - chord.phi[piece];
+        let mass = chord.mass(piece);
+        if !(mass > 0.0 && width > 0.0) {
+            return 0.0;
+        }
+        let along = if chord.is_even(piece) {
+            1.0 / width
         } else {
-            1.0 / (chord[1] - chord[0])
+            let cell = f64::from(sums[x as usize + 1] - sums[x as usize]);
+            cell / (chord.sums[piece + 1] - chord.sums[piece]) / self.step * wi[2]
         };
+        let along = along * probability(0..PIECES, piece, |piece| chord.mass(piece));
         let down = probability(bands, band, |band| self.band_mass(node, band, &all, wo))
             * probability(rows, row, |row| self.row_mass(node, row, &all, wo))
             / (bottom - top);
-        along * down / (self.step * self.step) * wi[2]
+        along * down / self.step
     }
 
     /// Rows from the top, as a place between the edges of the grid, that the viewer's disc reaches.
@@ -180,27 +228,57 @@ impl TableDensity {
         &node.rows[row * width..][..width]
     }
 
-    /// Sum within the widest chord between two places, times their distance.
+    /// Sum within the widest chord between two places, over `φ`, times their distance.
     fn mass(&self, sums: &[f32], [top, bottom]: [f64; 2], wo: Vec3) -> f64 {
         if !(bottom > top) {
             return 0.0;
         }
         // The place that lies nearest to the disc's middle.
         let middle = (self.first[1] + wo[1]) / self.step;
-        let [low, high] = self.chord(middle.clamp(top, bottom), wo).map(|x| sum_at(sums, x));
-        (high - low).max(0.0) * (bottom - top)
+        let (half, [low, high]) = self.ends(middle.clamp(top, bottom), wo);
+        if !(high > low) {
+            return 0.0;
+        }
+        let [below, above] = [low, high].map(|s| sum_at(sums, self.column(s, wo)));
+        (above - below) * (angle(high, half) - angle(low, half)) / (high - low) * (bottom - top)
     }
 
-    /// Columns, as places between the edges of the grid, that are above the horizon at a place along v.
-    fn chord(&self, place: f64, wo: Vec3) -> [f64; 2] {
+    /// Half the chord at a place along v, and the `s` between which it lies in the grid.
+    fn ends(&self, place: f64, wo: Vec3) -> (f64, [f64; 2]) {
         let wi_y = self.wi_y(place, wo);
         let half = (1.0 - wi_y * wi_y).max(0.0).sqrt();
-        [-half, half].map(|x| ((x - wo[0] - self.first[0]) / self.step).clamp(0.0, self.columns as f64))
+        (half, [self.s(0.0, wo).max(-half), self.s(self.columns as f64, wo).min(half)])
+    }
+
+    fn chord(&self, place: f64, row: &[f32], wo: Vec3) -> Chord {
+        let (half, [low, high]) = self.ends(place, wo);
+        let edge = |k: usize| {
+            let from_middle = k.abs_diff(PIECES / 2);
+            let share = if from_middle == PIECES / 2 { 1.0 } else { 1.0 - 0.25f64.powi(from_middle as i32) };
+            let s = if k < PIECES / 2 { -half * share } else { half * share };
+            s.min(high).max(low)
+        };
+        let edges: [f64; PIECES + 1] = std::array::from_fn(edge);
+        Chord { half, edges, phi: edges.map(|s| angle(s, half)), sums: edges.map(|s| sum_at(row, self.column(s, wo))) }
+    }
+
+    /// `s = -wi_x` at a place between the edges of the grid, and back.
+    fn s(&self, column: f64, wo: Vec3) -> f64 {
+        self.first[0] + column * self.step + wo[0]
+    }
+
+    fn column(&self, s: f64, wo: Vec3) -> f64 {
+        ((s - wo[0] - self.first[0]) / self.step).clamp(0.0, self.columns as f64)
     }
 
     fn wi_y(&self, place: f64, wo: Vec3) -> f64 {
         place * self.step - self.first[1] - wo[1]
     }
+}
+
+/// `φ` at `s = half sin φ`.
+fn angle(s: f64, half: f64) -> f64 {
+    if half > 0.0 { (s / half).clamp(-1.0, 1.0).asin() } else { 0.0 }
 }
 
 /// Where `count` rows from `first` on overlap with what is seen.
@@ -307,7 +385,7 @@ fn ring_of(radius: f64) -> usize {
 
 fn average(set: &TableSet, cos_o: f64) -> Average {
     let sin_o = (1.0 - cos_o * cos_o).sqrt();
-    let mut average = Average { weights: vec![[0.0; DEPTHS]; RINGS], seen: vec![0.0; RINGS] };
+    let mut average = Average { weights: vec![[0.0; DEPTHS]; RINGS], reflected: vec![[0.0; DEPTHS]; RINGS] };
     for ring in 0..RINGS {
         let radius = 2.0 * (ring as f64 + 0.5) / RINGS as f64;
         let mut seen = 0;
@@ -320,15 +398,17 @@ fn average(set: &TableSet, cos_o: f64) -> Average {
             }
             seen += 1;
             let cos_i = cos2.sqrt();
-            let front = set.front_factor.diffuse([-radius - wo[0], -wo[1], cos_i], wo) * (cos_i / COSINE_MIN).min(1.0);
+            let front = set.front_factor.diffuse([-radius - wo[0], -wo[1], cos_i], wo);
+            let reflected = front * (cos_i / COSINE_MIN).min(1.0) / AZIMUTHS as f64;
             let place = ((cos_i + cos_o) / max_abs_w(radius)).min(1.0) * (DEPTHS - 1) as f64;
             let below = (place as usize).min(DEPTHS - 2);
             let share = place - below as f64;
-            average.weights[ring][below] += (1.0 - share) * front;
-            average.weights[ring][below + 1] += share * front;
+            for (depth, share) in [(below, 1.0 - share), (below + 1, share)] {
+                average.weights[ring][depth] += share * front * cos_i;
+                average.reflected[ring][depth] += share * reflected;
+            }
         }
         average.weights[ring].iter_mut().for_each(|weight| *weight /= f64::from(seen.max(1)));
-        average.seen[ring] = f64::from(seen) / AZIMUTHS as f64;
     }
     average
 }
