@@ -1,6 +1,7 @@
 //! Plots of a study as SVG: error against cost, against the number of tables, and against each knob.
 
-use crate::report::axes::{self, Axis, level_lines, polyline, title_below, title_beside, upright_lines};
+use crate::report::axes::{Axis, Tick, level_lines, polyline, title_below, upright_lines};
+use crate::report::numbers;
 use crate::report::svg::{at, escape};
 use diffraction_build::ground::sampling::Region;
 use diffraction_study::stability::{DepthRow, GrazingRow, SeriesRow, Stability};
@@ -275,10 +276,11 @@ fn draw_panel(panel: &Panel, names: &[&str]) -> String {
     };
     let x = axis(|point| point.0, across);
     let y = axis(|point| point.1, [upright[1], upright[0]]);
-    let mut body = upright_lines(&x, &x.between_decades(), upright, "fine");
-    body += &level_lines(&y, &y.between_decades(), across, "fine");
-    body += &upright_lines(&x, &x.decades(7, axes::decade), upright, "grid");
-    body += &level_lines(&y, &y.decades(14, axes::decade), across, "grid");
+    let (decades_x, decades_y) = (x.decades(7, decade), y.decades(14, decade));
+    let mut body = upright_lines(&x, &between(&decades_x), upright, "fine");
+    body += &level_lines(&y, &between(&decades_y), across, "fine");
+    body += &upright_lines(&x, &decades_x, upright, "grid");
+    body += &level_lines(&y, &decades_y, across, "grid");
     body += &format!(r#"<path class="box" d="M{} {}V{}H{}"/>"#, at(LEFT), at(TOP), at(upright[1]), at(across[1]));
     body += &title_below(&panel.x_label, across, upright[1]);
     body += &title_beside(&panel.y_label, 16.0, upright);
@@ -290,6 +292,27 @@ fn draw_panel(panel: &Panel, names: &[&str]) -> String {
         body += &points().map(|(a, b)| mark([x.at(a), y.at(b)], index)).collect::<String>();
     }
     body
+}
+
+/// The lines between decades: 2 to 9 times each.
+fn between(decades: &[Tick]) -> Vec<Tick> {
+    let below = &decades[..decades.len() - 1];
+    below.iter().flat_map(|(value, _)| (2..10).map(move |digit| (f64::from(digit) * value, String::new()))).collect()
+}
+
+/// What a decade is called: plain where that is short, else a power of ten.
+fn decade(power: i32) -> String {
+    match power {
+        -2..0 => format!("{:.*}", power.unsigned_abs() as usize, 10f64.powi(power)),
+        0..4 => format!("{}", 10f64.powi(power)),
+        _ => format!("10{}", numbers::superscript(power)),
+    }
+}
+
+/// What an axis holds, upright at `x`.
+fn title_beside(text: &str, x: f64, [top, bottom]: [f64; 2]) -> String {
+    let (x, y) = (at(x), at(0.5 * (top + bottom)));
+    format!(r#"<text transform="translate({x} {y}) rotate(-90)" text-anchor="middle">{}</text>"#, escape(text))
 }
 
 /// Methods keep their colour from figure to figure; other lines take them in turn.
@@ -317,4 +340,33 @@ fn mark([x, y]: [f64; 2], index: usize) -> String {
         ["m4 0l-1 3l-3 1l-3 -1l-1 -3l1 -3l3 -1l3 1z", "m-4 -4h8v8h-8z", "m0 -5l5 9h-10z", "m0 -6l5 6l-5 6l-5 -6z"];
     let shape = SHAPES[(index + index / COLOURS.len()) % SHAPES.len()];
     format!(r#"<path fill="{}" d="M{} {}{shape}"/>"#, COLOURS[index % COLOURS.len()], at(x), at(y))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decades_have_short_names() {
+        let names: Vec<String> = [-3, -2, -1, 0, 3, 4].into_iter().map(decade).collect();
+        assert_eq!(names, ["10⁻³", "0.01", "0.1", "1", "1000", "10⁴"]);
+    }
+
+    #[test]
+    fn what_logarithms_have_no_place_for_is_left_out() {
+        let series = |points| Series { name: "<a>".into(), points };
+        let panel = |points| Panel { x_label: "x".into(), y_label: "y & z".into(), series: vec![series(points)] };
+        let good = panel(vec![(1.0, 2.0), (10.0, 0.5), (100.0, 3.0)]);
+        let none = panel(vec![(0.0, 1.0), (f64::NAN, 1.0), (1.0, f64::INFINITY), (-1.0, 1.0)]);
+        let svg = svg(&Figure { title: "t".into(), panels: vec![good, none] });
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        let count = |paint: &str| {
+            document
+                .descendants()
+                .filter(|node| node.attribute("fill") == Some(paint) && node.has_tag_name("path"))
+                .count()
+        };
+        assert_eq!(count(COLOURS[0]), 3 + 1, "three marks and the legend's");
+    }
 }
