@@ -9,7 +9,7 @@ use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{Structure, synthesize};
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::optics::reference;
 use diffraction_build::optics::spectra;
 use diffraction_build::optics::spectral;
@@ -35,6 +35,7 @@ fn optics() -> OpticsConfig {
         windows: Windows::Centre,
         material: Material::Dielectric { n: 1.56 },
         shadowing: false,
+        factor: Factor::Scalar,
     }
 }
 

@@ -7,7 +7,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{Structure, synthesize};
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::optics::spectra;
 use diffraction_build::tables::accumulate::{PowerSums, Quantity, RingSum, add_ring};
 use diffraction_build::tables::build;
@@ -30,6 +30,7 @@ fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
         windows,
         material: Material::Dielectric { n: 1.56 },
         shadowing: false,
+        factor: Factor::Scalar,
     }
 }
 

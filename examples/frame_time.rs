@@ -4,7 +4,7 @@
 //! lobe; 24 tables are what the published powers of w need for an error of 1e-6 at 250 nm of depth.
 
 use diffraction_brdf::error::Result;
-use diffraction_brdf::front_factor::FrontFactor;
+use diffraction_brdf::front_factor::{Factor, FrontFactor};
 use diffraction_brdf::material::Material;
 use diffraction_brdf::shader::table_image;
 use diffraction_brdf::table_set::{Basis, Lobe, TableSet};
@@ -35,7 +35,11 @@ fn set(basis: Basis, count: usize) -> TableSet {
         tables: (0..count).map(table).collect(),
         lobe: (basis == Basis::Chebyshev).then_some(lobe),
         prefilter_width: 0.0,
-        front_factor: FrontFactor { material: Material::Dielectric { n: 1.56 }, shadowing: true },
+        front_factor: FrontFactor {
+            material: Material::Dielectric { n: 1.56 },
+            shadowing: true,
+            factor: Factor::Scalar,
+        },
         served: None,
         usable_radius: 2.0,
     }

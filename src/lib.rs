@@ -28,7 +28,7 @@
 //! use diffraction_brdf::direction::from_angles_deg;
 //! use diffraction_build::ground::spectrum::{Illuminant, Line};
 //! use diffraction_build::height::synthesize::{Structure, synthesize};
-//! use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+//! use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 //! use diffraction_build::optics::reference;
 //! use diffraction_brdf::evaluate::{self, Interpolation};
 //! use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
@@ -45,6 +45,7 @@
 //!     windows: Windows::Grid,
 //!     material: Material::Ideal,
 //!     shadowing: false,
+//!     factor: Factor::Scalar,
 //! };
 //! let config = TablesConfig {
 //!     basis: Basis::Chebyshev,

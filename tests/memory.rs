@@ -10,7 +10,7 @@ use diffraction_atlas::stages::serve::{Source, domain_of};
 use diffraction_atlas::stages::usage::{HeapCounter, lend_heap_counter, with_heap_bytes};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::{BuildPlan, plan_for};
 use diffraction_build::tables::forecast::{Forecast, forecast_of};
 use diffraction_build::tables::model::{Prefilter, TablesConfig};
@@ -52,7 +52,16 @@ impl Case {
 fn daylight(sigma_nm: f64, edge: Edge, windows: Windows) -> OpticsConfig {
     let illuminant = Illuminant::D65;
     let material = Material::Ideal;
-    OpticsConfig { illuminant, wavelength_nm: [380.0, 780.0], sigma_nm, edge, windows, material, shadowing: false }
+    OpticsConfig {
+        illuminant,
+        wavelength_nm: [380.0, 780.0],
+        sigma_nm,
+        edge,
+        windows,
+        material,
+        shadowing: false,
+        factor: Factor::Scalar,
+    }
 }
 
 /// A surface of so many samples, 60 nm apart, and so deep.

@@ -61,6 +61,23 @@ def fresnel(material, c):
     return (abs(a) ** 2 + abs(b) ** 2) / 2
 
 
+def vector_factor(material, wi, wo):
+    """4 cos_i cos_o (Q_ss + Q_sp + Q_ps + Q_pp) / 2 of first-order vector perturbation."""
+    ((_, index),) = material.items()
+    eps = complex(index["n"], index.get("k", 0.0)) ** 2
+    pi, po = np.array(wi[:2]), np.array(wo[:2])
+    sine_i, sine_o = np.linalg.norm(pi), np.linalg.norm(po)
+    cos_phi = -pi @ po / (sine_i * sine_o) if sine_i * sine_o > 1e-12 else 1.0
+    sin2_phi = 1 - cos_phi**2
+    a, b = np.sqrt(eps - sine_i**2), np.sqrt(eps - sine_o**2)
+    ss = cos_phi / ((wi[2] + a) * (wo[2] + b))
+    sp = b / ((wi[2] + a) * (eps * wo[2] + b))
+    ps = a / ((eps * wi[2] + a) * (wo[2] + b))
+    pp = (a * b * cos_phi - eps * sine_i * sine_o) / ((eps * wi[2] + a) * (eps * wo[2] + b))
+    q = abs(ss) ** 2 + sin2_phi * (abs(sp) ** 2 + abs(ps) ** 2) + abs(pp) ** 2
+    return 2 * wi[2] * wo[2] * abs(eps - 1) ** 2 * q
+
+
 class Specimen:
     def __init__(self, folder):
         self.about = json.loads((folder / "specimen.json").read_text())
@@ -95,10 +112,17 @@ class Specimen:
         )
         geometry = (1 + np.dot(wi, wo)) ** 2 / (wi[2] * wo[2])
         c = np.linalg.norm(np.array(wi) + np.array(wo)) / 2
-        factor = fresnel(self.about["optics"]["material"], c) * geometry
-        if self.about["optics"]["shadowing"]:
+        optics = self.about["optics"]
+        mirror = fresnel(optics["material"], c)
+        vector = optics.get("factor", "scalar") == "vector"
+        factor = mirror * geometry
+        lobe_factor = mirror if vector else factor / w**2
+        if vector and optics["material"] != "ideal":
+            factor = vector_factor(optics["material"], wi, wo)
+        if optics["shadowing"]:
             m = (np.array(wi) + np.array(wo)) / (2 * c)
-            factor *= min(1.0, 2 * m[2] * wo[2] / np.dot(wo, m), 2 * m[2] * wi[2] / np.dot(wo, m))
+            shadowing = min(1.0, 2 * m[2] * wo[2] / np.dot(wo, m), 2 * m[2] * wi[2] / np.dot(wo, m))
+            factor, lobe_factor = factor * shadowing, lobe_factor * shadowing
         values = [bilinear(table, column, row) for table in self.tables]
         if self.basis == "taylor":
             return factor * sum(abs(w) ** n * value for n, value in enumerate(values)) / w**2
@@ -109,15 +133,21 @@ class Specimen:
             assert there > 1 - 1e-9 and low <= t <= high, "a check value lies outside of what is served"
             s = (t - low) / (high - low)
         total = sum(basis * value for basis, value in zip(chebyshev(s, len(values)), values))
+        lobe = 0.0
         if self.lobe:
             r = self.lobe["radius_max"]
             rows, columns, _ = self.coherent.shape
-            if np.hypot(u, v) < r:
-                total = total + bilinear(self.coherent, (columns - 1) * np.hypot(u, v) / r, (rows - 1) * t) / w**2
+            # The lobe and, with the vector factor, its mirror image in the horizon.
+            to_horizon = [d[2] ** 2 / (1 + np.hypot(d[0], d[1])) for d in (wi, wo)]
+            image = np.sqrt(u * u + v * v + 4 * to_horizon[0] * to_horizon[1])
+            for radius in [np.hypot(u, v)] + [image] * vector:
+                if radius < r:
+                    row = (rows - 1) * min(1.0, abs(w) / np.sqrt(4 - radius**2))
+                    lobe = lobe + bilinear(self.coherent, (columns - 1) * radius / r, row)
             for basis, patch in zip(chebyshev(t, len(self.cross)), self.cross if max(abs(u), abs(v)) < r else []):
                 side = patch.shape[0] - 1
                 total = total + basis * bilinear(patch, side * (u + r) / (2 * r), side * (r - v) / (2 * r)) / abs(w)
-        return factor * total
+        return factor * total + lobe_factor * lobe
 
 
 def main(version):

@@ -176,6 +176,7 @@ class Diffraction(mi.BSDF):
 
     def read_optics(self, optics):
         self.shadowing = optics["shadowing"]
+        self.vector = optics.get("factor", "scalar") == "vector"
         self.index = None
         if optics["material"] != "ideal":
             ((_, index),) = optics["material"].items()
@@ -234,12 +235,34 @@ class Diffraction(mi.BSDF):
         """X, Y, Z in 1/sr; 0 where a direction is not above the surface, NaN where the tables do not serve."""
         active = active & (wi.z > 0) & (wo.z > 0)
         one_plus = 1 + dr.dot(wi, wo)
-        front = self.reflectance(dr.safe_sqrt(one_plus / 2)) * (one_plus / wi.z) * (one_plus / wo.z)
+        mirror = self.reflectance(dr.safe_sqrt(one_plus / 2))
+        front = mirror * (one_plus / wi.z) * (one_plus / wo.z)
+        w = wi.z + wo.z
+        coherent = mirror if self.vector else front / w / w
+        if self.vector and self.index is not None:
+            front = 2 * wi.z * wo.z * self.polarised_sum(wi, wo)
         if self.shadowing:
             m = dr.normalize(wi + wo)
-            front *= dr.minimum(1, 2 * m.z / dr.dot(wo, m) * dr.minimum(wi.z, wo.z))
-        value = front * self.window_power(-(wi + wo), active)
+            shadowing = dr.minimum(1, 2 * m.z / dr.dot(wo, m) * dr.minimum(wi.z, wo.z))
+            front, coherent = front * shadowing, coherent * shadowing
+        value = front * self.diffuse(-(wi + wo), active) + coherent * self.lobe(wi, wo, active)
         return dr.select(active, value, 0.0)
+
+    def polarised_sum(self, wi, wo):
+        """`Q_ss + Q_sp + Q_ps + Q_pp` of first-order vector perturbation; the azimuth is 0 on the mirror's side."""
+        eps = self.index**2
+        sine2_i, sine2_o = (d.x * d.x + d.y * d.y for d in (wi, wo))
+        sines = dr.sqrt(sine2_i) * dr.sqrt(sine2_o)
+        lateral = -(wi.x * wo.x + wi.y * wo.y)
+        cos_phi = dr.select(sines > 1e-12, dr.clip(lateral / dr.maximum(sines, 1e-12), -1, 1), 1)
+        sin2_phi = 1 - cos_phi * cos_phi
+        epsilon = mi.Complex2f(eps.real, eps.imag)
+        a, b = dr.sqrt(epsilon - sine2_i), dr.sqrt(epsilon - sine2_o)
+        s_i, s_o = (dr.squared_norm(root + d.z) for root, d in ((a, wi), (b, wo)))
+        p_i, p_o = (dr.squared_norm(epsilon * d.z + root) for root, d in ((a, wi), (b, wo)))
+        across = dr.squared_norm(a * b * cos_phi - epsilon * sines) / (p_i * p_o)
+        crossed = dr.squared_norm(b) / (s_i * p_o) + dr.squared_norm(a) / (p_i * s_o)
+        return abs(eps - 1) ** 2 * (cos_phi * cos_phi / (s_i * s_o) + sin2_phi * crossed + across)
 
     def reflectance(self, c):
         """Fresnel's, of unpolarised light; c is the cosine at the half vector."""
@@ -250,8 +273,8 @@ class Diffraction(mi.BSDF):
         a, b = (c - g) / (c + g), (n2 * c - g) / (n2 * c + g)
         return (dr.squared_norm(a) + dr.squared_norm(b)) / 2
 
-    def window_power(self, q, active):
-        """Body and glint without R, G and shadowing."""
+    def diffuse(self, q, active):
+        """Tables and cross term without their factor."""
         u, v, w = q.x, q.y, dr.abs(q.z)
         column, row = self.table_position(u, v)
         if self.basis == "taylor":
@@ -265,8 +288,8 @@ class Diffraction(mi.BSDF):
         if self.range is not None:
             s, served = self.share_of_range(t, column, row, active)
         value = look_up(self.tables, chebyshev(2 * s - 1, self.tables.count), column, row, self.cubic, active)
-        if self.coherent is not None:
-            value += self.glint(u, v, w, t, active)
+        if self.coherent is not None and self.cross is not None:
+            value += self.cross_term(u, v, w, t, active)
         return dr.select(served, value, dr.nan)
 
     def table_position(self, u, v):
@@ -284,19 +307,33 @@ class Diffraction(mi.BSDF):
         served = inside & (dr.abs(there - 1) < 0.002) & (s >= -RANGE_SLACK) & (s <= 1 + RANGE_SLACK)
         return dr.clip(s, 0, 1), served
 
-    def glint(self, u, v, w, t, active):
-        radius = dr.sqrt(u * u + v * v)
-        in_lobe = active & (radius < self.radius_max)
-        column, row = radius * ((self.coherent.columns - 1) / self.radius_max), t * (self.coherent.rows - 1)
-        value = dr.select(in_lobe, look_up(self.coherent, [1.0], column, row, self.cubic, in_lobe) / w / w, 0.0)
-        if self.cross is not None:
-            in_patch = active & (dr.abs(u) < self.radius_max) & (dr.abs(v) < self.radius_max)
-            texels = (self.cross.columns - 1) / (2 * self.radius_max)
-            column, row = (u + self.radius_max) * texels, (self.radius_max - v) * texels
-            polynomials = chebyshev(2 * t - 1, self.cross.count)
-            cross = look_up(self.cross, polynomials, column, row, self.cubic, in_patch) / w
-            value += dr.select(in_patch, cross, 0.0)
+    def lobe(self, wi, wo, active):
+        """The coherent lobe without its factor and, with the vector factor, its mirror image in the horizon: the light that
+        would leave below."""
+        if self.coherent is None:
+            return mi.Color3f(0)
+        q = -(wi + wo)
+        radius2 = q.x * q.x + q.y * q.y
+        value = self.lobe_at(dr.sqrt(radius2), dr.abs(q.z), active)
+        if self.vector:
+            to_horizon = [d.z * d.z / (1 + dr.sqrt(d.x * d.x + d.y * d.y)) for d in (wi, wo)]
+            image = dr.sqrt(radius2 + 4 * to_horizon[0] * to_horizon[1])
+            value += self.lobe_at(image, dr.abs(q.z), active)
         return value
+
+    def lobe_at(self, radius, w, active):
+        in_lobe = active & (radius < self.radius_max)
+        t = dr.minimum(w / dr.sqrt(dr.maximum(4 - radius * radius, 1e-12)), 1)
+        column, row = radius * ((self.coherent.columns - 1) / self.radius_max), t * (self.coherent.rows - 1)
+        return dr.select(in_lobe, look_up(self.coherent, [1.0], column, row, self.cubic, in_lobe), 0.0)
+
+    def cross_term(self, u, v, w, t, active):
+        in_patch = active & (dr.abs(u) < self.radius_max) & (dr.abs(v) < self.radius_max)
+        texels = (self.cross.columns - 1) / (2 * self.radius_max)
+        column, row = (u + self.radius_max) * texels, (self.radius_max - v) * texels
+        polynomials = chebyshev(2 * t - 1, self.cross.count)
+        cross = look_up(self.cross, polynomials, column, row, self.cubic, in_patch) / w
+        return dr.select(in_patch, cross, 0.0)
 
     def spectrum(self, xyz):
         """What the variant calls a spectrum, of X, Y, Z."""

@@ -1,10 +1,12 @@
 //! What holds where a manifest says nothing; docs/manifest.md lists the same values.
 
-use super::model::{FrameTiming, GpuCheck, GpuSection, LevelSection, LightSection, ShapeSection};
-use crate::stages::config::ReportConfig;
+use super::model::GpuSection;
+use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig};
 use diffraction_build::ground::spectrum::Illuminant;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::height::prepare::Level;
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, Prefilter, TablesConfig};
+use diffraction_render::scene::model::{Light, Shape};
 use diffraction_render::scene::turn::Axis;
 
 /// `[atlas] out`.
@@ -18,7 +20,7 @@ pub const CACHE_FOLDER: &str = ".cache";
 /// `[cache] limit_mib`.
 pub const CACHE_LIMIT_MIB: u64 = 1024;
 /// `[[specimen]] level`.
-pub const LEVEL: LevelSection = LevelSection::Plane;
+pub const LEVEL: Level = Level::Plane;
 /// `[[specimen]] max_missing_share`.
 pub const MAX_MISSING_SHARE: f64 = 0.05;
 /// `measured.acceptance_deg`: a single direction.
@@ -46,18 +48,17 @@ pub const ANIMATE_DEGREES: f64 = 360.0;
 /// `animate.fps`.
 pub const ANIMATE_FPS: usize = 12;
 /// `[[scene]] light`: the sun, high and a little to the right.
-pub const LIGHT: LightSection =
-    LightSection { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.53, irradiance: 1.0 };
+pub const LIGHT: Light = Light { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.53, irradiance: 1.0 };
 /// `[[scene]] pixel_samples`.
 pub const PIXEL_SAMPLES: usize = 1;
 /// Patch.
-pub const PATCH: ShapeSection = ShapeSection::Patch { width_mm: 20.0, distance_mm: 60.0, tilt_deg: 0.0, turn_deg: 0.0 };
+pub const PATCH: Shape = Shape::Patch { width_mm: 20.0, distance_mm: 60.0, tilt_deg: 0.0, turn_deg: 0.0 };
 /// Camera of a mesh: what points up in the picture.
 pub const CAMERA_UP: [f64; 3] = [0.0, 1.0, 0.0];
 /// Camera of a mesh: `fov_deg`.
 pub const CAMERA_FOV_DEG: f64 = 25.0;
 /// Screen: about the published set-up.
-pub const SCREEN: ShapeSection = ShapeSection::Screen {
+pub const SCREEN: Shape = Shape::Screen {
     width_mm: 200.0,
     distance_mm: 100.0,
     beam_diameter_mm: 1.0,
@@ -77,6 +78,7 @@ pub fn optics() -> OpticsConfig {
         windows: Windows::Grid,
         material: Material::Ideal,
         shadowing: false,
+        factor: Factor::Scalar,
     }
 }
 

@@ -24,11 +24,10 @@ use std::path::Path;
 
 use toml::de::DeTable;
 
-pub use model::{
-    AtlasSection, CacheConfig, DespikeSection, ExposureSection, FrameTiming, GpuCheck, GpuSection, HeightSection,
-    HeightUnit, LevelSection, LightSection, Manifest, ReportConfig, SceneSection, Serve, ShapeSection, SpecimenSection,
-};
+pub use model::{AtlasSection, GpuSection, Manifest};
 
+use crate::stages::cache::CacheConfig;
+use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
 use diffraction_brdf::error::{Error, Result};
 use reader::Section;
 use source::Source;

@@ -2,37 +2,25 @@
 
 use std::path::Path;
 
-use super::convert;
 use super::defaults;
 use super::keys;
 use super::mesh;
-use super::model::{ExposureSection, LightSection, SceneSection, ShapeSection};
 use super::name;
 use super::reader::{Item, Section};
 use super::tables;
 use diffraction_brdf::error::Result;
 use diffraction_render::scene::environment::{self, Environment};
-use diffraction_render::scene::model::{ANIMATION_PIXELS_MAX, Animation, Moving, check_row_samples, check_turn};
-use diffraction_render::scene::turn::Axis;
+use diffraction_render::scene::limits::{
+    ANIMATION_PIXELS_MAX, DIAMETER_MAX_DEG, EV_MAX, FPS_MAX, FRAMES_MAX, IRRADIANCE_MAX, LENGTH_MM, LIGHTS_MAX,
+    SAMPLES_MAX, SIZE_MAX_PX, TILT_MAX_DEG, TURN_MAX_DEG,
+};
+use diffraction_render::scene::model::{
+    Animation, Exposure, Light, Moving, Scene, Shape, check_row_samples, check_turn,
+};
+use diffraction_render::scene::turn::{Axis, Turn};
 
-/// Width and height of a picture.
-const SIZE_PX: [usize; 2] = [16, 8192];
-
-/// Most samples of a light, a beam, or a pixel.
-const SAMPLES_MAX: usize = 4096;
-
-/// Most lights of one scene.
-const LIGHTS_MAX: usize = 64;
-
-/// Shortest and longest length of a scene in mm.
-const LENGTH_MM: [f64; 2] = [1e-3, 1e6];
-
-/// Most frames of an animation, and frames per second.
-const FRAMES_MAX: usize = 1000;
-const FPS_MAX: usize = 60;
-
-/// Steepest tilt and incidence: at 90 degrees nothing is lit.
-const ANGLE_MAX_DEG: f64 = 89.0;
+/// Width and height of a picture: below, nobody sees anything.
+const SIZE_PX: [usize; 2] = [16, SIZE_MAX_PX];
 
 /// What a shape is called, which keys it takes beside those of every scene, and how many lights.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -74,11 +62,11 @@ const COMMON_KEYS: &[&str] =
     &["name", "shape", "specimen", "size_px", "exposure", "tolerance", "animate", "light_samples", "pixel_samples"];
 
 /// Reads every scene; `specimens` are the names that `specimen` may give.
-pub fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<SceneSection>> {
+pub fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<Scene>> {
     if !item.is_list() {
         return Err(item.error("must be written as [[scene]], with double brackets"));
     }
-    let mut scenes: Vec<SceneSection> = Vec::new();
+    let mut scenes: Vec<Scene> = Vec::new();
     for item in item.list()? {
         let section = item.section(&keys::SCENE, "[[scene]]")?;
         let name_item = section.require("name", "name = \"sphere\"")?;
@@ -102,7 +90,7 @@ pub fn refuse_tolerances(item: &Item) -> Result<()> {
     Ok(())
 }
 
-fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Result<SceneSection> {
+fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Result<Scene> {
     let item = section.require("shape", "shape = \"sphere\"")?;
     let kind = if mesh::names_a_file(&item) {
         MESH
@@ -114,22 +102,20 @@ fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Res
         Some(item) => item.integer_within(low, high, ""),
         None => Ok(default),
     };
-    let shape = if kind == MESH {
-        ShapeSection::Mesh(mesh::read(section, &item, specimens, base)?)
-    } else {
-        shape(section, kind)?
-    };
+    let shape =
+        if kind == MESH { Shape::Mesh(mesh::read(section, &item, specimens, base)?) } else { shape(section, kind)? };
     let samples = if section.has("environment") { defaults::ENVIRONMENT_SAMPLES } else { defaults::LIGHT_SAMPLES };
     let light_samples = whole("light_samples", [1, SAMPLES_MAX], samples)?;
     let pixel_samples = whole("pixel_samples", [1, SAMPLES_MAX], defaults::PIXEL_SAMPLES)?;
     let size_px = whole("size_px", SIZE_PX, defaults::SIZE_PX)?;
-    let scene = SceneSection {
+    let scene = Scene {
         name,
         lights: lights(section, kind, &shape)?,
         animation: section.get("animate").map(|item| animation(&item, &shape, size_px)).transpose()?,
         shape,
         size_px,
-        exposure: section.get("exposure").map_or(Ok(ExposureSection::Auto), |item| exposure(&item))?,
+        turn: Turn::default(),
+        exposure: section.get("exposure").map_or(Ok(Exposure::Auto), |item| exposure(&item))?,
         environment: section.get("environment").map(|item| environment(&item, base)).transpose()?,
         tolerance: section.get("tolerance").map(|item| tables::tolerance(&item)).transpose()?,
         light_samples,
@@ -141,7 +127,7 @@ fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Res
 }
 
 /// A row that is too long for the memory is pointed at where it may be shortened.
-fn check_row(section: &Section, scene: &SceneSection) -> Result<()> {
+fn check_row(section: &Section, scene: &Scene) -> Result<()> {
     let lights = scene.lights.len() + usize::from(scene.environment.is_some());
     let size_px = scene.animation.map_or(0, |animation| animation.size_px).max(scene.size_px);
     check_row_samples(size_px, [scene.light_samples, scene.pixel_samples], lights).map_err(|why| {
@@ -175,7 +161,7 @@ fn refuse_foreign_keys(section: &Section, kind: Kind) -> Result<()> {
     Err(section.error_at_key(key, message))
 }
 
-fn shape(section: &Section, kind: Kind) -> Result<ShapeSection> {
+fn shape(section: &Section, kind: Kind) -> Result<Shape> {
     let length = |key: &str, value: &mut f64| match section.get(key) {
         Some(item) => item.number_within(LENGTH_MM[0], LENGTH_MM[1], "mm").map(|given| *value = given),
         None => Ok(()),
@@ -185,19 +171,19 @@ fn shape(section: &Section, kind: Kind) -> Result<ShapeSection> {
         None => Ok(()),
     };
     let mut shape = match kind.word {
-        "hemisphere" => ShapeSection::Hemisphere,
-        "sphere" => ShapeSection::Sphere,
-        "snake" => ShapeSection::Snake,
+        "hemisphere" => Shape::Hemisphere,
+        "sphere" => Shape::Sphere,
+        "snake" => Shape::Snake,
         "patch" => defaults::PATCH,
         _ => defaults::SCREEN,
     };
     match &mut shape {
-        ShapeSection::Hemisphere | ShapeSection::Sphere | ShapeSection::Snake | ShapeSection::Mesh(_) => {}
-        ShapeSection::Patch { width_mm, distance_mm, tilt_deg, turn_deg } => {
+        Shape::Hemisphere | Shape::Sphere | Shape::Snake | Shape::Mesh(_) => {}
+        Shape::Patch { width_mm, distance_mm, tilt_deg, turn_deg } => {
             length("width_mm", width_mm)?;
             length("distance_mm", distance_mm)?;
-            angle("tilt_deg", tilt_deg, ANGLE_MAX_DEG)?;
-            angle("turn_deg", turn_deg, 360.0)?;
+            angle("tilt_deg", tilt_deg, TILT_MAX_DEG)?;
+            angle("turn_deg", turn_deg, TURN_MAX_DEG)?;
             if distance_mm <= width_mm {
                 let message = format!(
                     "`distance_mm` ({distance_mm}) must exceed `width_mm` ({width_mm}), or the tilted square could \
@@ -206,13 +192,13 @@ fn shape(section: &Section, kind: Kind) -> Result<ShapeSection> {
                 return Err(section.error_at_either("distance_mm", "width_mm", message));
             }
         }
-        ShapeSection::Screen { width_mm, distance_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg } => {
+        Shape::Screen { width_mm, distance_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg } => {
             length("width_mm", width_mm)?;
             length("distance_mm", distance_mm)?;
             length("beam_diameter_mm", beam_diameter_mm)?;
             let hole = section.get("hole_diameter_mm").map(|item| item.number_within(0.0, LENGTH_MM[1], "mm"));
             *hole_diameter_mm = hole.transpose()?;
-            angle("incidence_deg", incidence_deg, ANGLE_MAX_DEG)?;
+            angle("incidence_deg", incidence_deg, TILT_MAX_DEG)?;
             // The spot is stretched along the tilted specimen, whose rim must stay behind the screen.
             let reach_mm = 0.5 * *beam_diameter_mm * incidence_deg.to_radians().tan().abs();
             if reach_mm >= *distance_mm {
@@ -227,8 +213,8 @@ fn shape(section: &Section, kind: Kind) -> Result<ShapeSection> {
     Ok(shape)
 }
 
-fn lights(section: &Section, kind: Kind, shape: &ShapeSection) -> Result<Vec<LightSection>> {
-    if matches!(shape, ShapeSection::Screen { .. }) {
+fn lights(section: &Section, kind: Kind, shape: &Shape) -> Result<Vec<Light>> {
+    if matches!(shape, Shape::Screen { .. }) {
         return Ok(vec![beam(section)?]);
     }
     let Some(item) = section.get("light") else {
@@ -251,21 +237,22 @@ fn lights(section: &Section, kind: Kind, shape: &ShapeSection) -> Result<Vec<Lig
 }
 
 /// The light that stands for a screen's beam.
-fn beam(section: &Section) -> Result<LightSection> {
-    let divergence = section.get("beam_divergence_deg").map(|item| item.number_within(0.0, 90.0, "degrees"));
-    Ok(LightSection {
+fn beam(section: &Section) -> Result<Light> {
+    let divergence =
+        section.get("beam_divergence_deg").map(|item| item.number_within(0.0, DIAMETER_MAX_DEG, "degrees"));
+    Ok(Light {
         direction: [0.0, 0.0, 1.0],
         angular_diameter_deg: divergence.transpose()?.unwrap_or(defaults::BEAM_DIVERGENCE_DEG),
         irradiance: 1.0,
     })
 }
 
-fn light(item: &Item, shape: &ShapeSection) -> Result<LightSection> {
+fn light(item: &Item, shape: &Shape) -> Result<Light> {
     let example = "{ direction = [0.3, 0.2, 1.0] }";
     let section = item.section(&keys::LIGHT, example)?;
-    let diameter = section.get("angular_diameter_deg").map(|item| item.number_within(0.0, 90.0, "degrees"));
-    let irradiance = section.get("irradiance").map(|item| item.number_above(0.0, 1e6, ""));
-    Ok(LightSection {
+    let diameter = section.get("angular_diameter_deg").map(|item| item.number_within(0.0, DIAMETER_MAX_DEG, "degrees"));
+    let irradiance = section.get("irradiance").map(|item| item.number_above(0.0, IRRADIANCE_MAX, ""));
+    Ok(Light {
         direction: direction(&section.require("direction", example)?, shape)?,
         angular_diameter_deg: diameter.transpose()?.unwrap_or(defaults::LIGHT.angular_diameter_deg),
         irradiance: irradiance.transpose()?.unwrap_or(defaults::LIGHT.irradiance),
@@ -281,17 +268,17 @@ fn environment(item: &Item, base: &Path) -> Result<Environment> {
         let section = item.section(&keys::ENVIRONMENT, example)?;
         file = section.require("file", example)?;
         if let Some(item) = section.get("rotate_deg") {
-            rotate_deg = item.number_within(-360.0, 360.0, "degrees")?;
+            rotate_deg = item.number_within(-TURN_MAX_DEG, TURN_MAX_DEG, "degrees")?;
         }
         if let Some(item) = section.get("scale") {
-            scale = item.number_above(0.0, 1e6, "")?;
+            scale = item.number_above(0.0, IRRADIANCE_MAX, "")?;
         }
     }
     let path = base.join(file.text_not_empty()?);
     environment::load(&path, rotate_deg, scale).map_err(|why| file.error(format!("cannot light a scene: {why}")))
 }
 
-fn direction(item: &Item, shape: &ShapeSection) -> Result<[f64; 3]> {
+fn direction(item: &Item, shape: &Shape) -> Result<[f64; 3]> {
     let [x, y, z] = item.list_of::<3>("three numbers, towards the light")?;
     // Within these bounds no length overflows or underflows when it is squared.
     let component = |item: &Item| item.number_within(-1e6, 1e6, "");
@@ -308,11 +295,11 @@ fn direction(item: &Item, shape: &ShapeSection) -> Result<[f64; 3]> {
 }
 
 /// Scalar product with a flat shape's normal; a ball has no horizon.
-fn height_above_horizon([_, y, z]: [f64; 3], shape: &ShapeSection) -> f64 {
+fn height_above_horizon([_, y, z]: [f64; 3], shape: &Shape) -> f64 {
     let tilt_deg = match shape {
-        ShapeSection::Sphere | ShapeSection::Snake | ShapeSection::Mesh(_) => return f64::INFINITY,
-        ShapeSection::Patch { tilt_deg, .. } => *tilt_deg,
-        ShapeSection::Hemisphere | ShapeSection::Screen { .. } => 0.0,
+        Shape::Sphere | Shape::Snake | Shape::Mesh(_) => return f64::INFINITY,
+        Shape::Patch { tilt_deg, .. } => *tilt_deg,
+        Shape::Hemisphere | Shape::Screen { .. } => 0.0,
     };
     // With its upper edge away from the camera, the surface looks up: its normal leans to +y.
     let (sin, cos) = tilt_deg.to_radians().sin_cos();
@@ -320,14 +307,14 @@ fn height_above_horizon([_, y, z]: [f64; 3], shape: &ShapeSection) -> f64 {
 }
 
 /// Frames of an object or a light that turns; `size_px` is the still's.
-fn animation(item: &Item, shape: &ShapeSection, size_px: usize) -> Result<Animation> {
+fn animation(item: &Item, shape: &Shape, size_px: usize) -> Result<Animation> {
     let example = "{ kind = \"light\", frames = 24 }";
     let section = item.section(&keys::ANIMATE, example)?;
     let kind_item = section.require("kind", "kind = \"light\"")?;
     let moving = kind_item.choice(&[("turntable", Moving::Turntable), ("light", Moving::Light)])?;
     let axis = section.get("axis").map(|item| item.choice(&[("vertical", Axis::Vertical), ("viewing", Axis::Viewing)]));
     let axis = axis.transpose()?.unwrap_or(defaults::ANIMATE_AXIS);
-    if let Err(why) = check_turn(&convert::shape(shape), moving, axis) {
+    if let Err(why) = check_turn(shape, moving, axis) {
         return Err(section.error_at_either("axis", "kind", format!("`{}`: {why}", item.path())));
     }
     let whole = |key: &str, [low, high]: [usize; 2], default: usize| match section.get(key) {
@@ -339,7 +326,7 @@ fn animation(item: &Item, shape: &ShapeSection, size_px: usize) -> Result<Animat
         axis,
         frames: whole("frames", [2, FRAMES_MAX], defaults::ANIMATE_FRAMES)?,
         degrees: match section.get("degrees") {
-            Some(item) => item.number_within(-360.0, 360.0, "degrees")?,
+            Some(item) => item.number_within(-TURN_MAX_DEG, TURN_MAX_DEG, "degrees")?,
             None => defaults::ANIMATE_DEGREES,
         },
         fps: whole("fps", [1, FPS_MAX], defaults::ANIMATE_FPS)? as u16,
@@ -358,16 +345,16 @@ fn animation(item: &Item, shape: &ShapeSection, size_px: usize) -> Result<Animat
     Ok(animation)
 }
 
-fn exposure(item: &Item) -> Result<ExposureSection> {
+fn exposure(item: &Item) -> Result<Exposure> {
     if !item.is_table() {
         if item.as_text() == Some("auto") {
-            return Ok(ExposureSection::Auto);
+            return Ok(Exposure::Auto);
         }
         return Err(item.error("must be \"auto\" or { ev = 0.5 }"));
     }
     let section = item.section(&keys::EXPOSURE, "{ ev = 0.5 }")?;
     let ev = section.require("ev", "{ ev = 0.5 }")?;
-    ev.number_within(-40.0, 40.0, "stops").map(ExposureSection::Ev)
+    ev.number_within(-EV_MAX, EV_MAX, "stops").map(Exposure::Ev)
 }
 
 fn one_of(item: &Item, specimens: &[&str]) -> Result<String> {

@@ -5,12 +5,14 @@ use std::path::{Path, PathBuf};
 use super::defaults;
 use super::files;
 use super::keys;
-use super::model::{DespikeSection, HeightSection, HeightUnit, LevelSection, SpecimenSection};
 use super::name;
 use super::optics;
 use super::reader::{Item, Section};
+use crate::stages::config::SpecimenConfig;
 use crate::stages::measured::MeasuredConfig;
 use diffraction_brdf::error::Result;
+use diffraction_build::height::prepare::{Despike, Level, PrepareConfig};
+use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig};
 use diffraction_build::optics::config::{Material, OpticsConfig};
 
 /// Largest lateral length and pitch: 1 mm, beyond any structure that diffracts visibly.
@@ -29,7 +31,7 @@ const BANDWIDTH_MAX_NM: f64 = 100.0;
 const PAGE_MAX: usize = 65_535;
 
 /// Reads every specimen; each starts from the manifest's `optics`.
-pub fn read_all(item: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<SpecimenSection>> {
+pub fn read_all(item: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<SpecimenConfig>> {
     if !item.is_list() {
         return Err(item.error("must be written as [[specimen]], with double brackets"));
     }
@@ -37,7 +39,7 @@ pub fn read_all(item: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<S
     if items.is_empty() {
         return Err(item.error("must hold at least one specimen"));
     }
-    let mut specimens: Vec<SpecimenSection> = Vec::with_capacity(items.len());
+    let mut specimens: Vec<SpecimenConfig> = Vec::with_capacity(items.len());
     for item in items {
         let section = item.section(&keys::SPECIMEN, "[[specimen]]")?;
         let name_item = section.require("name", "name = \"corn_snake\"")?;
@@ -53,7 +55,7 @@ pub fn read_all(item: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<S
 const FILE_PATTERN: &str = "{file}";
 
 /// The specimen that a section describes, or one for each of its files.
-fn of_section(section: &Section, name: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<SpecimenSection>> {
+fn of_section(section: &Section, name: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<SpecimenConfig>> {
     let pattern = name.text()?;
     if !pattern.contains(FILE_PATTERN) {
         return Ok(vec![read(section, name::read(name)?, optics.clone(), base)?]);
@@ -62,28 +64,33 @@ fn of_section(section: &Section, name: &Item, optics: &OpticsConfig, base: &Path
     let of_file = |scan: &PathBuf| {
         let stem = scan.file_stem().unwrap_or_default().to_string_lossy();
         let name = name::checked(name, &pattern.replace(FILE_PATTERN, &name::made_safe(&stem)))?;
-        Ok(SpecimenSection { name, scans: vec![scan.clone()], ..all.clone() })
+        Ok(SpecimenConfig { name, scans: vec![scan.clone()], ..all.clone() })
     };
     all.scans.iter().map(of_file).collect()
 }
 
-fn read(section: &Section, name: String, mut optics: OpticsConfig, base: &Path) -> Result<SpecimenSection> {
+fn read(section: &Section, name: String, mut optics: OpticsConfig, base: &Path) -> Result<SpecimenConfig> {
     optics::read_overrides(section, &mut optics)?;
     let species = section.get("species").map(|item| item.text_not_empty());
     let page = section.get("page").map(|item| item.integer_within(0, PAGE_MAX, ""));
     let blend = section.get("blend_nm").map(|item| item.number_above(0.0, LATERAL_MAX_NM, "nm"));
     let missing = section.get("max_missing_share").map(|item| item.number_within(0.0, 0.5, ""));
-    Ok(SpecimenSection {
+    Ok(SpecimenConfig {
         name,
         species: species.transpose()?.map(str::to_owned),
         scans: scans(&section.require("scans", "scans = [\"scans/snake_*.tif\"]")?, base)?,
-        page: page.transpose()?,
-        pitch_nm: section.get("pitch_nm").map(|item| pitch(&item)).transpose()?,
-        height: section.get("height").map(|item| height(&item)).transpose()?,
-        level: section.get("level").map_or(Ok(defaults::LEVEL), |item| level(&item))?,
-        despike: section.get("despike").map(|item| despike(&item)).transpose()?,
-        blend_nm: blend.transpose()?,
-        max_missing_share: missing.transpose()?.unwrap_or(defaults::MAX_MISSING_SHARE),
+        read: ReadConfig {
+            page: page.transpose()?,
+            pitch_nm: section.get("pitch_nm").map(|item| pitch(&item)).transpose()?,
+            height: section.get("height").map(|item| height(&item)).transpose()?,
+            max_missing_share: missing.transpose()?.unwrap_or(defaults::MAX_MISSING_SHARE),
+            ..ReadConfig::default()
+        },
+        prepare: PrepareConfig {
+            level: section.get("level").map_or(Ok(defaults::LEVEL), |item| level(&item))?,
+            despike: section.get("despike").map(|item| despike(&item)).transpose()?,
+            blend_nm: blend.transpose()?,
+        },
         albedo: section.get("albedo").map(|item| albedo(&item, &optics)).transpose()?,
         optics,
         measured: section.get("measured").map(|item| measured(&item, base)).transpose()?,
@@ -167,7 +174,7 @@ fn pitch(item: &Item) -> Result<[f64; 2]> {
     Ok([x.number_above(0.0, LATERAL_MAX_NM, "nm")?, y.number_above(0.0, LATERAL_MAX_NM, "nm")?])
 }
 
-fn height(item: &Item) -> Result<HeightSection> {
+fn height(item: &Item) -> Result<HeightScale> {
     let example = "{ unit = \"nm\" }";
     let section = item.section(&keys::HEIGHT, example)?;
     let forms = ["full_scale_nm", "unit", "nm_per_count"];
@@ -186,46 +193,46 @@ fn height(item: &Item) -> Result<HeightSection> {
     }
     let value = section.require(form, example)?;
     match form {
-        "full_scale_nm" => value.number_above(0.0, HEIGHT_MAX_NM, "nm").map(HeightSection::FullScaleNm),
-        "unit" => unit(&value).map(HeightSection::Unit),
+        "full_scale_nm" => value.number_above(0.0, HEIGHT_MAX_NM, "nm").map(HeightScale::FullScaleNm),
+        "unit" => unit(&value).map(HeightScale::Unit),
         _ => {
             let nm_per_count = value.number_within(-HEIGHT_MAX_NM, HEIGHT_MAX_NM, "nm")?;
             if nm_per_count == 0.0 {
                 return Err(value.error("must not be 0: every height would be the same"));
             }
             let offset = section.get("offset_nm").map(|item| item.number_within(-HEIGHT_MAX_NM, HEIGHT_MAX_NM, "nm"));
-            Ok(HeightSection::Linear { nm_per_count, offset_nm: offset.transpose()?.unwrap_or(defaults::OFFSET_NM) })
+            Ok(HeightScale::Linear { nm_per_count, offset_nm: offset.transpose()?.unwrap_or(defaults::OFFSET_NM) })
         }
     }
 }
 
-fn unit(item: &Item) -> Result<HeightUnit> {
+fn unit(item: &Item) -> Result<LengthUnit> {
     item.choice(&[
-        ("pm", HeightUnit::Pm),
-        ("nm", HeightUnit::Nm),
-        ("um", HeightUnit::Um),
-        ("mm", HeightUnit::Mm),
-        ("cm", HeightUnit::Cm),
-        ("m", HeightUnit::M),
-        ("angstrom", HeightUnit::Angstrom),
-        ("inch", HeightUnit::Inch),
+        ("pm", LengthUnit::Pm),
+        ("nm", LengthUnit::Nm),
+        ("um", LengthUnit::Um),
+        ("mm", LengthUnit::Mm),
+        ("cm", LengthUnit::Cm),
+        ("m", LengthUnit::M),
+        ("angstrom", LengthUnit::Angstrom),
+        ("inch", LengthUnit::Inch),
     ])
 }
 
-fn level(item: &Item) -> Result<LevelSection> {
+fn level(item: &Item) -> Result<Level> {
     item.choice(&[
-        ("none", LevelSection::None),
-        ("plane", LevelSection::Plane),
-        ("quadratic", LevelSection::Quadratic),
-        ("rows", LevelSection::Rows),
+        ("none", Level::None),
+        ("plane", Level::Plane),
+        ("quadratic", Level::Quadratic),
+        ("rows", Level::Rows),
     ])
 }
 
-fn despike(item: &Item) -> Result<DespikeSection> {
+fn despike(item: &Item) -> Result<Despike> {
     let example = "{ threshold_rms = 8 }";
     let section = item.section(&keys::DESPIKE, example)?;
     let threshold = section.require("threshold_rms", example)?;
-    Ok(DespikeSection {
+    Ok(Despike {
         // Below 1 most of a good scan would count as dust.
         threshold_rms: threshold.number_within(1.0, 1000.0, "robust standard deviations")?,
     })

@@ -12,7 +12,7 @@ use super::study_plots::{
 use diffraction_brdf::error::{Error, Result};
 use diffraction_render::render::png_image::encode_png;
 use diffraction_study::stability::{Stability, StabilityCase, Verdict};
-use diffraction_study::study::{SpecimenStudy, Study};
+use diffraction_study::study::{PURPOSES, SpecimenStudy, Study};
 
 /// Knobs whose settings are numbers: file key, rows drawn together, axis.
 const KNOB_PLOTS: [(&str, &[&str], &str); 5] = [
@@ -192,6 +192,7 @@ fn page(parts: Parts) -> std::result::Result<String, minijinja::Error> {
         stability => template_value(parts.stability),
         cases => template_value(parts.cases),
         of_stability => Value::from_pairs(of_stability),
+        purposes => PURPOSES.map(|(method, purpose)| vec![method, purpose]).to_vec(),
     })
 }
 

@@ -5,7 +5,7 @@ use plotters::prelude::*;
 
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::ground::sampling::Region;
-use diffraction_study::stability::{DepthRow, GrazingRow, Stability};
+use diffraction_study::stability::{DepthRow, GrazingRow, SeriesRow, Stability};
 use diffraction_study::study::{MethodRow, SpecimenStudy};
 
 /// Pixels of one panel, and of the column that names the lines.
@@ -97,12 +97,10 @@ pub fn tables_figure(study: &SpecimenStudy) -> Figure {
         let worst = row.colours.iter().map(|colour| colour.p95).fold(f64::NAN, f64::max);
         (row.stored_bytes as f64, worst)
     });
-    let panel =
-        |x_label: &str, y_label: &str, series| Panel { x_label: x_label.into(), y_label: y_label.into(), series };
     Figure {
         title: format!("{}: number of tables, and colours of the scenes", study.name),
         panels: vec![
-            panel("number of tables", "95th percentile of |ΔY| / Y on texels", tables),
+            panel("number of tables", &format!("{ERROR} on texels"), tables),
             panel("size (bytes)", "CIEDE2000, 95th percentile, worst scene", colour),
         ],
     }
@@ -171,67 +169,68 @@ pub fn tolerance_figure(study: &SpecimenStudy) -> Option<Figure> {
     })
 }
 
-/// Depth, the published series in each number format, and grazing directions.
+/// Relief, the published series in each number format, and grazing directions.
 pub fn stability_figures(stability: &Stability) -> Vec<(&'static str, Figure)> {
-    let line = |name: &str, points: Vec<(f64, f64)>| Series { name: name.into(), points };
-    let panel =
-        |x_label: &str, y_label: &str, series| Panel { x_label: x_label.into(), y_label: y_label.into(), series };
-    let error = "95th percentile of |ΔY| / Y";
-    let depth = "peak to valley (nm)";
-    let depths = |name: &str, y: &dyn Fn(&DepthRow) -> f64| {
-        line(name, stability.depths.iter().map(|row| (row.depth_nm, y(row))).collect())
-    };
-    let counts = vec![depths("tables", &|r| r.tables as f64), depths("transforms", &|r| r.transforms as f64)];
-    let errors = vec![
-        depths("as many tables as the depth asks for", &|r| r.error),
-        depths("four tables", &|r| r.four_tables),
-        depths("tolerance", &|_| 1e-2),
-    ];
-    // What is beyond 1e3 is beyond any use: it would only flatten the rest.
-    let cap = |y: f64| if y.is_nan() { 1e3 } else { y.min(1e3) };
-    let formats = ["half", "float", "double"].iter().enumerate();
-    let series = formats
-        .clone()
-        .map(|(i, name)| line(name, stability.series.iter().map(|row| (row.depth_nm, cap(row.errors[i]))).collect()));
-    let limits = formats.map(|(i, name)| {
-        line(
-            &format!("{name}, forecast"),
-            stability.series.iter().map(|row| (row.depth_nm, cap(row.predicted[i]))).collect(),
-        )
-    });
-    let terms = line("terms", stability.series.iter().map(|row| (row.depth_nm, row.terms as f64)).collect());
-    let grazing = |name: &str, y: &dyn Fn(&GrazingRow) -> f64| {
-        line(name, stability.grazing.iter().map(|row| (row.t, y(row))).collect())
-    };
     vec![
-        (
-            "depth",
-            Figure {
-                title: "Depth, one laser line at 400 nm".into(),
-                panels: vec![panel(depth, "number", counts), panel(depth, error, errors)],
-            },
-        ),
-        (
-            "series",
-            Figure {
-                title:
-                    "The published power series: where each number format fails (400 nm, errors above 1e3 drawn there)"
-                        .into(),
-                panels: vec![panel(depth, error, series.chain(limits).collect()), panel(depth, "terms", vec![terms])],
-            },
-        ),
-        (
-            "grazing",
-            Figure {
-                title: "Towards grazing: no pole shows".into(),
-                panels: vec![panel(
-                    "|w| / sqrt(4 - u² - v²)",
-                    error,
-                    vec![grazing("divided by w², as stored", &|r| r.divided), grazing("undivided", &|r| cap(r.whole))],
-                )],
-            },
-        ),
+        ("depth", depth_figure(&stability.depths)),
+        ("series", series_figure(&stability.series)),
+        ("grazing", grazing_figure(&stability.grazing)),
     ]
+}
+
+const ERROR: &str = "95th percentile of |ΔY| / Y";
+const PEAK_TO_VALLEY: &str = "peak to valley (nm)";
+
+fn panel(x_label: &str, y_label: &str, series: Vec<Series>) -> Panel {
+    Panel { x_label: x_label.into(), y_label: y_label.into(), series }
+}
+
+fn line<R>(name: &str, rows: &[R], point: impl Fn(&R) -> (f64, f64)) -> Series {
+    Series { name: name.into(), points: rows.iter().map(point).collect() }
+}
+
+/// What is beyond 1e3 is beyond any use: it would only flatten the rest.
+fn cap(y: f64) -> f64 {
+    if y.is_nan() { 1e3 } else { y.min(1e3) }
+}
+
+fn depth_figure(rows: &[DepthRow]) -> Figure {
+    let of = |name: &str, y: &dyn Fn(&DepthRow) -> f64| line(name, rows, |row| (row.depth_nm, y(row)));
+    let counts = vec![of("tables", &|r| r.tables as f64), of("transforms", &|r| r.transforms as f64)];
+    let errors = vec![
+        of("as many tables as the depth asks for", &|r| r.error),
+        of("four tables", &|r| r.four_tables),
+        of("tolerance", &|_| 1e-2),
+    ];
+    Figure {
+        title: "Depth, one laser line at 400 nm".into(),
+        panels: vec![panel(PEAK_TO_VALLEY, "number", counts), panel(PEAK_TO_VALLEY, ERROR, errors)],
+    }
+}
+
+fn series_figure(rows: &[SeriesRow]) -> Figure {
+    let formats = || ["half", "float", "double"].into_iter().enumerate();
+    let found = formats().map(|(i, name)| line(name, rows, |row| (row.depth_nm, cap(row.errors[i]))));
+    let forecast = formats()
+        .map(|(i, name)| line(&format!("{name}, forecast"), rows, |row| (row.depth_nm, cap(row.predicted[i]))));
+    let terms = line("terms", rows, |row| (row.depth_nm, row.terms as f64));
+    Figure {
+        title: "The published power series: where each number format fails (400 nm, errors above 1e3 drawn there)"
+            .into(),
+        panels: vec![
+            panel(PEAK_TO_VALLEY, ERROR, found.chain(forecast).collect()),
+            panel(PEAK_TO_VALLEY, "terms", vec![terms]),
+        ],
+    }
+}
+
+fn grazing_figure(rows: &[GrazingRow]) -> Figure {
+    let of = |name: &str, y: &dyn Fn(&GrazingRow) -> f64| line(name, rows, |row| (row.normalised_w, y(row)));
+    let lines = vec![of("divided by w², as stored", &|r| r.divided), of("undivided", &|r| cap(r.whole))];
+    Figure {
+        title: "Towards grazing: no pole shows".into(),
+        panels: vec![panel("|w| / sqrt(4 - u² - v²)", ERROR, lines)],
+    }
 }
 
 fn drawable(&(x, y): &(f64, f64)) -> bool {
@@ -314,7 +313,7 @@ fn draw_panel<'a>(area: &DrawingArea<SVGBackend<'a>, Shift>, panel: &Panel, name
 
 /// Methods keep their colour from figure to figure; other lines take them in turn.
 fn style(name: &str, names: &[&str]) -> usize {
-    const METHODS: [&str; 8] = [
+    const METHODS: [&str; 11] = [
         "chebyshev, half",
         "taylor, float",
         "chebyshev, float",
@@ -323,6 +322,9 @@ fn style(name: &str, names: &[&str]) -> usize {
         "Stam, regular",
         "spherical harmonics",
         "FFT",
+        "optical paths",
+        "WBSDF",
+        "light field",
     ];
     let known = METHODS.iter().position(|method| *method == name);
     known.or_else(|| names.iter().position(|other| *other == name)).unwrap_or(0)

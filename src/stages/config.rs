@@ -47,13 +47,13 @@ impl RunConfig {
 }
 
 /// One specimen.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct SpecimenConfig {
-    /// Name, and its folder in the atlas.
+    /// Name, and its folder in the atlas; safe as one.
     pub name: String,
     /// The species, for people.
     pub species: Option<String>,
-    /// Its scans, averaged.
+    /// Its scans: existing files, sorted, none twice; their BRDFs are averaged.
     pub scans: Vec<PathBuf>,
     /// How to read them.
     pub read: ReadConfig,

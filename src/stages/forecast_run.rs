@@ -116,7 +116,7 @@ impl Window<'_> {
     /// Evaluations of a pair at all its wavelengths, and their nanoseconds.
     fn pair(&self, (wi, wo): (Vec3, Vec3), step: WavenumberStep) -> (f64, f64) {
         let optics = self.source.optics;
-        if optics.front_factor().value(wi, wo) == 0.0 {
+        if optics.front_factor().diffuse(wi, wo) == 0.0 {
             return (0.0, 0.0);
         }
         let q = wave_vector_change(wi, wo);

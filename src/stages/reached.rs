@@ -50,7 +50,7 @@ fn texel_at(served: &Served, row: usize, column: usize) -> Option<[usize; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use diffraction_brdf::front_factor::FrontFactor;
+    use diffraction_brdf::front_factor::{Factor, FrontFactor};
     use diffraction_brdf::material::Material;
     use diffraction_build::tables::model::Basis;
 
@@ -64,7 +64,7 @@ mod tests {
             tables: vec![Array3::from_elem((2, 1, 3), 1.0)],
             lobe: None,
             prefilter_width: 0.0,
-            front_factor: FrontFactor { material: Material::Ideal, shadowing: false },
+            front_factor: FrontFactor { material: Material::Ideal, shadowing: false, factor: Factor::Scalar },
             served: Some(Served { size: 5, first: [1, 3], range }),
             usable_radius: 2.0,
         };

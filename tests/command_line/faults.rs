@@ -110,7 +110,7 @@ fn a_full_disk_ends_the_run_and_publishes_nothing() {
     let write_report = |_: &_, _: &Path| Ok(());
     let helpers =
         Helpers { illustrate: &illustrate_until_full, write_report: &write_report, progress: &Silent, started: "" };
-    let error = pipeline::run(&run_config(&manifest, &text), &helpers).unwrap_err();
+    let error = pipeline::run(&run_config(manifest, text), &helpers).unwrap_err();
     assert!(error.to_string().contains("wave/heights.png: cannot write"), "{error}");
     assert_eq!(error.exit_status(), 1);
     assert_eq!((place.versions(), place.latest()), (vec!["latest".into(), "v0001".into()], "v0001".into()));

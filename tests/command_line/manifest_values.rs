@@ -3,16 +3,17 @@
 use std::path::{Path, PathBuf};
 
 use crate::manifest_fixture::{GOOD, folder, good_with, parse_in};
-use diffraction_atlas::manifest::{
-    self, ExposureSection, FrameTiming, GpuCheck, HeightSection, HeightUnit, LevelSection, ShapeSection,
-};
+use diffraction_atlas::manifest;
+use diffraction_atlas::stages::config::{FrameTiming, GpuCheck};
 use diffraction_atlas::stages::measured::MeasuredConfig;
 use diffraction_build::ground::spectrum::{Illuminant, Line};
+use diffraction_build::height::prepare::Level;
+use diffraction_build::height::read::{HeightScale, LengthUnit};
 use diffraction_build::optics::config::{Edge, Material, Windows};
 use diffraction_build::tables::model::{Basis, Prefilter, Storage};
 use diffraction_render::scene::camera::{Camera, Field};
 use diffraction_render::scene::environment;
-use diffraction_render::scene::model::Moving;
+use diffraction_render::scene::model::{Exposure, Moving, Shape};
 use diffraction_render::scene::turn::Axis;
 
 #[test]
@@ -24,8 +25,8 @@ fn what_is_written_is_what_is_read() {
     assert_eq!(good.optics.sigma_nm, 16_250.0);
     assert_eq!((good.tables.tolerance, good.tables.size), (1e-3, Some(501)));
     let [elaphe, xenopeltis] = &good.specimens[..] else { panic!("two specimens") };
-    assert_eq!(elaphe.pitch_nm, Some([48.8, 48.8]));
-    assert_eq!(elaphe.height, Some(HeightSection::FullScaleNm(375.0)));
+    assert_eq!(elaphe.read.pitch_nm, Some([48.8, 48.8]));
+    assert_eq!(elaphe.read.height, Some(HeightScale::FullScaleNm(375.0)));
     assert_eq!(elaphe.optics.material, Material::Dielectric { n: 1.56 });
     assert_eq!(xenopeltis.optics, good.optics);
     assert_eq!(good.scenes[0].lights[0].direction, [0.3, 0.2, 1.0]);
@@ -97,10 +98,10 @@ fn every_key_of_the_example_arrives() {
     let [integers, floats, counts] = &all.specimens[..] else { panic!("three specimens") };
     assert_eq!(integers.species.as_deref(), Some("Elaphe guttata"));
     assert_eq!(integers.scans, [folder.path().join("snake.tif")]);
-    assert_eq!((integers.page, integers.pitch_nm), (Some(0), Some([48.8; 2])));
-    assert_eq!((integers.level, integers.blend_nm), (LevelSection::Quadratic, Some(500.0)));
-    assert_eq!(integers.despike.map(|despike| despike.threshold_rms), Some(8.0));
-    assert_eq!(integers.max_missing_share, 0.01);
+    assert_eq!((integers.read.page, integers.read.pitch_nm), (Some(0), Some([48.8; 2])));
+    assert_eq!((integers.prepare.level, integers.prepare.blend_nm), (Level::Quadratic, Some(500.0)));
+    assert_eq!(integers.prepare.despike.map(|despike| despike.threshold_rms), Some(8.0));
+    assert_eq!(integers.read.max_missing_share, 0.01);
     let file = folder.path().join("measured.csv");
     assert_eq!(integers.measured, Some(MeasuredConfig { file, acceptance_deg: 1.5, bandwidth_nm: 2.0 }));
     // Its own sigma and windows, but the edge of `[optics]`.
@@ -108,14 +109,14 @@ fn every_key_of_the_example_arrives() {
     assert_eq!((optics.sigma_nm, optics.edge, optics.windows), (3000.0, Edge::Fade, Windows::Grid));
     assert_eq!(optics.material, Material::Dielectric { n: 1.56 });
     assert_eq!((integers.albedo, floats.albedo), (Some([0.45, 0.16, 0.05]), None));
-    assert_eq!(floats.pitch_nm, Some([84.04, 74.56]));
-    assert_eq!((floats.height, floats.level), (Some(HeightSection::Unit(HeightUnit::Nm)), LevelSection::Rows));
+    assert_eq!(floats.read.pitch_nm, Some([84.04, 74.56]));
+    assert_eq!((floats.read.height, floats.prepare.level), (Some(HeightScale::Unit(LengthUnit::Nm)), Level::Rows));
     assert_eq!(counts.scans, ["snake.tif", "snake2.tif"].map(|name| folder.path().join(name)));
-    assert_eq!(counts.height, Some(HeightSection::Linear { nm_per_count: 0.01, offset_nm: -20.0 }));
-    assert_eq!((counts.level, counts.optics.material), (LevelSection::None, Material::Ideal));
+    assert_eq!(counts.read.height, Some(HeightScale::Linear { nm_per_count: 0.01, offset_nm: -20.0 }));
+    assert_eq!((counts.prepare.level, counts.optics.material), (Level::None, Material::Ideal));
 
     let [map, ball, tile, wall, statue] = &all.scenes[..] else { panic!("five scenes") };
-    assert_eq!((&map.shape, map.size_px, map.exposure), (&ShapeSection::Hemisphere, 256, ExposureSection::Auto));
+    assert_eq!((&map.shape, map.size_px, map.exposure), (&Shape::Hemisphere, 256, Exposure::Auto));
     let animation = ball.animation.unwrap();
     assert_eq!((animation.kind, animation.axis), (Moving::Light, Axis::Viewing));
     assert_eq!((animation.frames, animation.degrees, animation.fps, animation.size_px), (16, 90.0, 10, 128));
@@ -126,10 +127,10 @@ fn every_key_of_the_example_arrives() {
     assert!((irradiance - std::f64::consts::PI).abs() < 1e-6, "{irradiance}");
     assert_eq!((ball.lights.len(), ball.light_samples, ball.pixel_samples), (2, 64, 4));
     assert_eq!((ball.lights[1].angular_diameter_deg, ball.lights[1].irradiance), (10.0, 0.1));
-    assert_eq!((tile.exposure, tile.specimen.as_deref()), (ExposureSection::Ev(-1.5), Some("integers")));
-    let patch = ShapeSection::Patch { width_mm: 30.0, distance_mm: 90.0, tilt_deg: 40.0, turn_deg: 90.0 };
+    assert_eq!((tile.exposure, tile.specimen.as_deref()), (Exposure::Ev(-1.5), Some("integers")));
+    let patch = Shape::Patch { width_mm: 30.0, distance_mm: 90.0, tilt_deg: 40.0, turn_deg: 90.0 };
     assert_eq!(tile.shape, patch);
-    let screen = ShapeSection::Screen {
+    let screen = Shape::Screen {
         width_mm: 300.0,
         distance_mm: 150.0,
         beam_diameter_mm: 2.0,
@@ -138,7 +139,7 @@ fn every_key_of_the_example_arrives() {
     };
     assert_eq!(wall.shape, screen);
     assert_eq!(wall.lights[0].angular_diameter_deg, 0.1);
-    let ShapeSection::Mesh(mesh) = &statue.shape else { panic!("a mesh") };
+    let Shape::Mesh(mesh) = &statue.shape else { panic!("a mesh") };
     assert_eq!(mesh.path, folder.path().join("body.obj"));
     assert_eq!(mesh.model.mesh.triangles.len(), 2);
     let camera =
@@ -158,12 +159,11 @@ fn a_mesh_needs_no_more_than_its_name() {
         parse_in(folder.path(), &text).unwrap().scenes.swap_remove(1)
     };
     let plain = scene("");
-    let ShapeSection::Mesh(mesh) = &plain.shape else { panic!("a mesh") };
+    let Shape::Mesh(mesh) = &plain.shape else { panic!("a mesh") };
     assert!(mesh.camera.is_none() && mesh.specimens.is_empty());
     let spelled = scene("camera = { position = [0, 0, 5], target = [0, 0, 0], up = [0, 1, 0], fov_deg = 25 }");
     assert_eq!(spelled, scene("camera = { position = [0, 0, 5], target = [0, 0, 0] }"));
-    let ShapeSection::Mesh(mesh) = scene("camera = { position = [0, 0, 5], target = [0, 0, 0], width = 3 }").shape
-    else {
+    let Shape::Mesh(mesh) = scene("camera = { position = [0, 0, 5], target = [0, 0, 0], width = 3 }").shape else {
         panic!("a mesh")
     };
     assert_eq!(mesh.camera.unwrap().field, Field::Width(3.0));
@@ -201,9 +201,9 @@ fn each_file_of_a_collection_can_be_a_specimen() {
         parse_in(folder.path(), &good_with("name = \"xenopeltis\"\nscans = [\"snake.tif\"]\n", &names))
     };
     let made = each("scan-{file}", "Boa*.tif").unwrap().specimens;
-    let found: Vec<_> = made[1..].iter().map(|one| (one.name.as_str(), one.scans.clone(), one.level)).collect();
+    let found: Vec<_> = made[1..].iter().map(|one| (one.name.as_str(), one.scans.clone(), one.prepare.level)).collect();
     let scans = |name: &str| vec![folder.path().join(name)];
-    let rows = LevelSection::Rows;
+    let rows = Level::Rows;
     let expected = [("scan-Boa_1_left_", scans("Boa 1 (left).tif"), rows), ("scan-Boa_2", scans("Boa 2.tif"), rows)];
     assert_eq!(found, expected);
     // Names that come out the same, or are none.

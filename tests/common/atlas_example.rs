@@ -9,7 +9,7 @@ use diffraction_brdf::direction::from_angles_deg;
 use diffraction_brdf::specimen::{CheckValue, SCHEMA};
 use diffraction_brdf::storage;
 use diffraction_build::ground::spectrum::Illuminant;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, BuildRecord, Lobe, Storage, TableSet};
 use ndarray::Array3;
 use serde_json::json;
@@ -23,6 +23,7 @@ fn optics(shadowing: bool) -> OpticsConfig {
         windows: Windows::Grid,
         material: Material::Dielectric { n: 1.56 },
         shadowing,
+        factor: Factor::Scalar,
     }
 }
 

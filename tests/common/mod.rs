@@ -10,7 +10,7 @@ use std::path::Path;
 use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use ndarray::Array2;
 use tiff::decoder::{Decoder, DecodingResult};
 
@@ -37,6 +37,7 @@ pub fn reference_optics(sigma_nm: f64, edge: Edge) -> OpticsConfig {
         windows: Windows::Centre,
         material: Material::Ideal,
         shadowing: false,
+        factor: Factor::Scalar,
     }
 }
 

@@ -17,7 +17,7 @@ use diffraction_build::accuracy::rows::{Cause, ErrorRow};
 use diffraction_build::ground::sampling::Region;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, BuildRecord, Rounding, Storage};
 use diffraction_render::render::gpu::GpuInfo;
 use diffraction_render::render::gpu_frame::{Clock, FrameTime};
@@ -220,6 +220,7 @@ fn optics() -> OpticsConfig {
         windows: Windows::Grid,
         material: Material::Dielectric { n: 1.56 },
         shadowing: false,
+        factor: Factor::Scalar,
     }
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use diffraction_brdf::direction::Vec3;
 use diffraction_build::ground::spectrum::{Illuminant, Line};
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::build;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 use ndarray::{Array2, Axis, Slice};
@@ -23,6 +23,7 @@ pub fn laser(wavelengths_nm: &[f64], sigma_nm: f64, edge: Edge, windows: Windows
         windows,
         material: Material::Ideal,
         shadowing: false,
+        factor: Factor::Scalar,
     }
 }
 

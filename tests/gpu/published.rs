@@ -75,7 +75,7 @@ pub fn published() -> &'static Published {
         let run = Command::new(env!("CARGO_BIN_EXE_diffraction-atlas")).arg("run").arg(&path).output().unwrap();
         assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
         let (manifest, text) = manifest::load(&path).unwrap();
-        let config = run_config(&manifest, &text);
+        let config = run_config(manifest, text);
         let version = config.atlas_root.join("v0001");
         Published { _place: place, config, version }
     })

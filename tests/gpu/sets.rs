@@ -6,7 +6,7 @@ use crate::skip::skipped;
 use diffraction_atlas::stages::serve::{Source, domain_of, plan_without};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::{build, build_planned};
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 use diffraction_render::render::gpu::Gpu;
@@ -44,6 +44,7 @@ pub fn optics(windows: Windows, material: Material, shadowing: bool) -> OpticsCo
         windows,
         material,
         shadowing,
+        factor: Factor::Scalar,
     }
 }
 

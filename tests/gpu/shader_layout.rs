@@ -47,6 +47,8 @@ fn structs_have_the_same_bytes() {
         grid_last,
         first_column,
         first_row,
+        factor,
+        permittivity,
         pigment,
         table_scales,
         cross_scales

@@ -6,7 +6,7 @@ use diffraction_build::ground::metrics::relative_error_quantiles;
 use diffraction_build::ground::sampling::four;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::optics::reference::brdf_xyz_batch;
 use diffraction_build::tables::build::build;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
@@ -32,6 +32,7 @@ fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
         windows,
         material: Material::Ideal,
         shadowing: false,
+        factor: Factor::Scalar,
     }
 }
 

@@ -10,7 +10,7 @@ use diffraction_build::accuracy::rows::{Cause, ErrorRow, error_rows};
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::{build, plan};
 use diffraction_build::tables::model::TableSet;
 
@@ -23,6 +23,7 @@ fn daylight() -> OpticsConfig {
         windows: Windows::Grid,
         material: Material::Ideal,
         shadowing: false,
+        factor: Factor::Scalar,
     }
 }
 

@@ -5,10 +5,10 @@ use diffraction_atlas::stages::study::{FrameClock, drawn};
 use diffraction_build::ground::progress::Silent;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_render::scene::model::{Light, Scene, Shape};
 use diffraction_study::stability::{DepthRow, GrazingRow, Guard, SeriesRow, Stability, StabilityCase};
-use diffraction_study::study::{GpuClock, Study, StudyConfig, StudySpecimen, run_study};
+use diffraction_study::study::{GpuClock, PURPOSES, Study, StudyConfig, StudySpecimen, run_study};
 use ndarray::Array2;
 
 fn specimen(depth_nm: f64) -> StudySpecimen {
@@ -35,6 +35,7 @@ fn specimen(depth_nm: f64) -> StudySpecimen {
             windows: Windows::Grid,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         },
         scenes: vec![Box::new(drawn(&ball(), 1_000).unwrap())],
     }
@@ -52,6 +53,8 @@ fn config() -> StudyConfig {
         chebyshev: vec![2, 6],
         taylor: vec![6, 24],
         harmonics: vec![4],
+        light_fields: vec![[8, 32], [64, 256]],
+        paths: vec![64, 4096],
         wavelength_steps_nm: vec![40.0, 5.0],
         sizes: vec![41, 141],
         equal_size: 101,
@@ -90,7 +93,7 @@ fn stability() -> Stability {
             errors: [0.654, 1.0e-4, 1.0e-9],
             predicted: [0.543, 2.0e-4, 2.0e-9],
         }],
-        grazing: vec![GrazingRow { t: 3e-3, divided: 2.34e-3, whole: 34.5 }],
+        grazing: vec![GrazingRow { normalised_w: 3e-3, divided: 2.34e-3, whole: 34.5 }],
     }
 }
 
@@ -100,6 +103,8 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
         chebyshev: vec![2, 3],
         taylor: vec![6],
         harmonics: vec![2],
+        light_fields: vec![[8, 32]],
+        paths: vec![64],
         wavelength_steps_nm: vec![],
         sizes: vec![21, 41],
         size: 41,
@@ -119,6 +124,10 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
     assert!(!html.contains("http://") || html.matches("http://").count() == html.matches("http://www.w3.org/").count());
     for row in &study.specimens[0].methods {
         assert!(html.contains(&format!("<td>{}</td><td>{}</td>", row.method, row.setting)), "{}", row.method);
+    }
+    for (family, purpose) in PURPOSES {
+        assert!(study.specimens[0].methods.iter().any(|row| row.method.starts_with(family)), "{family}");
+        assert!(html.contains(&purpose[..20]), "{family}");
     }
     let equal = &study.specimens[0].equal;
     let mut filed = 0;
@@ -173,6 +182,8 @@ fn measuring_snake_scans_at_equal_error() {
         chebyshev: vec![3, 4, 5, 6, 8],
         taylor: vec![24],
         harmonics: vec![],
+        light_fields: vec![],
+        paths: vec![],
         wavelength_steps_nm: vec![],
         sizes: vec![],
         equal_size: 1001,

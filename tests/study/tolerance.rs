@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use diffraction_atlas::manifest::convert::specimen_config;
 use diffraction_atlas::manifest::load;
 use diffraction_atlas::stages::ingest::ingest;
 use diffraction_build::tables::build;
@@ -13,7 +12,7 @@ use diffraction_study::study::{Kept, StudyConfig, StudySpecimen, TOLERANCES, Tol
 fn specimens(manifest: &str) -> Vec<StudySpecimen> {
     let sections = load(&Path::new(env!("CARGO_MANIFEST_DIR")).join(manifest)).unwrap().0.specimens;
     let specimen = |section: &_| {
-        let fields = ingest(&specimen_config(section)).unwrap().fields;
+        let fields = ingest(section).unwrap().fields;
         StudySpecimen { name: section.name.clone(), fields, optics: section.optics.clone(), scenes: Vec::new() }
     };
     sections.iter().map(specimen).collect()

@@ -4,6 +4,7 @@ use ndarray::{Array3, ArrayView3};
 
 use crate::chebyshev;
 use crate::direction::{Vec3, Xyz, normalised_abs_w, wave_vector_change};
+use crate::front_factor::{Factor, image_radius2};
 use crate::table_set::{Basis, Lobe, Served, TableSet};
 
 /// How values between texels are found.
@@ -18,15 +19,33 @@ pub enum Interpolation {
 /// XYZ of the BRDF in 1/sr; zero for directions not above the surface, not a number for those that the tables do not
 /// serve (see [`serves`]).
 pub fn brdf_xyz(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> Xyz {
-    let front = set.front_factor.value(wi, wo);
-    if front == 0.0 {
+    let diffuse = set.front_factor.diffuse(wi, wo);
+    if !(wi[2] > 0.0 && wo[2] > 0.0) {
         return [0.0; 3];
     }
-    let value = window_power(set, interpolation, wave_vector_change(wi, wo));
-    value.map(|v| front * v)
+    let q = wave_vector_change(wi, wo);
+    let tables = diffuse_window_power(set, interpolation, q);
+    let Some(lobe) = &set.lobe else { return tables.map(|value| diffuse * value) };
+    let cross = cross_window_power(lobe, interpolation, q);
+    let (front, coherent) = (set.front_factor.coherent(wi, wo), coherent_lobe(set, lobe, interpolation, wi, wo));
+    std::array::from_fn(|c| diffuse * (tables[c] + cross[c]) + front * coherent[c])
 }
 
-/// The BRDF without reflectance, geometry and shadowing at `q = (u, v, w)`, in 1/sr: what the tables hold.
+/// The coherent lobe between two directions in 1/sr, without its front factor; with the vector factor the light that
+/// would leave below the horizon is added where it comes back (see [`image_radius2`]).
+pub fn coherent_lobe(set: &TableSet, lobe: &Lobe, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> Xyz {
+    let [u, v, w] = wave_vector_change(wi, wo);
+    let direct = coherent_value(lobe, interpolation, u.hypot(v), w);
+    match set.front_factor.factor {
+        Factor::Scalar => direct,
+        Factor::Vector => {
+            let image = coherent_value(lobe, interpolation, image_radius2(wi, wo).sqrt(), w);
+            std::array::from_fn(|c| direct[c] + image[c])
+        }
+    }
+}
+
+/// `|P|² / (λ² A w²)` at `q = (u, v, w)`, in 1/sr: what the tables hold, without what stands in front of it.
 pub fn window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xyz {
     let mut sum = diffuse_window_power(set, interpolation, q);
     let lobe = lobe_window_power(set, interpolation, q);
@@ -58,7 +77,7 @@ pub fn diffuse_window_power(set: &TableSet, interpolation: Interpolation, q: Vec
 /// Whether the tables can answer for a pair of directions: always where they serve every direction, or where one of
 /// the two is not above the surface and there is nothing to look up.
 pub fn serves(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> bool {
-    set.front_factor.value(wi, wo) == 0.0
+    !(wi[2] > 0.0 && wo[2] > 0.0)
         || diffuse_window_power(set, interpolation, wave_vector_change(wi, wo)).iter().all(|value| !value.is_nan())
 }
 
@@ -96,21 +115,32 @@ pub fn lobe_window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) 
 }
 
 fn lobe_value(lobe: &Lobe, interpolation: Interpolation, q: Vec3) -> Xyz {
-    let (radius, w, t) = (q[0].hypot(q[1]), q[2].abs(), normalised_abs_w(q));
-    let mut value = [0.0; 3];
-    if radius < lobe.radius_max {
-        let (rows, columns, _) = lobe.coherent.dim();
-        let at = [t * (rows - 1) as f64, radius / lobe.radius_max * (columns - 1) as f64];
-        value = sample(lobe.coherent.view(), interpolation, at).map(|v| v / (w * w));
+    let [u, v, w] = q;
+    let coherent = coherent_value(lobe, interpolation, u.hypot(v), w);
+    let cross = cross_window_power(lobe, interpolation, q);
+    std::array::from_fn(|c| coherent[c] / (w * w) + cross[c])
+}
+
+/// The coherent table at a radius and `w`: 0 from `radius_max` on.
+fn coherent_value(lobe: &Lobe, interpolation: Interpolation, radius: f64, w: f64) -> Xyz {
+    if radius >= lobe.radius_max {
+        return [0.0; 3];
     }
-    if !lobe.cross.is_empty() && q[0].abs().max(q[1].abs()) < lobe.radius_max {
-        let size = lobe.cross[0].dim().0 as f64 - 1.0;
-        let at = [q[1], -q[0]].map(|x| (lobe.radius_max - x) / (2.0 * lobe.radius_max) * size);
-        let basis = chebyshev::shifted_values(lobe.cross.len(), t);
-        let cross = expansion(&lobe.cross, &basis, interpolation, at);
-        value.iter_mut().zip(cross).for_each(|(value, cross)| *value += cross / w);
+    let (rows, columns, _) = lobe.coherent.dim();
+    let t = normalised_abs_w([radius, 0.0, w]);
+    let at = [t * (rows - 1) as f64, radius / lobe.radius_max * (columns - 1) as f64];
+    sample(lobe.coherent.view(), interpolation, at)
+}
+
+/// The cross term at `q`, over `|w|`: 0 where it vanishes.
+pub fn cross_window_power(lobe: &Lobe, interpolation: Interpolation, q: Vec3) -> Xyz {
+    if lobe.cross.is_empty() || q[0].abs().max(q[1].abs()) >= lobe.radius_max {
+        return [0.0; 3];
     }
-    value
+    let size = lobe.cross[0].dim().0 as f64 - 1.0;
+    let at = [q[1], -q[0]].map(|x| (lobe.radius_max - x) / (2.0 * lobe.radius_max) * size);
+    let basis = chebyshev::shifted_values(lobe.cross.len(), normalised_abs_w(q));
+    expansion(&lobe.cross, &basis, interpolation, at).map(|value| value / q[2].abs())
 }
 
 /// `Σ basis_n table_n` at a position in texels (row, column).

@@ -3,8 +3,6 @@
 //! Two reasons not to leave this to the library: it writes custom attributes in the random order of a hash map, and it
 //! believes the sizes that a damaged file states.
 
-use crate::exr_image::Precision;
-
 /// Magic number, then version 2 without flags: one part, scan lines, names below 32 bytes.
 const START: [u8; 8] = [0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0];
 /// The compression code of ZIP over blocks of 16 scan lines.
@@ -15,6 +13,25 @@ const BLOCK_LINES: usize = 16;
 const DEFLATE_RATIO_MAX: u64 = 1032;
 /// Largest image that is read, in bytes of its stored samples.
 const IMAGE_BYTES_MAX: u64 = 1 << 31;
+
+/// Number format of the three channels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Precision {
+    /// 16-bit floats.
+    Half,
+    /// 32-bit floats.
+    Float,
+}
+
+impl Precision {
+    /// Bytes per sample.
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::Half => 2,
+            Self::Float => 4,
+        }
+    }
+}
 
 /// A reason in words; the caller adds the path.
 type Checked<T> = Result<T, String>;

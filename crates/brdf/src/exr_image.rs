@@ -18,39 +18,21 @@ use serde_json::Value;
 
 use crate::error::{Error, Result};
 use crate::exr_header;
+pub use crate::exr_header::{Layout, Precision};
 use crate::files;
 use crate::json;
 
 /// Name of the string attribute that holds all attributes as one JSON text.
-pub const JSON_ATTRIBUTE: &str = "diffractionAtlas";
+const JSON_ATTRIBUTE: &str = "diffractionAtlas";
 /// Prefix of the attributes that repeat the single strings and numbers for tools that list headers.
-pub const PREFIX: &str = "atlas:";
+const PREFIX: &str = "atlas:";
 /// Longest name that every version of OpenEXR reads.
 const NAME_BYTES_MAX: usize = 31;
 
-/// Number format of the three channels.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Precision {
-    /// 16-bit floats.
-    Half,
-    /// 32-bit floats.
-    Float,
-}
-
-impl Precision {
-    /// Bytes per sample.
-    pub fn bytes(self) -> usize {
-        match self {
-            Self::Half => 2,
-            Self::Float => 4,
-        }
-    }
-}
-
 /// Writes an image of shape `[rows, columns, 3]` as a whole (beside, then renamed).
 ///
-/// `attributes` is a JSON object. It is stored as text in [`JSON_ATTRIBUTE`]; its strings, integers and other numbers
-/// stand again under [`PREFIX`] as `string`, `int` and `float`.
+/// `attributes` is a JSON object. It is stored as text in the attribute `diffractionAtlas`; its strings, integers and other numbers
+/// stand again under the prefix `atlas:` as `string`, `int` and `float`.
 /// Values that the number format cannot hold are an error: nothing is clipped in silence.
 pub fn write_rgb(path: &Path, image: &Array3<f32>, precision: Precision, attributes: &Value) -> Result<()> {
     write_window(path, image, Place::whole(image), precision, attributes)
@@ -94,7 +76,7 @@ pub fn read_rgb(path: &Path) -> Result<(Array3<f32>, Value)> {
 }
 
 /// Checks that the file is complete and readable as far as its header and the places of its blocks tell.
-pub fn check_file(path: &Path) -> Result<exr_header::Layout> {
+pub fn check_file(path: &Path) -> Result<Layout> {
     let bytes = files::read(path)?;
     let layout = exr_header::check(&bytes).map_err(|what| bad(path, what))?;
     read_attributes(&bytes).map_err(|what| bad(path, what))?;

@@ -5,7 +5,7 @@ use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use sha2::{Digest, Sha256};
+use hmac_sha256::Hash;
 
 use crate::error::{Error, Result};
 
@@ -142,14 +142,14 @@ pub fn stays_below(relative: &str) -> bool {
 
 /// SHA-256 in lower-case hexadecimal.
 pub fn sha256_hex(bytes: &[u8]) -> String {
-    hex(&Sha256::digest(bytes))
+    hex(&Hash::hash(bytes))
 }
 
 /// Size in bytes and SHA-256 of a file, read in pieces.
 pub fn sha256_file(path: &Path) -> Result<(u64, String)> {
     let digest = || -> std::io::Result<(u64, String)> {
         let mut file = File::open(path)?;
-        let mut hasher = Sha256::new();
+        let mut hasher = Hash::new();
         let mut piece = vec![0; 1 << 16];
         let mut total = 0;
         loop {

@@ -5,6 +5,7 @@ use half::f16;
 use ndarray::{Array3, ArrayView1};
 
 use crate::error::{Error, Result};
+use crate::front_factor::Factor;
 use crate::material::Material;
 use crate::storage::half_scale;
 use crate::table_set::{Basis, Served, TableSet};
@@ -44,6 +45,12 @@ pub struct TableParams {
     pub first_column: f32,
     /// Likewise.
     pub first_row: f32,
+    /// 0 for the scalar factor, 1 for the vector one.
+    pub factor: u32,
+    /// Fills what follows to its alignment.
+    pub unused: u32,
+    /// Permittivity `(n + ik)²`, real and imaginary part.
+    pub permittivity: [f32; 2],
     /// XYZ of the pigment below in 1/sr, and 1 where there is one.
     pub pigment: [f32; 4],
     /// Scale of each table, four to a vector.
@@ -90,6 +97,8 @@ pub fn peak(table: &Array3<f32>) -> f32 {
 pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Result<TableImage> {
     let (material, index) = match set.front_factor.material {
         Material::Ideal => (0, [1.0, 0.0]),
+        // Thinner than air, its roots are complex: the conductor's formulas.
+        Material::Dielectric { n } if n < 1.0 => (2, [n, 0.0]),
         Material::Dielectric { n } => (1, [n, 0.0]),
         Material::Conductor { n, k } => (2, [n, k]),
     };
@@ -128,6 +137,12 @@ pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Resu
         grid_last: (set.size() - 1) as f32,
         first_column: first[1] as f32,
         first_row: first[0] as f32,
+        factor: match set.front_factor.factor {
+            Factor::Scalar => 0,
+            Factor::Vector => 1,
+        },
+        unused: 0,
+        permittivity: [index[0] * index[0] - index[1] * index[1], 2.0 * index[0] * index[1]].map(|x| x as f32),
         pigment: pigment_xyz_per_sr.map_or([0.0; 4], |xyz_per_sr| {
             let [x, y, z] = xyz_per_sr.map(|c| c as f32);
             [x, y, z, 1.0]

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use ndarray::Array3;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
@@ -11,6 +10,7 @@ use crate::error::{Error, Result};
 use crate::exr_image::{self, Place, Precision};
 use crate::files;
 use crate::front_factor::FrontFactor;
+use crate::parallel;
 use crate::table_set::{Basis, Lobe, Rounding, Served, Storage, TableSet};
 
 /// Exponent of the power of two at which the largest value of a half table is stored: 2^11 < peak <= 2^12.
@@ -20,6 +20,8 @@ use crate::table_set::{Basis, Lobe, Rounding, Served, Storage, TableSet};
 /// subnormal numbers, over 2^12). Above the peak 4 bits are left free, so that a reader that filters,
 /// sums or converts colours in half floats does not overflow at 65504.
 const PEAK_EXPONENT: i32 = 12;
+
+const FIX: &str = "Restore specimen.json and the files beside it, or run the pipeline again.";
 
 /// What a renderer computes from tables in the Chebyshev basis.
 const CHEBYSHEV_FORMULA: &str = "f = R G (coherent / w^2 + sum_n cross_n T_n(2t - 1) / |w| + sum_n table_n T_n(2t - 1)), t = |w| / sqrt(4 - u^2 - v^2)";
@@ -120,6 +122,18 @@ pub struct StoredTables {
     pub lobe: Option<StoredLobe>,
 }
 
+impl StoredTables {
+    /// Names of all files in the specimen's folder.
+    pub(crate) fn files(&self) -> impl Iterator<Item = &str> {
+        let lobe = self.lobe.iter().flat_map(|lobe| {
+            let patches = lobe.cross.iter().flat_map(|cross| &cross.patches);
+            std::iter::once(&lobe.coherent).chain(patches)
+        });
+        let range = self.served.iter().map(|served| &served.range);
+        self.tables.iter().chain(lobe).chain(range).map(|array| array.file.as_str())
+    }
+}
+
 /// An array about to be written: its file, its format, and what its header says.
 struct Job<'a> {
     file: String,
@@ -169,8 +183,7 @@ pub fn write_tables(folder: &Path, set: &TableSet, storage: Storage) -> Result<S
         }
     }));
     // Collected in the order of the jobs, whatever thread wrote which.
-    let mut stored: Vec<StoredArray> =
-        jobs.par_iter().map(|job| write_array(folder, set, job)).collect::<Result<_>>()?;
+    let mut stored: Vec<StoredArray> = parallel::map(&jobs, |job| write_array(folder, set, job))?;
     let served = set.served.as_ref().zip(stored.pop_if(|last| last.file == "range.exr"));
     let lobe_arrays = stored.split_off(set.tables.len());
     let formula = match (set.basis, &set.served) {
@@ -194,11 +207,13 @@ pub fn write_tables(folder: &Path, set: &TableSet, storage: Storage) -> Result<S
 }
 
 /// Reads what [`write_tables`] wrote; `front_factor` is that of their material.
+///
+/// # Errors
+/// Files that are missing or damaged, and shapes that do not fit each other: what is returned can be evaluated everywhere.
 pub fn read_tables(folder: &Path, stored: &StoredTables, front_factor: FrontFactor) -> Result<TableSet> {
     let shape = (stored.v.samples, stored.u.samples);
-    let read_all = |arrays: &[StoredArray], shape: (usize, usize)| {
-        arrays.par_iter().map(|array| read_array(folder, array, shape)).collect::<Result<Vec<_>>>()
-    };
+    let read_all =
+        |arrays: &[StoredArray], shape: (usize, usize)| parallel::map(arrays, |array| read_array(folder, array, shape));
     let lobe = match &stored.lobe {
         None => None,
         Some(lobe) => Some(Lobe {
@@ -210,30 +225,37 @@ pub fn read_tables(folder: &Path, stored: &StoredTables, front_factor: FrontFact
             },
         }),
     };
-    Ok(TableSet {
+    let set = TableSet {
         basis: stored.basis,
         tables: read_all(&stored.tables, shape)?,
         lobe,
         prefilter_width: stored.prefilter_width,
         front_factor,
-        served: stored.served.as_ref().map(|served| read_served(folder, served, shape)).transpose()?,
+        served: match &stored.served {
+            None => None,
+            Some(served) => Some(Served {
+                size: served.size,
+                first: served.first,
+                range: read_array(folder, &served.range, shape)?,
+            }),
+        },
         usable_radius: stored.usable_radius,
-    })
+    };
+    check_read(&set, stored).map_err(|what| Error::bad_file(&folder.join("specimen.json"), what, FIX))?;
+    Ok(set)
 }
 
-fn read_served(folder: &Path, stored: &StoredServed, shape: (usize, usize)) -> Result<Served> {
-    let [row, column] = stored.first;
-    if row + shape.0 > stored.size || column + shape.1 > stored.size {
-        return Err(Error::bad_file(
-            folder,
-            format!(
-                "specimen.json puts {} x {} texels at column {column}, row {row} of {} x {}",
-                shape.1, shape.0, stored.size, stored.size
-            ),
-            "Restore specimen.json, or run the pipeline again.",
-        ));
+/// Whether what was read can be evaluated, and lies where specimen.json says.
+fn check_read(set: &TableSet, stored: &StoredTables) -> std::result::Result<(), String> {
+    set.check().map_err(|what| format!("it describes tables that cannot be evaluated: {what}"))?;
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
+    for ((name, said), due) in [("u", stored.u), ("v", stored.v)].into_iter().zip(table_axes(set)) {
+        if !(near(said.first, due.first) && near(said.last, due.last)) {
+            let (first, last) = (said.first, said.last);
+            return Err(format!("its axis {name} runs from {first} to {last}, not from {} to {}", due.first, due.last));
+        }
     }
-    Ok(Served { size: stored.size, first: stored.first, range: read_array(folder, &stored.range, shape)? })
+    Ok(())
 }
 
 /// Columns and rows of the tables: the whole square, or the served window of it.
@@ -381,23 +403,22 @@ pub fn round_to_half(values: &mut Array3<f32>) {
 
 fn read_array(folder: &Path, stored: &StoredArray, shape: (usize, usize)) -> Result<Array3<f32>> {
     let path = folder.join(&stored.file);
-    let fix = "Restore specimen.json and the file beside it, or run the pipeline again.";
     if !files::stays_below(&stored.file) {
         return Err(Error::bad_file(
             folder,
             format!("specimen.json names the file `{}`, outside its folder", stored.file),
-            fix,
+            FIX,
         ));
     }
     let (mut values, _) = exr_image::read_rgb(&path)?;
     let (rows, columns, _) = values.dim();
     if (rows, columns) != shape {
         let what = format!("it holds {columns} x {rows} texels where specimen.json says {} x {}", shape.1, shape.0);
-        return Err(Error::bad_file(&path, what, fix));
+        return Err(Error::bad_file(&path, what, FIX));
     }
     values.mapv_inplace(|number| (f64::from(number) * stored.scale) as f32);
     if !values.iter().all(|value| value.is_finite()) {
-        return Err(Error::bad_file(&path, "it holds values that are not finite", fix));
+        return Err(Error::bad_file(&path, "it holds values that are not finite", FIX));
     }
     Ok(values)
 }

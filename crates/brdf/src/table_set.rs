@@ -4,6 +4,7 @@ use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 
 use crate::front_factor::FrontFactor;
+use crate::material::Material;
 
 /// Which expansion in `w` the tables hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -104,4 +105,54 @@ impl TableSet {
             None => self.tables.first().map_or(0, |table| table.dim().0),
         }
     }
+    /// What keeps the set from being evaluated, in words: shapes that do not fit, numbers that are not finite. A set that
+    /// passes is evaluated everywhere without a panic.
+    pub(crate) fn check(&self) -> Result<(), String> {
+        let (rows, columns, _) = self.tables.first().ok_or("it holds no table")?.dim();
+        check_images("tables", &self.tables, [rows, columns])?;
+        match &self.served {
+            None if rows != columns => return Err(format!("its tables of {columns} x {rows} texels are not square")),
+            None => {}
+            Some(served) => {
+                check_images("ranges", std::slice::from_ref(&served.range), [rows, columns])?;
+                let reaches = |first: usize, count: usize| first.checked_add(count).is_none_or(|end| end > served.size);
+                if reaches(served.first[0], rows) || reaches(served.first[1], columns) {
+                    let ([row, column], size) = (served.first, served.size);
+                    return Err(format!(
+                        "its {columns} x {rows} texels begin at column {column}, row {row} of {size} x {size}"
+                    ));
+                }
+            }
+        }
+        if let Some(lobe) = &self.lobe {
+            if !(lobe.radius_max > 0.0 && lobe.radius_max <= 2.0) {
+                return Err(format!("its lobe has the radius {}, which is not in (0, 2]", lobe.radius_max));
+            }
+            let (rows, columns, _) = lobe.coherent.dim();
+            check_images("the lobe", std::slice::from_ref(&lobe.coherent), [rows, columns])?;
+            if let Some(side) = lobe.cross.first().map(|patch| patch.dim().0) {
+                check_images("patches of the cross term", &lobe.cross, [side, side])?;
+            }
+        }
+        let material = match self.front_factor.material {
+            Material::Ideal => [1.0, 0.0],
+            Material::Dielectric { n } => [n, 0.0],
+            Material::Conductor { n, k } => [n, k],
+        };
+        if !(material[0] > 0.0 && material.iter().all(|part| part.is_finite() && *part >= 0.0)) {
+            return Err(format!("its material has the refractive index {} + {}i", material[0], material[1]));
+        }
+        Ok(())
+    }
+}
+
+/// Whether images have one shape of at least two texels a side and three channels, and hold finite numbers.
+fn check_images(what: &str, images: &[Array3<f32>], [rows, columns]: [usize; 2]) -> Result<(), String> {
+    if rows < 2 || columns < 2 || images.iter().any(|image| image.dim() != (rows, columns, 3)) {
+        return Err(format!("{what} are not all of one size of at least 2 x 2 texels with three channels"));
+    }
+    if images.iter().any(|image| image.iter().any(|value| !value.is_finite())) {
+        return Err(format!("{what} hold values that are not finite"));
+    }
+    Ok(())
 }

@@ -13,10 +13,12 @@ mod sample;
 mod texels;
 mod timing;
 mod tolerance;
+mod wave_methods;
 
 pub use batch::stored;
 pub use equal::{Contender, EqualError, Filed, Measure};
 pub use lent::{GpuClock, SceneSamples};
+pub use methods::PURPOSES;
 pub use sample::pair_of;
 pub use tolerance::{Kept, TOLERANCES, ToleranceRow, automatic, row as tolerance_row};
 
@@ -70,6 +72,10 @@ pub struct StudyConfig {
     pub taylor: Vec<usize>,
     /// Degrees of the spherical harmonics.
     pub harmonics: Vec<usize>,
+    /// Positions and angles of the light fields.
+    pub light_fields: Vec<[usize; 2]>,
+    /// Numbers of optical paths.
+    pub paths: Vec<usize>,
     /// Largest wavelength steps in nm.
     pub wavelength_steps_nm: Vec<f64>,
     /// Numbers of texels of the grid's own study.
@@ -98,6 +104,8 @@ impl StudyConfig {
             chebyshev: vec![1, 2, 3, 4, 5, 6, 8],
             taylor: vec![4, 8, 16, 24, 32],
             harmonics: vec![2, 4, 6],
+            light_fields: vec![[16, 64], [64, 256]],
+            paths: vec![64, 256, 1024, 4096],
             wavelength_steps_nm: vec![20.0, 10.0, 5.0, 2.5],
             sizes: vec![51, 101, 201],
             equal_size: 301,
@@ -118,6 +126,8 @@ impl StudyConfig {
             chebyshev: vec![1, 2, 3, 4, 5, 6, 7, 8, 10],
             taylor: vec![4, 8, 12, 16, 20, 24, 32, 40],
             harmonics: vec![2, 4, 6, 8, 10],
+            light_fields: vec![[16, 64], [64, 256], [256, 1024]],
+            paths: vec![64, 256, 1024, 4096, 16_384],
             wavelength_steps_nm: vec![20.0, 10.0, 5.0, 2.5, 1.25],
             sizes: vec![63, 125, 251, 501],
             equal_size: 1001,
@@ -255,7 +265,7 @@ pub struct Picture {
 pub struct RegionErrors {
     /// Which directions.
     pub region: Region,
-    /// `‖Y - Y_ref‖ / ‖Y_ref‖`, dark directions included.
+    /// `‖Y - Y_ref‖ / ‖Y_ref‖`, directions below the floor included.
     pub relative_l2: f64,
     /// Pointwise relative errors above the floor.
     pub quantiles: ErrorQuantiles,

@@ -45,7 +45,7 @@ fn every_case_keeps_its_bound_and_fails_where_its_guard_is_taken_out() {
     let depths = stability().depths.iter().map(|row| row.depth_nm);
     let [shallow, deep] = depths.fold([f64::MAX, 0.0], |[low, high], depth: f64| [low.min(depth), high.max(depth)]);
     assert!(deep >= 1e4 * shallow && deep >= 20_000.0, "{shallow} to {deep} nm");
-    assert!(stability().grazing.iter().any(|row| row.t < 1e-3));
+    assert!(stability().grazing.iter().any(|row| row.normalised_w < 1e-3));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The study measures what is known: the order of the methods, and the limits of the published one.
 
 use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg};
+use diffraction_brdf::front_factor::Factor;
 use diffraction_build::ground::colour::auto_exposure;
 use diffraction_build::ground::progress::Silent;
 use diffraction_build::ground::spectrum::Illuminant;
@@ -75,6 +76,7 @@ fn specimen(depth_nm: f64) -> StudySpecimen {
             windows: Windows::Grid,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         },
         scenes: vec![Box::new(Dome::new())],
     }
@@ -88,6 +90,8 @@ fn config() -> StudyConfig {
         chebyshev: vec![2, 6],
         taylor: vec![6, 24],
         harmonics: vec![4],
+        light_fields: vec![[8, 32], [64, 256]],
+        paths: vec![64, 4096],
         wavelength_steps_nm: vec![40.0, 5.0],
         sizes: vec![41, 141],
         equal_size: 101,
@@ -136,6 +140,10 @@ fn methods_rank_as_theory_says() {
     for (method, setting) in [("Stam, random", "rms, length"), ("Stam, regular", "2 waves")] {
         assert!(median(shallow, method, setting) > 0.1, "{method}");
     }
+    // Optical paths need no preparation and meet the scan slowly; the Wigner distribution of one line does not meet it.
+    let [few, many] = ["64 paths", "4096 paths"].map(|setting| median(shallow, "optical paths", setting));
+    assert!(many < 0.3 * few && many > median(shallow, "FFT", "no tables"), "{few:e} {many:e}");
+    assert!(median(shallow, "WBSDF", "plane of incidence") > 0.1);
     // Halves carry 11 bits: 5e-4 at worst per table, no knob hides a larger loss.
     assert!(knob("storage, half", "half").p95 < 5e-3 && knob("storage, half", "half").p95 > 0.0);
     // Six bits less are 64 times the rounding.
@@ -157,6 +165,8 @@ fn measuring_deeper_structures_at_equal_error() {
         chebyshev: (3..=12).collect(),
         taylor: vec![48],
         harmonics: vec![],
+        light_fields: vec![],
+        paths: vec![],
         wavelength_steps_nm: vec![],
         sizes: vec![],
         equal_size: 601,
@@ -188,6 +198,8 @@ fn a_deep_surface_lists_the_published_method_as_refused() {
         chebyshev: vec![],
         taylor: vec![24],
         harmonics: vec![],
+        light_fields: vec![],
+        paths: vec![],
         wavelength_steps_nm: vec![],
         sizes: vec![],
         size: 41,

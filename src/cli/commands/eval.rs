@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use crate::cli::directions;
 use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
-use crate::manifest::{self, convert::specimen_config};
+use crate::manifest;
 use crate::stages::archive::specimen_file;
 use crate::stages::ingest::ingest;
 use diffraction_brdf::atlas;
@@ -168,8 +168,8 @@ fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<
 
 fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<Table> {
     let (manifest, _) = manifest::load(path)?;
-    let Some(section) = manifest.specimens.iter().find(|section| section.name == args.specimen) else {
-        let known: Vec<&str> = manifest.specimens.iter().map(|section| section.name.as_str()).collect();
+    let Some(specimen) = manifest.specimens.iter().find(|specimen| specimen.name == args.specimen) else {
+        let known: Vec<&str> = manifest.specimens.iter().map(|specimen| specimen.name.as_str()).collect();
         return Err(Error::Call(format!(
             "{}: no specimen is called `{}`; there are {}",
             path.display(),
@@ -177,15 +177,14 @@ fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Resul
             known.join(", ")
         )));
     };
-    let config = specimen_config(section);
-    let fields = ingest(&config)?.fields;
-    let usable = fields.iter().map(|f| usable_radius(&config.optics, f.pitch_nm)).fold(2.0, f64::min);
+    let fields = ingest(specimen)?.fields;
+    let usable = fields.iter().map(|f| usable_radius(&specimen.optics, f.pitch_nm)).fold(2.0, f64::min);
     warn_beyond(usable, pairs);
     if args.wavelengths_nm.is_empty() {
-        return Ok(xyz_table(reference::brdf_xyz_batch(&fields, &config.optics, pairs)?));
+        return Ok(xyz_table(reference::brdf_xyz_batch(&fields, &specimen.optics, pairs)?));
     }
     let spectrum =
-        |&(wi, wo): &(Vec3, Vec3)| reference::brdf_spectrum(&fields, &config.optics, wi, wo, &args.wavelengths_nm);
+        |&(wi, wo): &(Vec3, Vec3)| reference::brdf_spectrum(&fields, &specimen.optics, wi, wo, &args.wavelengths_nm);
     Ok(Table {
         columns: args.wavelengths_nm.iter().map(|nm| format!("f_{nm}_nm")).collect(),
         values: pairs.par_iter().map(spectrum).collect::<Result<_>>()?,

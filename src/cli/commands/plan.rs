@@ -62,7 +62,7 @@ struct SpecimenPlan {
 /// A wrong manifest. A specimen that would fail is part of the plan, and of the exit status.
 pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
-    let config = run_config(&manifest, &text);
+    let config = run_config(manifest, text);
     let threads = rayon::current_num_threads();
     let asked_for = config.specimens.iter().filter(|specimen| serve::is_asked_for(&config, &specimen.name));
     let mut pictures = Pictures::default();

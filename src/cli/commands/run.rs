@@ -41,7 +41,7 @@ impl Default for RunArgs {
 /// A wrong manifest, or what concerns the whole run.
 pub fn run(args: &RunArgs, global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
-    let mut config = run_config(&manifest, &text);
+    let mut config = run_config(manifest, text);
     if args.no_cache {
         config.cache.limit_mib = 0;
     }

@@ -55,7 +55,7 @@ fn matching_manifest(given: Option<&Path>, digest: &str) -> Result<MadeBy> {
     let path = given.unwrap_or(Path::new(MANIFEST));
     match manifest::load(path) {
         Err(error) if given.is_some() => Err(error),
-        Ok((manifest, text)) if files::sha256_hex(text.as_bytes()) == digest => Ok(Ok(run_config(&manifest, &text))),
+        Ok((manifest, text)) if files::sha256_hex(text.as_bytes()) == digest => Ok(Ok(run_config(manifest, text))),
         Ok(_) if given.is_some() => Err(Error::Call(format!(
             "{}: this is not the manifest that the atlas was made from (its digest differs)",
             path.display()

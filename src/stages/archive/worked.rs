@@ -220,7 +220,7 @@ fn lobe_share(lobe: &Lobe, q: Vec3, t: f64) -> LobeShare {
 mod tests {
     use super::*;
     use diffraction_build::ground::spectrum::Illuminant;
-    use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+    use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 
     fn optics() -> OpticsConfig {
         OpticsConfig {
@@ -231,6 +231,7 @@ mod tests {
             windows: Windows::Grid,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         }
     }
 

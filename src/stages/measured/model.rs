@@ -97,7 +97,7 @@ fn scatter(spectra: &Spectra, optics: &OpticsConfig, row: &RowSamples) -> f64 {
     let mut buffers = Buffers::default();
     let mut sum = 0.0;
     for &wo in &row.wo {
-        let front = optics.front_factor().value(row.wi, wo) * wo[2];
+        let front = optics.front_factor().diffuse(row.wi, wo) * wo[2];
         if front == 0.0 {
             continue;
         }

@@ -10,6 +10,9 @@ const TAYLOR: u32 = 1u;
 const IDEAL: u32 = 0u;
 const DIELECTRIC: u32 = 1u;
 const CONDUCTOR: u32 = 2u;
+// factor
+const SCALAR: u32 = 0u;
+const VECTOR: u32 = 1u;
 
 struct TableParams {
     // CHEBYSHEV or TAYLOR.
@@ -33,6 +36,10 @@ struct TableParams {
     grid_last: f32,
     first_column: f32,
     first_row: f32,
+    // SCALAR (R G) or VECTOR (first-order vector perturbation).
+    factor: u32,
+    // (n + ik)², real and imaginary part.
+    permittivity: vec2<f32>,
     // XYZ of the pigment below the structure in 1/sr, and 1 where there is one.
     pigment: vec4<f32>,
     // Value of a layer = texel times scale; four scales to a vector.
@@ -127,16 +134,79 @@ fn pigment_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     return (1.0 - reflectance(wi.z)) * (1.0 - reflectance(wo.z)) * params.pigment.xyz;
 }
 
-// Reflectance, geometry and shadowing; 0 for directions not above the surface.
-fn prefactor(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
-    if !(wi.z > 0.0 && wo.z > 0.0) {
-        return 0.0;
+fn shadowing(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
+    if params.shadowing == 0u {
+        return 1.0;
     }
-    var factor = reflectance(cos_half_angle(wi, wo)) * geometry_factor(wi, wo);
-    if params.shadowing != 0u {
-        factor = factor * v_cavity_shadowing(wi, wo);
+    return v_cavity_shadowing(wi, wo);
+}
+
+// The factor of tables and cross term, for directions above the surface.
+fn diffuse_factor(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
+    if params.factor == VECTOR && params.material != IDEAL {
+        return 2.0 * wi.z * wo.z * polarised_sum(wi, wo) * shadowing(wi, wo);
     }
-    return factor;
+    return reflectance(cos_half_angle(wi, wo)) * geometry_factor(wi, wo) * shadowing(wi, wo);
+}
+
+// The factor of the coherent lobe, for directions above the surface.
+fn coherent_factor(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
+    let mirror = reflectance(cos_half_angle(wi, wo)) * shadowing(wi, wo);
+    if params.factor == VECTOR {
+        return mirror;
+    }
+    let w = wi.z + wo.z;
+    return mirror * geometry_factor(wi, wo) / w / w;
+}
+
+// Q_ss + Q_sp + Q_ps + Q_pp of first-order vector perturbation (Rayleigh-Rice). The azimuth is that of the scattered light
+// against the mirror's side; at normal incidence it is arbitrary, and the sum does not depend on it.
+fn polarised_sum(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
+    let sin2_i = dot(wi.xy, wi.xy);
+    let sin2_o = dot(wo.xy, wo.xy);
+    let sines = sqrt(sin2_i) * sqrt(sin2_o);
+    var cos_phi = 1.0;
+    if sines > 1e-12 {
+        cos_phi = clamp(-dot(wi.xy, wo.xy) / sines, -1.0, 1.0);
+    }
+    let cos2_phi = cos_phi * cos_phi;
+    let eps = params.permittivity;
+    if params.material == DIELECTRIC {
+        // Everything is real.
+        let a = sqrt(max(eps.x - sin2_i, 0.0));
+        let b = sqrt(max(eps.x - sin2_o, 0.0));
+        let s_i = wi.z + a;
+        let s_o = wo.z + b;
+        let p_i = eps.x * wi.z + a;
+        let p_o = eps.x * wo.z + b;
+        let ss = 1.0 / (s_i * s_o);
+        let sp = b / (s_i * p_o);
+        let ps = a / (p_i * s_o);
+        let pp = (a * b * cos_phi - eps.x * sines) / (p_i * p_o);
+        let contrast = (eps.x - 1.0) * (eps.x - 1.0);
+        return contrast * (cos2_phi * ss * ss + (1.0 - cos2_phi) * (sp * sp + ps * ps) + pp * pp);
+    }
+    let a = complex_root(eps - vec2<f32>(sin2_i, 0.0));
+    let b = complex_root(eps - vec2<f32>(sin2_o, 0.0));
+    let s_i = a + vec2<f32>(wi.z, 0.0);
+    let s_o = b + vec2<f32>(wo.z, 0.0);
+    let p_i = eps * wi.z + a;
+    let p_o = eps * wo.z + b;
+    let ss = 1.0 / (dot(s_i, s_i) * dot(s_o, s_o));
+    let sp = dot(b, b) / (dot(s_i, s_i) * dot(p_o, p_o));
+    let ps = dot(a, a) / (dot(p_i, p_i) * dot(s_o, s_o));
+    let across = complex_product(a, b) * cos_phi - eps * sines;
+    let pp = dot(across, across) / (dot(p_i, p_i) * dot(p_o, p_o));
+    let less = eps - vec2<f32>(1.0, 0.0);
+    return dot(less, less) * (cos2_phi * ss + (1.0 - cos2_phi) * (sp + ps) + pp);
+}
+
+// Squared lateral distance of the lobe's image in the horizon.
+fn image_radius2(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
+    let lateral = wi.xy + wo.xy;
+    let to_horizon_i = wi.z * wi.z / (1.0 + length(wi.xy));
+    let to_horizon_o = wo.z * wo.z / (1.0 + length(wo.xy));
+    return dot(lateral, lateral) + 4.0 * to_horizon_i * to_horizon_o;
 }
 
 fn max_abs_w(rho: f32) -> f32 {
@@ -174,19 +244,10 @@ fn surface_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
 
 // XYZ of the BRDF in 1/sr; 0 for directions not above the surface, UNSERVED for those that the tables do not serve.
 fn brdf_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
-    let front = prefactor(wi, wo);
-    if front == 0.0 {
+    if !(wi.z > 0.0 && wo.z > 0.0) {
         return vec3<f32>(0.0, 0.0, 0.0);
     }
-    let power = window_power(wave_vector_change(wi, wo));
-    if !serves(power) {
-        return power;
-    }
-    return front * power;
-}
-
-// The BRDF without reflectance, geometry and shadowing; UNSERVED where the tables do not serve.
-fn window_power(q: vec3<f32>) -> vec3<f32> {
+    let q = wave_vector_change(wi, wo);
     let t = normalised_abs_w(q);
     let at = 0.5 * q.xy;
     var s = t;
@@ -201,7 +262,8 @@ fn window_power(q: vec3<f32>) -> vec3<f32> {
         basis = powers(abs(q.z));
     }
     // One loop for both, a tenth faster than one each where branches are masked; sets of powers have no lobe.
-    return expansion(basis, at) + lobe_value(q, t);
+    let diffuse = diffuse_factor(wi, wo) * (expansion(basis, at) + cross_value(q, t));
+    return diffuse + coherent_value(wi, wo, q);
 }
 
 // Whether a value is an answer.
@@ -230,18 +292,36 @@ fn normalised_abs_w(q: vec3<f32>) -> f32 {
     return min(abs(q.z) / reach, 1.0);
 }
 
-fn lobe_value(q: vec3<f32>, t: f32) -> vec3<f32> {
-    let w = abs(q.z);
-    var value = vec3<f32>(0.0, 0.0, 0.0);
+// The cross term over |w|; 0 where it vanishes.
+fn cross_value(q: vec3<f32>, t: f32) -> vec3<f32> {
+    if params.cross_count == 0u || max(abs(q.x), abs(q.y)) >= params.radius_max {
+        return vec3<f32>(0.0, 0.0, 0.0);
+    }
+    return cross_expansion(shifted_values(t), q.xy / params.radius_max) / abs(q.z);
+}
+
+// The coherent lobe with its factor. With the vector factor, what would leave below the horizon comes back above it.
+fn coherent_value(wi: vec3<f32>, wo: vec3<f32>, q: vec3<f32>) -> vec3<f32> {
     let radius = length(q.xy);
-    if radius < params.radius_max {
-        let last = vec2<f32>(textureDimensions(lobe)) - 1.0;
-        value = sample(vec2<f32>(t * last.y, radius / params.radius_max * last.x)) / w / w;
+    if radius >= params.radius_max {
+        // The image lies farther away still.
+        return vec3<f32>(0.0, 0.0, 0.0);
     }
-    if params.cross_count > 0u && max(abs(q.x), abs(q.y)) < params.radius_max {
-        value = value + cross_expansion(shifted_values(t), q.xy / params.radius_max) / w;
+    var value = lobe_at(radius, q.z);
+    if params.factor == VECTOR {
+        value = value + lobe_at(sqrt(image_radius2(wi, wo)), q.z);
     }
-    return value;
+    return coherent_factor(wi, wo) * value;
+}
+
+// The coherent table at a radius and w: 0 from radius_max on.
+fn lobe_at(radius: f32, w: f32) -> vec3<f32> {
+    if radius >= params.radius_max {
+        return vec3<f32>(0.0, 0.0, 0.0);
+    }
+    let last = vec2<f32>(textureDimensions(lobe)) - 1.0;
+    let t = normalised_abs_w(vec3<f32>(radius, 0.0, w));
+    return sample(vec2<f32>(t * last.y, radius / params.radius_max * last.x));
 }
 
 // Sum of basis_n table_n at a position in [-1, 1]².

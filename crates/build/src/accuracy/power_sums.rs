@@ -36,7 +36,7 @@ pub fn power_sums(set: &TableSet) -> (Vec<PowerSum>, Option<f64>) {
     let mut lobe_share = None;
     for theta_i_deg in [0.0, 30.0, 60.0] {
         let wi = from_angles_deg(theta_i_deg, 0.0);
-        let front = |wo: Vec3| unit.front_factor.value(wi, wo);
+        let front = |wo: Vec3| unit.front_factor.diffuse(wi, wo);
         let diffuse = integrate([0.0, 0.0], 1.0, steps, |wo| {
             front(wo) * diffuse_window_power(&unit, Interpolation::Bilinear, wave_vector_change(wi, wo))[1]
         });

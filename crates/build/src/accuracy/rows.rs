@@ -146,7 +146,7 @@ fn rows_of(
         return rows;
     }
     // The diffuse part as bright as it is seen, so that one floor counts for all rows.
-    let front = at_pairs(&|wi, wo| stored.front_factor.value(wi, wo));
+    let front = at_pairs(&|wi, wo| stored.front_factor.diffuse(wi, wo));
     let seen = |diffuse: &[f64]| -> Vec<f64> { diffuse.iter().zip(&front).map(|(d, front)| d * front).collect() };
     let [fine, stepped, interpolated] = [0, 1, 2].map(|i| seen(&reference.diffuse[i][range.clone()]));
     let [on_grid, rounded] = [built, stored].map(|set| {
@@ -194,7 +194,7 @@ fn row(cause: Cause, group: &ErrorGroup, reference: &[f64], test: &[f64]) -> Err
 /// The direct sum's XYZ at pairs of directions.
 pub type DirectSum<'a> = &'a dyn Fn(&[(Vec3, Vec3)]) -> Result<Vec<Xyz>>;
 
-/// The reference against the direct sum at the brightest directions of the first group: a grating is dark in most of
+/// The reference against the direct sum at the brightest directions of the first group: a grating is below the floor in most of
 /// them, and nothing can be compared there. `direct` gives the direct sum's XYZ at pairs of directions.
 ///
 /// # Errors

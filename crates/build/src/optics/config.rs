@@ -1,5 +1,6 @@
 //! What the optics needs to know: illumination, coherence, averaging, material.
 
+pub use diffraction_brdf::front_factor::Factor;
 use diffraction_brdf::front_factor::FrontFactor;
 pub use diffraction_brdf::material::Material;
 
@@ -42,11 +43,14 @@ pub struct OpticsConfig {
     pub material: Material,
     /// Whether the V-cavity shadowing factor is applied.
     pub shadowing: bool,
+    /// Which model of reflection stands in front of the tables; scalar where an older atlas does not say.
+    #[serde(default)]
+    pub factor: Factor,
 }
 
 impl OpticsConfig {
     /// What stands in front of the window's power for a pair of directions.
     pub fn front_factor(&self) -> FrontFactor {
-        FrontFactor { material: self.material, shadowing: self.shadowing }
+        FrontFactor { material: self.material, shadowing: self.shadowing, factor: self.factor }
     }
 }

@@ -203,7 +203,7 @@ mod tests {
     use super::*;
     use crate::ground::spectrum::Illuminant;
     use crate::height::HeightField;
-    use crate::optics::config::{Edge, Material, OpticsConfig, Windows};
+    use crate::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
     use crate::optics::spectra::{SpectraConfig, transform};
     use crate::optics::window::Placement;
     use ndarray::Array2;
@@ -222,6 +222,7 @@ mod tests {
             windows: Windows::Grid,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         };
         let config =
             SpectraConfig { s: [0.0, 0.033], frequency: [[-2e-3, 2e-3]; 2], tolerance: 1e-6, memory_bytes: 1 << 24 };

@@ -117,6 +117,7 @@ fn band_shares(rgb: [f64; 3]) -> Result<[f64; 3]> {
 mod tests {
     use super::*;
     use crate::optics::config::{Edge, Windows};
+    use diffraction_brdf::front_factor::Factor;
     use std::f64::consts::PI;
 
     fn optics(illuminant: Illuminant, material: Material) -> OpticsConfig {
@@ -128,6 +129,7 @@ mod tests {
             windows: Windows::Grid,
             material,
             shadowing: false,
+            factor: Factor::Scalar,
         }
     }
 

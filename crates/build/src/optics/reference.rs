@@ -108,7 +108,7 @@ pub fn brdf_spectrum(
     wo: Vec3,
     wavelengths_nm: &[f64],
 ) -> Result<Vec<f64>> {
-    let front = optics.front_factor().value(wi, wo);
+    let front = optics.front_factor().diffuse(wi, wo);
     let mut sum = vec![0.0; wavelengths_nm.len()];
     if front == 0.0 {
         return Ok(sum);
@@ -326,6 +326,7 @@ mod tests {
     use super::*;
     use crate::ground::spectrum::{SpectralQuadrature, uniform_wavelengths};
     use crate::optics::config::{Edge, Material, Windows};
+    use diffraction_brdf::front_factor::Factor;
     use std::f64::consts::SQRT_2;
 
     /// Relative errors of the luminance of one line, wherever in the spectrum it shows, ascending; places darker than a
@@ -363,6 +364,7 @@ mod tests {
                 windows: Windows::Grid,
                 material: Material::Ideal,
                 shadowing: false,
+                factor: Factor::Scalar,
             };
             // The kinks of a lamp are sharper than daylight's.
             let in_pictures = if optics.illuminant == Illuminant::D65 { 1e-4 } else { 4e-4 };

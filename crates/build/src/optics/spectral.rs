@@ -56,7 +56,7 @@ pub fn add_window(
     // Directions with equally many wavelengths share them; one set is held at a time.
     let mut by_count: BTreeMap<usize, Vec<(&mut Xyz, f64, Vec3)>> = BTreeMap::new();
     for (sum, &(wi, wo)) in sums.iter_mut().zip(pairs) {
-        let (front, q) = (optics.front_factor().value(wi, wo), wave_vector_change(wi, wo));
+        let (front, q) = (optics.front_factor().diffuse(wi, wo), wave_vector_change(wi, wo));
         if front != 0.0 {
             by_count.entry(resolving_count(optics, q, spectra.half_range_nm, step)).or_default().push((sum, front, q));
         }
@@ -110,6 +110,7 @@ mod tests {
     use super::*;
     use crate::ground::spectrum::Illuminant;
     use crate::optics::config::{Edge, Material, Windows};
+    use diffraction_brdf::front_factor::Factor;
     use ndarray::Array2;
 
     /// Transforms that hold a pair's own frequencies, and no others, give the value that those of all frequencies give.
@@ -134,6 +135,7 @@ mod tests {
                 windows,
                 material: Material::Ideal,
                 shadowing: false,
+                factor: Factor::Scalar,
             };
             let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
             let own = |axis: usize| {

@@ -223,6 +223,7 @@ mod tests {
     use super::*;
     use crate::ground::spectrum::Illuminant;
     use crate::optics::config::Material;
+    use diffraction_brdf::front_factor::Factor;
     use ndarray::Array2;
 
     fn optics(sigma_nm: f64, windows: Windows) -> OpticsConfig {
@@ -234,6 +235,7 @@ mod tests {
             windows,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::tables::model::Lobe;
-use diffraction_brdf::front_factor::FrontFactor;
+use diffraction_brdf::front_factor::{Factor, FrontFactor};
 use diffraction_brdf::material::Material;
 
 const SIZE: usize = 25;
@@ -23,7 +23,7 @@ fn set(basis: Basis) -> TableSet {
         tables: (0..5).map(|n| Array3::from_shape_fn((SIZE, SIZE, 3), number(n))).collect(),
         lobe: None,
         prefilter_width: 0.0,
-        front_factor: FrontFactor { material: Material::Ideal, shadowing: false },
+        front_factor: FrontFactor { material: Material::Ideal, shadowing: false, factor: Factor::Scalar },
         served: None,
         usable_radius: 2.0,
     }

@@ -23,10 +23,9 @@ use rustfft::num_complex::Complex;
 use super::gpu_layout::RUN_SAMPLES_MAX;
 use crate::scene::samples::{ShadingSamples, pixel_range};
 use diffraction_brdf::chebyshev;
-use diffraction_brdf::direction::max_abs_w;
-use diffraction_brdf::direction::{Vec3, Xyz, dot, wave_vector_change};
-use diffraction_brdf::evaluate::{Interpolation, sample, window_power};
-use diffraction_brdf::front_factor::FrontFactor;
+use diffraction_brdf::direction::{Vec3, Xyz, dot, max_abs_w, normalised_abs_w, wave_vector_change};
+use diffraction_brdf::evaluate::{Interpolation, coherent_lobe, cross_window_power, diffuse_window_power, sample};
+use diffraction_brdf::front_factor::{Factor, FrontFactor, image_radius2, polarised_factors};
 use diffraction_brdf::material::{Material, cos_half_angle, reflectance};
 use diffraction_brdf::shader::peak;
 use diffraction_brdf::storage::half_scale;
@@ -88,8 +87,7 @@ pub fn bound_image(surface: Surface, samples: &ShadingSamples) -> Array3<f32> {
 }
 
 fn sample_bound(set: &TableSet, tables: &Layers, cross: &Layers, wi: Vec3, wo: Vec3) -> Xyz {
-    let front = set.front_factor.value(wi, wo);
-    if front == 0.0 {
+    if !(wi[2] > 0.0 && wo[2] > 0.0) {
         return [0.0; 3];
     }
     let q = wave_vector_change(wi, wo);
@@ -111,14 +109,23 @@ fn sample_bound(set: &TableSet, tables: &Layers, cross: &Layers, wi: Vec3, wo: V
         Basis::Taylor => power_values(tables.tables.len(), w),
     };
     let place = std::array::from_fn(|axis| grid_place[axis] - first[axis] as f64);
-    let mut error = filtered_error(tables, &basis, place, place_error);
+    let mut tables_error = filtered_error(tables, &basis, place, place_error);
+    let mut value = diffuse_window_power(set, Interpolation::Bilinear, q);
+    let (mut lobe_bound, mut lobe_shown) = ([0.0; 3], [0.0; 3]);
     if let Some(lobe) = &set.lobe {
-        add(&mut error, lobe_error(lobe, cross, q, t, t_error));
+        add(&mut tables_error, cross_error(lobe, cross, q, t, t_error));
+        add(&mut value, cross_window_power(lobe, Interpolation::Bilinear, q));
+        lobe_bound = lobe_error(&set.front_factor, lobe, wi, wo, t_error);
+        lobe_shown = coherent_lobe(set, lobe, Interpolation::Bilinear, wi, wo);
     }
-    let value = window_power(set, Interpolation::Bilinear, q);
     // Rounding of the runs' sums, and of both pictures.
-    let relative = front_error(&set.front_factor, wi, wo) + (RUN_SAMPLES_MAX + 8) as f64 * U;
-    std::array::from_fn(|c| front * (error[c] * (1.0 + relative) + relative * value[c].abs()))
+    let sums = (RUN_SAMPLES_MAX + 8) as f64 * U;
+    let (diffuse, off) = (set.front_factor.diffuse(wi, wo), diffuse_factor_error(&set.front_factor, wi, wo));
+    let (coherent, relative) = (set.front_factor.coherent(wi, wo), front_error(&set.front_factor, wi, wo) + sums);
+    std::array::from_fn(|c| {
+        let of_tables = (diffuse + off) * tables_error[c] * (1.0 + sums) + (off + sums * diffuse) * value[c].abs();
+        of_tables + coherent * (lobe_bound[c] * (1.0 + relative) + relative * lobe_shown[c].abs())
+    })
 }
 
 /// The pigment's share: two reflectances, their product, and what the sums round of it.
@@ -160,6 +167,35 @@ pub fn front_error(front: &FrontFactor, wi: Vec3, wo: Vec3) -> f64 {
     }
     let error = reflectance_error(front.material, cosine, cosine_error);
     relative + error.min(1.0) / reflectance(front.material, cosine).max(f64::MIN_POSITIVE)
+}
+
+/// Absolute error of the factor of tables and cross term.
+///
+/// For `R G` it is [`front_error`] of it. The vector factor is a sum of squares. The azimuth's cosine, a quotient of products of
+/// two components, is off by `8 u`, its square and that of the sine by `16 u`; the amplitude that p scatters into p is a
+/// difference, off by `16 u` of either term; the roots lose digits where the permittivity is near a squared sine.
+fn diffuse_factor_error(front: &FrontFactor, wi: Vec3, wo: Vec3) -> f64 {
+    let value = front.diffuse(wi, wo);
+    let index = match (front.factor, front.material) {
+        (Factor::Scalar, _) | (_, Material::Ideal) => return value * front_error(front, wi, wo),
+        (_, Material::Dielectric { n }) => Complex::new(n, 0.0),
+        (_, Material::Conductor { n, k }) => Complex::new(n, k),
+    };
+    let eps = index * index;
+    let lateral2 = |v: Vec3| v[0] * v[0] + v[1] * v[1];
+    let roots = [wi, wo].map(|v| (eps - lateral2(v)).sqrt());
+    let denominators = [(wi, 0), (wo, 1)].map(|(v, i)| [roots[i] + v[2], eps * v[2] + roots[i]].map(|x| x.norm_sqr()));
+    let contrast = (eps - 1.0).norm_sqr();
+    let [[s_i, p_i], [s_o, p_o]] = denominators;
+    let of_azimuth = 1.0 / (s_i * s_o) + roots[1].norm_sqr() / (s_i * p_o) + roots[0].norm_sqr() / (p_i * s_o);
+    let terms = (roots[0] * roots[1]).norm() + eps.norm() * (lateral2(wi) * lateral2(wo)).sqrt();
+    let p_to_p = polarised_factors(index, wi, wo)[3];
+    let off = 16.0 * U * terms * (contrast / (p_i * p_o)).sqrt();
+    let of_roots = (eps.norm() + 2.0) * roots.iter().map(|root| 1.0 / root.norm_sqr().max(U)).sum::<f64>();
+    let shadowing =
+        if front.shadowing { 16.0 * ULP + 8.0 * ULP / cos_half_angle(wi, wo).max(f64::MIN_POSITIVE) } else { 0.0 };
+    let sum = 16.0 * U * contrast * of_azimuth + 2.0 * off * p_to_p.sqrt() + off * off;
+    2.0 * wi[2] * wo[2] * sum + value * (64.0 * U + 8.0 * U * of_roots + shadowing)
 }
 
 /// Absolute error of the reflectance at a cosine that is off by so much.
@@ -274,28 +310,43 @@ fn half_error(value: f32, scale: f32) -> f64 {
 }
 
 /// Bound for the coherent lobe and its cross term.
-fn lobe_error(lobe: &Lobe, cross: &Layers, q: Vec3, t: f64, t_error: f64) -> Xyz {
-    let (w, radius) = (q[2].abs(), q[0].hypot(q[1]));
+/// The cross term's share, over `|w|`.
+fn cross_error(lobe: &Lobe, cross: &Layers, q: Vec3, t: f64, t_error: f64) -> Xyz {
     let mut error = [0.0; 3];
-    // Whether a direction counts as inside may differ within rounding of the rim.
-    let rim = 1e-6 * lobe.radius_max;
-    if radius < lobe.radius_max + rim {
-        let whole = radius > lobe.radius_max - rim;
-        let here = coherent_error(lobe, radius, t, t_error, whole);
-        add(&mut error, here.map(|e| e / (w * w)));
+    let (w, reach) = (q[2].abs(), q[0].abs().max(q[1].abs()));
+    let rim = RIM_SHARE * lobe.radius_max;
+    if cross.tables.is_empty() || reach >= lobe.radius_max + rim {
+        return error;
     }
-    let reach = q[0].abs().max(q[1].abs());
-    if !cross.tables.is_empty() && reach < lobe.radius_max + rim {
-        let basis = chebyshev_values(cross.tables.len(), t, t_error);
-        let side = cross.tables[0].dim().0;
-        let at = [-q[1], q[0]].map(|x| (0.5 + 0.5 * x / lobe.radius_max).clamp(0.0, 1.0) * (side - 1) as f64);
-        let here = filtered_error(cross, &basis, at, side as f64 / (1 << 22) as f64);
-        add(&mut error, here.map(|e| e / w));
-        if reach > lobe.radius_max - rim {
-            // Both answers are right: all of it may be there or not.
-            let peaks = cross.tables.iter().map(|table| f64::from(peak(table))).sum::<f64>();
-            add(&mut error, [peaks / w; 3]);
-        }
+    let basis = chebyshev_values(cross.tables.len(), t, t_error);
+    let side = cross.tables[0].dim().0;
+    let at = [-q[1], q[0]].map(|x| (0.5 + 0.5 * x / lobe.radius_max).clamp(0.0, 1.0) * (side - 1) as f64);
+    let here = filtered_error(cross, &basis, at, side as f64 / (1 << 22) as f64);
+    add(&mut error, here.map(|e| e / w));
+    if reach > lobe.radius_max - rim {
+        // Both answers are right: all of it may be there or not.
+        let peaks = cross.tables.iter().map(|table| f64::from(peak(table))).sum::<f64>();
+        add(&mut error, [peaks / w; 3]);
+    }
+    error
+}
+
+/// Share of the lobe's radius within which a direction may count as inside or not: rounding.
+const RIM_SHARE: f64 = 1e-6;
+
+/// The coherent table's share without its factor, that of the image in the horizon included.
+fn lobe_error(front: &FrontFactor, lobe: &Lobe, wi: Vec3, wo: Vec3, t_error: f64) -> Xyz {
+    let [u, v, w] = wave_vector_change(wi, wo);
+    let radius = u.hypot(v);
+    let rim = RIM_SHARE * lobe.radius_max;
+    let mut error = [0.0; 3];
+    if radius >= lobe.radius_max + rim {
+        return error;
+    }
+    let image = (front.factor == Factor::Vector).then(|| image_radius2(wi, wo).sqrt());
+    for radius in [Some(radius), image].into_iter().flatten().filter(|radius| *radius < lobe.radius_max + rim) {
+        let whole = radius > lobe.radius_max - rim;
+        add(&mut error, coherent_error(lobe, radius, normalised_abs_w([radius, 0.0, w]), t_error, whole));
     }
     error
 }

@@ -256,7 +256,7 @@ mod tests {
         let scene = Scene::still("map", Shape::Hemisphere, vec![Light::point([0.0, 0.0, 1.0])], 16);
         let error = gbuffer(&scene).unwrap_err().to_string();
         assert!(error.contains("\"map\"") && error.contains("\"snake\""), "{error}");
-        let scene = Scene { shape: Shape::Sphere, size_px: 8193, ..scene };
+        let scene = Scene { shape: Shape::Sphere, size_px: 8192, pixel_samples: 4, ..scene };
         assert!(gbuffer(&scene).unwrap_err().to_string().contains("size_px"));
     }
 }

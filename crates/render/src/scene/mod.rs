@@ -12,6 +12,7 @@ pub mod gbuffer;
 pub mod hemisphere;
 pub mod hit;
 pub mod light;
+pub mod limits;
 pub mod mesh;
 pub mod mesh_file;
 pub mod model;

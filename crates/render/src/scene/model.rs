@@ -8,18 +8,12 @@ use diffraction_brdf::error::{Error, Result};
 use diffraction_build::ground::colour::auto_exposure;
 
 use super::environment::{Environment, scalar_irradiance};
+use super::limits::{
+    ANIMATION_PIXELS_MAX, DIAMETER_MAX_DEG, EV_MAX, FPS_MAX, FRAMES_MAX, IRRADIANCE_MAX, LENGTH_MM, LIGHTS_MAX,
+    ROW_SAMPLES_MAX, SAMPLES_MAX, SIZE_MAX_PX, TILT_MAX_DEG, TURN_MAX_DEG,
+};
 use super::mesh::{self, MeshShape};
 use super::turn::{Axis, Turn};
-
-/// Largest picture side that is accepted.
-pub const SIZE_MAX_PX: usize = 16_384;
-/// Largest number of samples per pixel and light.
-pub const SAMPLES_MAX: usize = 65_536;
-/// Largest number of samples in one row of the picture, which is rendered at a time: 117 MB.
-pub const ROW_SAMPLES_MAX: usize = 1 << 22;
-
-/// Most pixels of all frames of an animation: 64 of 1024 x 1024.
-pub const ANIMATION_PIXELS_MAX: usize = 1 << 26;
 
 /// A distant light, seen as a uniform disc.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -239,18 +233,11 @@ pub fn check(scene: &Scene) -> Result<()> {
 type Checked = std::result::Result<(), String>;
 
 fn check_counts(scene: &Scene) -> Checked {
-    let range = |key: &str, value: usize, max: usize| {
-        if value == 0 || value > max {
-            return Err(format!("{key} = {value} must lie between 1 and {max}"));
-        }
-        Ok(())
-    };
-    range("size_px", scene.size_px, SIZE_MAX_PX)?;
-    range("light_samples", scene.light_samples, SAMPLES_MAX)?;
-    range("pixel_samples", scene.pixel_samples, SAMPLES_MAX)?;
+    counted("size_px", scene.size_px, SIZE_MAX_PX)?;
+    counted("light_samples", scene.light_samples, SAMPLES_MAX)?;
+    counted("pixel_samples", scene.pixel_samples, SAMPLES_MAX)?;
     if let Exposure::Ev(ev) = scene.exposure {
-        // 2^100 is far beyond any use and still a finite f32.
-        within("exposure ev", ev, -100.0, 100.0)?;
+        within("exposure ev", ev, -EV_MAX, EV_MAX)?;
     }
     Ok(())
 }
@@ -266,13 +253,16 @@ fn check_lights(scene: &Scene) -> Checked {
     if scene.lights.is_empty() && scene.environment.is_none() && !screen {
         return Err("light: at least one is needed, as [{ direction = [x, y, z] }]".into());
     }
+    if scene.lights.len() > LIGHTS_MAX {
+        return Err(format!("light: {} are more than {LIGHTS_MAX}", scene.lights.len()));
+    }
     for light in &scene.lights {
         let length_squared = dot(light.direction, light.direction);
         if !length_squared.is_normal() {
             return Err(format!("light direction = {:?} must be finite and not the zero vector", light.direction));
         }
-        within("light angular_diameter_deg", light.angular_diameter_deg, 0.0, 179.0)?;
-        within("light irradiance", light.irradiance, 0.0, 1e9)?;
+        within("light angular_diameter_deg", light.angular_diameter_deg, 0.0, DIAMETER_MAX_DEG)?;
+        within("light irradiance", light.irradiance, 0.0, IRRADIANCE_MAX)?;
     }
     if scene.shape == Shape::Hemisphere && scene.lights[0].direction[2] <= 0.0 {
         return Err(format!(
@@ -289,10 +279,10 @@ fn check_shape(shape: &Shape) -> Checked {
         Shape::Hemisphere | Shape::Sphere | Shape::Snake => Ok(()),
         Shape::Mesh(ref shape) => mesh::check(shape),
         Shape::Patch { width_mm, distance_mm, tilt_deg, turn_deg } => {
-            within("width_mm", width_mm, 1e-3, 1e6)?;
-            within("distance_mm", distance_mm, 1e-3, 1e9)?;
-            within("tilt_deg", tilt_deg, -89.0, 89.0)?;
-            within("turn_deg", turn_deg, -360.0, 360.0)?;
+            length("width_mm", width_mm)?;
+            length("distance_mm", distance_mm)?;
+            within("tilt_deg", tilt_deg, -TILT_MAX_DEG, TILT_MAX_DEG)?;
+            within("turn_deg", turn_deg, -TURN_MAX_DEG, TURN_MAX_DEG)?;
             if distance_mm <= width_mm {
                 return Err(format!(
                     "distance_mm = {distance_mm} must exceed width_mm = {width_mm}, \
@@ -302,11 +292,11 @@ fn check_shape(shape: &Shape) -> Checked {
             Ok(())
         }
         Shape::Screen { distance_mm, width_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg } => {
-            within("distance_mm", distance_mm, 1e-3, 1e6)?;
-            within("width_mm", width_mm, 1e-3, 1e6)?;
-            within("beam_diameter_mm", beam_diameter_mm, 1e-6, 1e6)?;
-            within("hole_diameter_mm", hole_diameter_mm.unwrap_or(0.0), 0.0, 1e6)?;
-            within("incidence_deg", incidence_deg, -89.0, 89.0)?;
+            length("distance_mm", distance_mm)?;
+            length("width_mm", width_mm)?;
+            length("beam_diameter_mm", beam_diameter_mm)?;
+            within("hole_diameter_mm", hole_diameter_mm.unwrap_or(0.0), 0.0, LENGTH_MM[1])?;
+            within("incidence_deg", incidence_deg, -TILT_MAX_DEG, TILT_MAX_DEG)?;
             // The spot is stretched along the tilted sample, whose rim must stay behind the screen.
             let reach_mm = 0.5 * beam_diameter_mm * incidence_deg.to_radians().tan().abs();
             if reach_mm >= distance_mm {
@@ -321,16 +311,16 @@ fn check_shape(shape: &Shape) -> Checked {
 }
 
 fn check_turns(scene: &Scene) -> Checked {
-    within("turn", scene.turn.angle_deg, -360.0, 360.0)?;
+    within("turn", scene.turn.angle_deg, -TURN_MAX_DEG, TURN_MAX_DEG)?;
     if scene.turn.angle_deg != 0.0 {
         check_turn(&scene.shape, Moving::Turntable, scene.turn.axis)?;
     }
     let Some(animation) = &scene.animation else { return Ok(()) };
     check_turn(&scene.shape, animation.kind, animation.axis)?;
-    within("animate degrees", animation.degrees, -360.0, 360.0)?;
-    if animation.frames == 0 || animation.size_px == 0 || animation.fps == 0 {
-        return Err("animate: frames, size_px and fps must be at least 1".into());
-    }
+    within("animate degrees", animation.degrees, -TURN_MAX_DEG, TURN_MAX_DEG)?;
+    counted("animate frames", animation.frames, FRAMES_MAX)?;
+    counted("animate size_px", animation.size_px, SIZE_MAX_PX)?;
+    counted("animate fps", animation.fps.into(), FPS_MAX)?;
     if animation.frames.saturating_mul(animation.size_px.saturating_mul(animation.size_px)) > ANIMATION_PIXELS_MAX {
         return Err(format!(
             "animate: {} frames of {} x {} pixels are more than {ANIMATION_PIXELS_MAX} pixels together",
@@ -389,6 +379,17 @@ pub fn check_row_samples(size_px: usize, samples: [usize; 2], lights: usize) -> 
     Ok(())
 }
 
+fn counted(key: &str, value: usize, max: usize) -> Checked {
+    if value == 0 || value > max {
+        return Err(format!("{key} = {value} must lie between 1 and {max}"));
+    }
+    Ok(())
+}
+
+fn length(key: &str, value_mm: f64) -> Checked {
+    within(key, value_mm, LENGTH_MM[0], LENGTH_MM[1])
+}
+
 fn within(key: &str, value: f64, low: f64, high: f64) -> Checked {
     // Written so that NaN is refused.
     if !(low..=high).contains(&value) {
@@ -436,9 +437,9 @@ mod tests {
         assert!(message(|s| s.size_px = 1 << 40).contains("size_px"));
         let crowded = |s: &mut Scene| {
             s.size_px = SIZE_MAX_PX;
-            s.light_samples = 257;
+            s.light_samples = 513;
         };
-        assert!(message(crowded).contains("light_samples = 257"));
+        assert!(message(crowded).contains("light_samples = 513"));
         assert!(message(|s| s.lights.clear()).contains("light"));
         assert!(message(|s| s.lights[0].direction = [0.0; 3]).contains("direction"));
         assert!(message(|s| s.lights[0].direction[1] = f64::NAN).contains("direction"));

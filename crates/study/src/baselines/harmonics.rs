@@ -54,7 +54,7 @@ pub fn fit(degree: usize, samples: &[(Vec3, Xyz)]) -> Result<HarmonicFit> {
 impl HarmonicFit {
     /// XYZ of the BRDF in 1/sr. Like every such fit it rings, and may be negative.
     pub fn brdf_xyz(&self, optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> Xyz {
-        let front = optics.front_factor().value(wi, wo);
+        let front = optics.front_factor().diffuse(wi, wo);
         if front == 0.0 {
             return [0.0; 3];
         }

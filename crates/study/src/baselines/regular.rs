@@ -67,7 +67,7 @@ impl RegularSurface {
     }
 }
 
-/// The orders of one wave at one depth of phase: `J_m²(z)` at multiples of its frequency.
+/// The orders of one wave at one phase scale `k w`: `J_m²(z)` at multiples of its frequency.
 struct Orders {
     frequency: [f64; 2],
     z: f64,
@@ -110,7 +110,7 @@ mod tests {
     use diffraction_brdf::direction::from_angles_deg;
     use diffraction_build::ground::spectrum::{Illuminant, Line};
     use diffraction_build::height::HeightField;
-    use diffraction_build::optics::config::{Edge, Material, Windows};
+    use diffraction_build::optics::config::{Edge, Factor, Material, Windows};
     use diffraction_build::optics::reference;
 
     #[test]
@@ -126,6 +126,7 @@ mod tests {
             windows: Windows::Grid,
             material: Material::Ideal,
             shadowing: false,
+            factor: Factor::Scalar,
         };
         let model = RegularSurface::fitted(&surface_statistics(std::slice::from_ref(&field)));
         for order in -2..=2 {

@@ -24,8 +24,9 @@ const PLAIN_FAILS: f64 = 3e-2;
 /// Errors at one share of the reach in `w`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct GrazingRow {
-    /// `|w| / sqrt(4 - u² - v²)`.
-    pub t: f64,
+    /// `|w| / sqrt(4 - u² - v²)`, `t` in the files.
+    #[serde(rename = "t")]
+    pub normalised_w: f64,
     /// 95th percentile of the relative error of Y on texels.
     pub divided: f64,
     /// The same if tables held `|P|²` whole, with as many polynomials.
@@ -63,7 +64,7 @@ fn outside(set: &TableSet, t: f64) -> Vec<Pair> {
 /// `w` towards 0: the diffuse part is stored divided by `w²`, so nothing of it is divided by a small number.
 fn grazing(set: &TableSet, field: &HeightField, t: f64) -> (GrazingRow, StabilityCase) {
     let found = Comparison::new(set, field, &optics(800.0), outside(set, t));
-    let row = GrazingRow { t, divided: found.error(), whole: found.whole(2) };
+    let row = GrazingRow { normalised_w: t, divided: found.error(), whole: found.whole(2) };
     let note = "95 % error of Y on texels, basis and wavelengths each within the tolerance";
     let kept = case(&format!("w towards 0, t = {t}"), note, row.divided, BOUND).half(found.half());
     let case = if t > PLAIN_FAILS {
@@ -113,7 +114,7 @@ fn lobe_between_texels(set: &TableSet, field: &HeightField) -> StabilityCase {
         let share = u.abs() / texel;
         let rest = window_power(set, Interpolation::Cubic, [u, 0.0, w])[1]
             - lobe_window_power(set, Interpolation::Cubic, [u, 0.0, w])[1];
-        set.front_factor.value(wi, wo) * (rest + (1.0 - share) * left + share * right)
+        set.front_factor.diffuse(wi, wo) * (rest + (1.0 - share) * left + share * right)
     });
     // The lobe carries the light there; what the tables add between their own texels is a few per cent of it.
     case("mirror lobe between texels", "95 % error of Y", found.error(), 5.0 * BOUND)
@@ -132,7 +133,7 @@ fn grazing_mirror(set: &TableSet, field: &HeightField) -> StabilityCase {
         let at = 0.5 * wave_vector_change(wi, wo)[2].abs() * steps;
         let row = |row: f64| lobe_window_power(set, Interpolation::Bilinear, [0.0, 0.0, 2.0 * row / steps])[1];
         let share = at - at.floor();
-        set.front_factor.value(wi, wo) * ((1.0 - share) * row(at.floor()) + share * row(at.floor() + 1.0))
+        set.front_factor.diffuse(wi, wo) * ((1.0 - share) * row(at.floor()) + share * row(at.floor() + 1.0))
     });
     case("grazing mirror, 85 to 89.9 degrees", "95 % error of Y", found.error(), BOUND)
         .guarded("division by w² after the look-up", of_quotients)
@@ -142,8 +143,8 @@ fn grazing_mirror(set: &TableSet, field: &HeightField) -> StabilityCase {
 /// factor divides by their cosines.
 fn below(set: &TableSet) -> StabilityCase {
     let up = from_angles_deg(30.0, 10.0);
-    let dark = [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], from_angles_deg(120.0, 45.0), [0.0, 0.0, -1.0], [f64::NAN; 3]];
-    let both: Vec<Pair> = dark.iter().flat_map(|&d| [(up, d), (d, up), (d, d)]).collect();
+    let unlit = [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], from_angles_deg(120.0, 45.0), [0.0, 0.0, -1.0], [f64::NAN; 3]];
+    let both: Vec<Pair> = unlit.iter().flat_map(|&d| [(up, d), (d, up), (d, d)]).collect();
     let light: f64 = both.iter().map(|&(wi, wo)| brdf_xyz(set, Interpolation::Bilinear, wi, wo)[1].abs()).sum();
     let unguarded = |&(wi, wo): &Pair| {
         let power = window_power(set, Interpolation::Bilinear, wave_vector_change(wi, wo))[1];

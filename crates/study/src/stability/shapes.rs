@@ -57,7 +57,7 @@ fn surfaces() -> Vec<StabilityCase> {
         what: "a pitch for each axis; square pixels as large",
         without: &|found| found.other(&square, &light, &settings),
     };
-    // The nodes in depth follow from peak to valley; counted from the rms height of 310 nm they are too few.
+    // The nodes follow from peak to valley; counted from the rms height of 310 nm they are too few.
     let spike = at(10_000.0, &|x, y| f64::from(u8::from(x == 20 && y == 9)));
     let whole_range =
         TakenOut { what: "tables for the whole range; for the rms height", without: &|found| found.with_tables(6) };
@@ -206,7 +206,7 @@ fn line() -> StabilityCase {
     on_one_row("a relief of N x 1 samples", &field, "one line along an axis of one sample; its aliases", &|found| {
         found.error_of(&|wi, wo| {
             let power = window_power(found.set, Interpolation::Cubic, wave_vector_change(wi, wo))[1];
-            found.set.front_factor.value(wi, wo) * power * repeated
+            found.set.front_factor.diffuse(wi, wo) * power * repeated
         })
     })
 }

@@ -15,7 +15,7 @@ use diffraction_build::ground::metrics::relative_error_quantiles;
 use diffraction_build::ground::sampling::four;
 use diffraction_build::ground::spectrum::{Illuminant, Line};
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::optics::reference::brdf_xyz_batch;
 use diffraction_build::tables::build::build;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
@@ -74,6 +74,7 @@ pub fn optics(sigma_nm: f64) -> OpticsConfig {
         windows: Windows::Grid,
         material: Material::Ideal,
         shadowing: false,
+        factor: Factor::Scalar,
     }
 }
 
@@ -164,7 +165,7 @@ impl<'a> Comparison<'a> {
     pub fn misread(&self, elsewhere: &dyn Fn(Vec3) -> Vec3) -> f64 {
         self.error_of(&|wi, wo| {
             let q = elsewhere(wave_vector_change(wi, wo));
-            self.set.front_factor.value(wi, wo) * window_power(self.set, Interpolation::Cubic, q)[1]
+            self.set.front_factor.diffuse(wi, wo) * window_power(self.set, Interpolation::Cubic, q)[1]
         })
     }
 
@@ -181,7 +182,7 @@ impl<'a> Comparison<'a> {
                 let w = t * reach;
                 weight * w.powi(power) * window_power(self.set, Interpolation::Cubic, [u, v, w])[1]
             });
-            self.set.front_factor.value(wi, wo) * terms.sum::<f64>() / w.abs().powi(power)
+            self.set.front_factor.diffuse(wi, wo) * terms.sum::<f64>() / w.abs().powi(power)
         })
     }
 
@@ -229,7 +230,7 @@ fn half_share(set: &TableSet, pairs: &[Pair]) -> f64 {
             basis.abs() * (2f64.powi(-11) * f64::from(table[[row, column, 1]].abs()) + 2f64.powi(-25) * scale)
         });
         // The texel's position is found to 2^-50; a neighbour enters with that weight.
-        let allowed = set.front_factor.value(wi, wo) * moved.sum::<f64>() * (1.0 + 1e-6);
+        let allowed = set.front_factor.diffuse(wi, wo) * moved.sum::<f64>() * (1.0 + 1e-6);
         let [exact, found] = [set, &halves].map(|set| brdf_xyz(set, Interpolation::Cubic, wi, wo)[1]);
         let off = (found - exact).abs();
         if off.is_nan() {

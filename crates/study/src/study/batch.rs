@@ -255,6 +255,7 @@ fn without_tables(set: &TableSet, storage: Storage) -> TableSet {
 mod tests {
     use super::*;
     use diffraction_brdf::evaluate::brdf_xyz;
+    use diffraction_brdf::front_factor::Factor;
     use diffraction_build::ground::sampling::{Region, direction_pairs};
     use diffraction_build::tables::model::Lobe;
 
@@ -271,7 +272,11 @@ mod tests {
                 cross: vec![Array3::from_shape_fn((7, 7, 3), number(2))],
             }),
             prefilter_width: 0.0,
-            front_factor: FrontFactor { material: Material::Dielectric { n: 1.5 }, shadowing: false },
+            front_factor: FrontFactor {
+                material: Material::Dielectric { n: 1.5 },
+                shadowing: false,
+                factor: Factor::Scalar,
+            },
             served: None,
             usable_radius: 2.0,
         }
@@ -293,7 +298,7 @@ mod tests {
                         // magnitudes: four tables of at most 1.3, over w² in powers of w. A position carries 2^-24 of
                         // 8 texels, over which values change by up to their own size.
                         let w2 = (wi[2] + wo[2]).powi(2).min(1.0);
-                        let magnitude = set.front_factor.value(wi, wo) * 4.0 * 1.3 * 4.0 / w2;
+                        let magnitude = set.front_factor.diffuse(wi, wo) * 4.0 * 1.3 * 4.0 / w2;
                         assert!((found[1] - one).abs() <= 2e-6 * magnitude, "{basis:?} {} {one}", found[1]);
                     }
                     // A single wrong texel shows.

@@ -62,7 +62,7 @@ impl Measure {
     }
 }
 
-/// Directions drawn over the hemisphere, of which the first that meet lit texels are taken; 2.5 % lie within 30° of the
+/// Directions drawn over the hemisphere, of which the first that meet texels above the floor are taken; 2.5 % lie within 30° of the
 /// normal.
 const DRAWN: usize = 8_192;
 
@@ -192,27 +192,9 @@ pub fn count(config: &StudyConfig) -> u64 {
 pub fn rows(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refusal>) -> Result<Vec<EqualError>> {
     let trials = build_trials(specimen, context, refusals)?;
     let Some(finest) = trials.chebyshev.last() else { return Ok(Vec::new()) };
-    let plan = build::plan(&specimen.fields, &specimen.optics, &config_of(context, Basis::Chebyshev, 1))?;
-    let drawn = direction_pairs(Region::Hemisphere, DRAWN);
-    let steep_pairs: Vec<Pair> = drawn.iter().copied().filter(steep).collect();
-    let bright = |(wi, wo): &Pair| brdf_xyz(finest, Interpolation::Cubic, *wi, *wo)[1];
-    let floor = floor_per_sr(specimen.optics.material, &drawn.iter().map(bright).collect::<Vec<_>>());
-    let mut texels = Vec::new();
-    for pairs in [drawn, steep_pairs] {
-        let texels_of = Texels::of(finest, &specimen.optics, plan.filter, &pairs, floor);
-        let reference = texels_of.reference(&specimen.fields, &specimen.optics, &plan)?;
-        texels.push((texels_of.centres, reference));
-    }
-    let errors_of = |packed: &PackedTables| {
-        let batch = |pairs: &[Pair], out: &mut [Xyz]| packed.evaluate(Interpolation::Cubic, pairs, out);
-        let errors = |region: usize| {
-            let (pairs, reference) = &texels[region];
-            relative_error_quantiles(reference, &luminances(&batch, pairs), floor)
-        };
-        Errors { hemisphere: errors(0), steep: errors(1) }
-    };
+    let places = Places::of(specimen, context, finest)?;
     let candidate = |set, tables, storage| {
-        let errors = errors_of(&PackedTables::new(set, tables, storage));
+        let errors = places.errors(&PackedTables::new(set, tables, storage));
         Candidate { set, tables, storage, errors }
     };
     let ours: Vec<Candidate> =
@@ -226,21 +208,60 @@ pub fn rows(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refu
         let best = theirs.iter().map(|c| measure.of(&c.errors)).fold(f64::INFINITY, f64::min) * BEST_WITHIN;
         let targets = TARGETS.into_iter().map(|target| (target, false)).chain([(best, true)]);
         for (target, taylors_best) in targets.filter(|(target, _)| target.is_finite()) {
-            let first = |list: &[Candidate]| -> Result<Option<Contender>> {
-                let reached = list.iter().position(|c| measure.of(&c.errors) <= target);
-                let Some(first) = reached else { return Ok(None) };
-                let contender = timed(context, &list[first], measure.of(&list[first].errors))?;
-                // Rounded to the published method's best, and in single directions, there is little to learn.
-                let files = match taylors_best || measure == Measure::Worst {
-                    true => None,
-                    false => filed(&list[first..], target, &|packed| measure.of(&errors_of(packed)))?,
-                };
-                Ok(Some(Contender { files, ..contender }))
-            };
+            // Rounded to the published method's best, and in single directions, there is little to learn.
+            let asks_files = !taylors_best && measure != Measure::Worst;
+            let first = |list: &[Candidate]| contender(context, &places, list, (measure, target), asks_files);
             found.push(EqualError { measure, target, taylors_best, chebyshev: first(&ours)?, taylor: first(&theirs)? });
         }
     }
     Ok(found)
+}
+
+/// The first of the candidates that reaches an error, timed.
+fn contender(
+    context: &Context,
+    places: &Places,
+    list: &[Candidate],
+    (measure, target): (Measure, f64),
+    asks_files: bool,
+) -> Result<Option<Contender>> {
+    let Some(first) = list.iter().position(|c| measure.of(&c.errors) <= target) else { return Ok(None) };
+    let contender = timed(context, &list[first], measure.of(&list[first].errors))?;
+    let files = match asks_files {
+        true => filed(&list[first..], target, &|packed| measure.of(&places.errors(packed)))?,
+        false => None,
+    };
+    Ok(Some(Contender { files, ..contender }))
+}
+
+/// Texels over the hemisphere and near the normal, with what they should hold.
+struct Places {
+    texels: [(Vec<Pair>, Vec<f64>); 2],
+    floor_per_sr: f64,
+}
+
+impl Places {
+    fn of(specimen: &StudySpecimen, context: &Context, finest: &TableSet) -> Result<Self> {
+        let plan = build::plan(&specimen.fields, &specimen.optics, &config_of(context, Basis::Chebyshev, 1))?;
+        let drawn = direction_pairs(Region::Hemisphere, DRAWN);
+        let steep_pairs: Vec<Pair> = drawn.iter().copied().filter(steep).collect();
+        let bright = |(wi, wo): &Pair| brdf_xyz(finest, Interpolation::Cubic, *wi, *wo)[1];
+        let floor_per_sr = floor_per_sr(specimen.optics.material, &drawn.iter().map(bright).collect::<Vec<_>>());
+        let near = |pairs: &[Pair]| -> Result<(Vec<Pair>, Vec<f64>)> {
+            let texels = Texels::of(finest, &specimen.optics, plan.filter, pairs, floor_per_sr);
+            let reference = texels.reference(&specimen.fields, &specimen.optics, &plan)?;
+            Ok((texels.centres, reference))
+        };
+        Ok(Self { texels: [near(&drawn)?, near(&steep_pairs)?], floor_per_sr })
+    }
+
+    fn errors(&self, packed: &PackedTables) -> Errors {
+        let batch = |pairs: &[Pair], out: &mut [Xyz]| packed.evaluate(Interpolation::Cubic, pairs, out);
+        let [hemisphere, steep] = self.texels.each_ref().map(|(pairs, reference)| {
+            relative_error_quantiles(reference, &luminances(&batch, pairs), self.floor_per_sr)
+        });
+        Errors { hemisphere, steep }
+    }
 }
 
 fn config_of(context: &Context, basis: Basis, count: usize) -> TablesConfig {

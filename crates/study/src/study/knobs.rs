@@ -30,47 +30,34 @@ pub fn count(config: &StudyConfig) -> u64 {
 /// the grid's own error cancels.
 pub fn rows(context: &Context) -> Result<Vec<KnobRow>> {
     let base = context.tables_config(Basis::Chebyshev);
-    let made = |config: &TablesConfig, optics: &OpticsConfig| -> Result<TableSet> {
-        let set = build(context.fields, optics, config, &|_| ())?.0;
-        context.progress.advance(1);
-        Ok(set)
-    };
-    let directions = context.sample.hemisphere();
-    let values = |set: &TableSet, interpolation: Interpolation| {
-        let batch = |pairs: &[Pair], out: &mut [Xyz]| {
-            pairs.iter().zip(out).for_each(|(&(wi, wo), xyz)| *xyz = brdf_xyz(set, interpolation, wi, wo));
-        };
-        luminances(&batch, &directions.pairs)
-    };
-    let finest = made(&base, context.optics)?;
-    let fine = values(&finest, Interpolation::Cubic);
+    let finest = built(context, &base)?;
+    let fine = values(context, &finest, Interpolation::Cubic);
     let mut rows = Vec::new();
     let mut push = |knob: &str, value: f64, setting: String, reference: &[f64], found: &[f64]| {
         rows.push(KnobRow { knob: knob.into(), value, setting, quantiles: context.sample.deviation(reference, found) });
     };
     for &count in &context.config.chebyshev {
-        let set = made(&TablesConfig { count: Some(count), ..base.clone() }, context.optics)?;
-        push("basis", count as f64, format!("{count} tables"), &fine, &values(&set, Interpolation::Cubic));
+        let set = built(context, &TablesConfig { count: Some(count), ..base.clone() })?;
+        push("basis", count as f64, format!("{count} tables"), &fine, &values(context, &set, Interpolation::Cubic));
     }
     for &step in &context.config.wavelength_steps_nm {
-        let set = made(&TablesConfig { wavelength_step_nm: Some(step), ..base.clone() }, context.optics)?;
-        push("wavelength step", step, format!("{step} nm"), &fine, &values(&set, Interpolation::Cubic));
+        let set = built(context, &TablesConfig { wavelength_step_nm: Some(step), ..base.clone() })?;
+        push("wavelength step", step, format!("{step} nm"), &fine, &values(context, &set, Interpolation::Cubic));
     }
+    let exact = &context.sample.hemisphere().luminance;
     for &size in &context.config.sizes {
-        let set = made(&TablesConfig { size: Some(size), ..base.clone() }, context.optics)?;
-        for (knob, interpolation) in
-            [("grid, bilinear", Interpolation::Bilinear), ("grid, cubic", Interpolation::Cubic)]
-        {
-            push(knob, size as f64, format!("{size} texels"), &directions.luminance, &values(&set, interpolation));
+        let set = built(context, &TablesConfig { size: Some(size), ..base.clone() })?;
+        for (knob, look_up) in [("grid, bilinear", Interpolation::Bilinear), ("grid, cubic", Interpolation::Cubic)] {
+            push(knob, size as f64, format!("{size} texels"), exact, &values(context, &set, look_up));
         }
     }
     for bits in SIGNIFICANDS {
-        let rounded = with_significand(&finest, bits);
-        push("storage", f64::from(bits), format!("{bits} bits"), &fine, &values(&rounded, Interpolation::Cubic));
+        let rounded = values(context, &with_significand(&finest, bits), Interpolation::Cubic);
+        push("storage", f64::from(bits), format!("{bits} bits"), &fine, &rounded);
     }
-    let half = values(&stored(&finest, Storage::Half), Interpolation::Cubic);
+    let half = values(context, &stored(&finest, Storage::Half), Interpolation::Cubic);
     push("storage, half", 11.0, "half".into(), &fine, &half);
-    let mut means = windows(context, &directions.pairs)?;
+    let mut means = windows(context, &context.sample.hemisphere().pairs)?;
     if let Some((_, most)) = means.pop() {
         for (count, mean) in means {
             push("windows", count as f64, format!("mean of {count}"), &most, &mean);
@@ -78,6 +65,20 @@ pub fn rows(context: &Context) -> Result<Vec<KnobRow>> {
     }
     context.progress.advance(1);
     Ok(rows)
+}
+
+fn built(context: &Context, config: &TablesConfig) -> Result<TableSet> {
+    let set = build(context.fields, context.optics, config, &|_| ())?.0;
+    context.progress.advance(1);
+    Ok(set)
+}
+
+/// Y of tables in the hemisphere's directions.
+fn values(context: &Context, set: &TableSet, interpolation: Interpolation) -> Vec<f64> {
+    let batch = |pairs: &[Pair], out: &mut [Xyz]| {
+        pairs.iter().zip(out).for_each(|(&(wi, wo), xyz)| *xyz = brdf_xyz(set, interpolation, wi, wo));
+    };
+    luminances(&batch, &context.sample.hemisphere().pairs)
 }
 
 /// A set whose tables are rounded to so many significant bits, the exponent left free.

@@ -8,7 +8,7 @@ use super::lent::GpuClock;
 use super::pictures::Pictures;
 use super::sample::Sample;
 use super::timing::Clock;
-use super::{MethodRow, Refusal, RegionErrors, StudyConfig};
+use super::{MethodRow, Refusal, RegionErrors, StudyConfig, wave_methods};
 use crate::baselines::regular::RegularSurface;
 use crate::baselines::rough::RoughSurface;
 use crate::baselines::statistics::SurfaceStatistics;
@@ -33,6 +33,37 @@ const POWER_GRID: [usize; 2] = [96, 128];
 /// The transforms without tables: what pictures are held against.
 pub const FFT: &str = "FFT";
 
+/// What each family of methods is for, in a sentence: the beginning of its rows' names first.
+pub const PURPOSES: [(&str, &str); 9] = [
+    ("direct sum", "The definition itself, in double precision: slow, and what everything else is held against."),
+    (FFT, "The same without tables, from transforms at a few heights of phase: a reference for many directions."),
+    (
+        "chebyshev",
+        "The tables of an atlas: every direction, wavelength and light folded into a few images for a renderer.",
+    ),
+    ("taylor", "The published tables (Dhillon et al. 2014), in powers of w: for shallow surfaces."),
+    (
+        "Stam",
+        "Closed forms of a random surface and of one or two waves (Stam 1999): no scan needed, a few numbers of it kept.",
+    ),
+    (
+        "spherical harmonics",
+        "A smooth fit (Lindsay and Agu 2006): for materials without narrow orders, at hardly any memory.",
+    ),
+    (
+        "WBSDF",
+        "A Wigner distribution (Cuypers et al. 2012): for gratings lit and seen in one plane, and for light that meets      more than one such surface; a single line of a scan says little of a surface that varies both ways.",
+    ),
+    (
+        "light field",
+        "The Wigner distribution as rays, some negative (Oh et al. 2010): for ray tracers that are to show waves      near a thin, slowly varying screen; too few positions or angles alias.",
+    ),
+    (
+        "optical paths",
+        "Phases of sampled paths (Ziegler et al. 2008): for arbitrary paths through a scene, with no      preparation; N paths leave 1/N of the mirror's light everywhere.",
+    ),
+];
+
 /// What every method is given.
 pub struct Context<'a> {
     pub fields: &'a [HeightField],
@@ -48,7 +79,7 @@ pub struct Context<'a> {
 
 /// Steps of progress.
 pub fn count(config: &StudyConfig) -> u64 {
-    (4 + config.chebyshev.len() + config.taylor.len() + config.harmonics.len()) as u64
+    (4 + config.chebyshev.len() + config.taylor.len() + config.harmonics.len() + wave_methods::count(config)) as u64
 }
 
 /// What all methods left.
@@ -58,11 +89,18 @@ pub struct Rows {
 }
 
 /// What a row is about.
-struct Label<'a> {
+pub struct Label<'a> {
     method: &'a str,
     setting: String,
     tables: Option<(Basis, Storage)>,
     stored_bytes: u64,
+}
+
+impl<'a> Label<'a> {
+    /// Of a method that keeps other numbers than tables, so many bytes.
+    pub fn without_tables(method: &'a str, setting: String, bytes: usize) -> Self {
+        Self { method, setting, tables: None, stored_bytes: bytes as u64 }
+    }
 }
 
 /// What building took.
@@ -101,6 +139,7 @@ impl Context<'_> {
             Some(finest) => rows.methods.extend(self.harmonic_rows(&finest)?),
             None => self.progress.advance(self.config.harmonics.len() as u64),
         }
+        rows.methods.extend(self.wave_rows()?);
         Ok(rows)
     }
 
@@ -135,7 +174,7 @@ impl Context<'_> {
             pictures: Vec::new(),
         };
         let bytes = self.spectra.iter().map(|s| s.data.len() * size_of_val(&s.data[..1])).sum::<usize>();
-        let label = Label { method: FFT, setting: "no tables".into(), tables: None, stored_bytes: bytes as u64 };
+        let label = Label::without_tables(FFT, "no tables".into(), bytes);
         let share = 1.0 / self.spectra.len().max(1) as f64;
         let batch = |pairs: &[Pair], out: &mut [Xyz]| {
             out.fill([0.0; 3]);
@@ -147,7 +186,7 @@ impl Context<'_> {
             }
             out.iter_mut().flatten().for_each(|x| *x *= share);
         };
-        let fft = self.row(label, transforms, &batch);
+        let fft = MethodRow { pictures: self.pictures.shown(), ..self.row(label, transforms, &batch) };
         vec![direct, fft]
     }
 
@@ -174,7 +213,7 @@ impl Context<'_> {
             rows.push(MethodRow {
                 bilinear_s: Some(self.clock.on_one_thread(&bilinear, &self.timed_pairs())),
                 gpu_s,
-                ..self.row(label, cost, &cubic)
+                ..self.row_with_pictures(label, cost, &cubic)
             });
         }
         Ok((set, rows))
@@ -183,19 +222,20 @@ impl Context<'_> {
     fn closed_forms(&self, statistics: &SurfaceStatistics) -> Vec<MethodRow> {
         let rough = RoughSurface { rms_nm: statistics.rms_nm, correlation_nm: statistics.correlation_nm };
         let regular = RegularSurface::fitted(statistics);
-        let label = |method, setting: String, numbers: usize| Label {
-            method,
-            setting,
-            tables: None,
-            stored_bytes: (numbers * size_of::<f64>()) as u64,
+        let label = |method, setting: String, numbers: usize| {
+            Label::without_tables(method, setting, numbers * size_of::<f64>())
         };
         let waves = regular.waves.len();
         let sigma_nm = self.optics.sigma_nm;
         let random = self.closed_form(|q, nm| rough.power_nm2(sigma_nm, q, nm));
         let bumps = self.closed_form(|q, nm| regular.power_nm2(sigma_nm, q, nm));
         vec![
-            self.row(label("Stam, random", "rms, length".into(), 2), Cost::default(), &random),
-            self.row(label("Stam, regular", format!("{waves} waves"), 3 * waves), Cost::default(), &bumps),
+            self.row_with_pictures(label("Stam, random", "rms, length".into(), 2), Cost::default(), &random),
+            self.row_with_pictures(
+                label("Stam, regular", format!("{waves} waves"), 3 * waves),
+                Cost::default(),
+                &bumps,
+            ),
         ]
     }
 
@@ -225,24 +265,23 @@ impl Context<'_> {
                     .collect();
                 harmonics::fit(degree, &samples)
             })?;
-            let label = Label {
-                method: "spherical harmonics",
-                setting: format!("degree {degree}"),
-                tables: None,
-                stored_bytes: (fitted.coefficients.len() * size_of::<Xyz>()) as u64,
-            };
-            rows.push(self.row(label, cost, &each(|wi, wo| fitted.brdf_xyz(self.optics, wi, wo))));
+            let bytes = fitted.coefficients.len() * size_of::<Xyz>();
+            let label = Label::without_tables("spherical harmonics", format!("degree {degree}"), bytes);
+            rows.push(self.row_with_pictures(label, cost, &each(|wi, wo| fitted.brdf_xyz(self.optics, wi, wo))));
             self.progress.advance(1);
         }
         Ok(rows)
     }
 
-    /// Errors, evaluation time, pictures and power sum of one method.
-    fn row(&self, label: Label, cost: Cost, batch: Batch) -> MethodRow {
+    /// Errors and evaluation time of one method, with its pictures and power sum: tens of thousands of directions.
+    fn row_with_pictures(&self, label: Label, cost: Cost, batch: Batch) -> MethodRow {
+        let (colours, pictures) = self.pictures.compared(batch);
+        MethodRow { power_sum: Some(self.power_sum(batch)), colours, pictures, ..self.row(label, cost, batch) }
+    }
+
+    /// Errors and evaluation time of one method.
+    pub fn row(&self, label: Label, cost: Cost, batch: Batch) -> MethodRow {
         let pairs = self.timed_pairs();
-        let reference = label.method == FFT;
-        let (colours, pictures) =
-            if reference { (Vec::new(), self.pictures.shown()) } else { self.pictures.compared(batch) };
         MethodRow {
             method: label.method.into(),
             setting: label.setting,
@@ -257,10 +296,9 @@ impl Context<'_> {
             stored_bytes: label.stored_bytes,
             errors: self.sample.errors(batch),
             on_texels: self.sample.errors_on_texels(batch),
-            // Twelve thousand directions take the transforms too long.
-            power_sum: (!reference).then(|| self.power_sum(batch)),
-            colours,
-            pictures,
+            power_sum: None,
+            colours: Vec::new(),
+            pictures: Vec::new(),
         }
     }
 
@@ -334,7 +372,7 @@ fn family(basis: Basis, storage: Storage) -> &'static str {
     }
 }
 
-fn measured<T>(work: impl FnOnce() -> Result<T>) -> Result<(T, Cost)> {
+pub fn measured<T>(work: impl FnOnce() -> Result<T>) -> Result<(T, Cost)> {
     let before = memory::restart();
     let started = Instant::now();
     let made = work()?;

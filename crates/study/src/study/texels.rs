@@ -29,14 +29,14 @@ pub struct Texels {
 }
 
 impl Texels {
-    /// At most 128 texels nearest to where directions meet the tables, where these are brighter than the floor: outside the lobe, which has a table of its own, and where the
-    /// whole box lies in the disc.
+    /// At most 128 texels nearest to where directions meet the tables, where these are above the floor: outside the lobe,
+    /// which has a table of its own, and where the whole box lies in the disc.
     pub fn of(set: &TableSet, optics: &OpticsConfig, filter: BoxFilter, near: &[Pair], floor_per_sr: f64) -> Self {
         let width = filter.width;
         let nodes = if width > 0.0 { gauss_legendre(box_nodes(optics, width)) } else { vec![(0.0, 1.0)] };
         let inner = set.lobe.as_ref().map_or(0.0, |lobe| lobe.radius_max) + width;
         let offset = |(x, _): (f64, f64)| 0.5 * width * x;
-        let lit = |wi: Vec3, wo: Vec3| brdf_xyz(set, Interpolation::Cubic, wi, wo)[1] > floor_per_sr;
+        let is_above = |wi: Vec3, wo: Vec3| brdf_xyz(set, Interpolation::Cubic, wi, wo)[1] > floor_per_sr;
         let (mut pairs, mut centres) = (Vec::new(), Vec::new());
         for (wi, wo) in moved_to_texels(near, set.size()) {
             if centres.len() == TEXELS {
@@ -45,8 +45,8 @@ impl Texels {
             let [u, v, w] = wave_vector_change(wi, wo);
             let w = w.abs();
             let rho = u.hypot(v);
-            let deepest = (4.0 - (rho + width).powi(2)).max(0.0).sqrt();
-            if rho > inner && rho < set.usable_radius - width && w < deepest && lit(wi, wo) {
+            let reach = (4.0 - (rho + width).powi(2)).max(0.0).sqrt();
+            if rho > inner && rho < set.usable_radius - width && w < reach && is_above(wi, wo) {
                 centres.push((wi, wo));
                 for &y in &nodes {
                     pairs.extend(nodes.iter().map(|&x| pair_of(u + offset(x), v + offset(y), w)));
@@ -63,8 +63,8 @@ impl Texels {
         let parts = self.pairs.chunks(nodes).zip(exact.chunks(nodes));
         let mean = |(&(wi, wo), (pairs, exact)): (&Pair, (&[Pair], &[Xyz]))| {
             // Geometry and reflectance are outside the mean.
-            let powers = pairs.iter().zip(exact).map(|(&(wi, wo), xyz)| xyz[1] / optics.front_factor().value(wi, wo));
-            optics.front_factor().value(wi, wo)
+            let powers = pairs.iter().zip(exact).map(|(&(wi, wo), xyz)| xyz[1] / optics.front_factor().diffuse(wi, wo));
+            optics.front_factor().diffuse(wi, wo)
                 * powers.zip(&self.weights).map(|(power, weight)| weight * power).sum::<f64>()
         };
         self.centres.iter().zip(parts).map(mean).collect()

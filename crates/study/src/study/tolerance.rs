@@ -14,12 +14,12 @@ use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_build::accuracy::directions::ErrorDirections;
 use diffraction_build::accuracy::directions::Group;
 use diffraction_build::accuracy::reference;
-use diffraction_build::accuracy::rows::{Cause, error_rows};
+use diffraction_build::accuracy::rows::{Cause, ErrorRow, error_rows};
 use diffraction_build::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::optics::config::OpticsConfig;
-use diffraction_build::tables::build;
-use diffraction_build::tables::model::{Basis, BuildRecord, Prefilter, Rounding, Storage, TablesConfig};
+use diffraction_build::tables::build::{self, BuildPlan};
+use diffraction_build::tables::model::{Basis, BuildRecord, Prefilter, Rounding, Storage, TableSet, TablesConfig};
 use diffraction_build::tables::plan::lobe_radius;
 use diffraction_build::tables::plan::resolving_size;
 use diffraction_build::tables::rounding::{Chosen, choose};
@@ -119,22 +119,8 @@ pub fn row(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<ToleranceR
     let floor_per_sr = directions.groups[0].floor_per_sr;
     let reference = reference::evaluate(fields, optics, &plan, built.tables.len(), directions, [])?;
     let rows = error_rows(&reference, &read, &built);
-    let found = |cause: Cause| {
-        let row = rows.iter().find(|row| row.cause == cause && row.group == Group::Region(Region::Hemisphere));
-        row.map_or(ErrorQuantiles::default(), |row| ErrorQuantiles {
-            p50: row.p50,
-            p95: row.p95,
-            p99: row.p99,
-            worst: row.worst,
-            count: row.directions,
-        })
-    };
-    let shares = [Cause::Basis, Cause::WavelengthStep, Cause::Storage].map(|cause| found(cause).p95);
-    let texels = Texels::of(&built, optics, plan.filter, &direction_pairs(Region::Hemisphere, DRAWN), floor_per_sr);
-    let reference = texels.reference(fields, optics, &plan)?;
-    let there: Vec<f64> =
-        texels.centres.iter().map(|&(wi, wo)| brdf_xyz(&read, Interpolation::Cubic, wi, wo)[1]).collect();
-    let on_texels = relative_error_quantiles(&reference, &there, floor_per_sr);
+    let found = |cause: Cause| over_hemisphere(&rows, cause);
+    let on_texels = on_texels(specimen, &plan, [&built, &read], floor_per_sr)?;
     let cubic = found(Cause::TotalCubic);
     let kept = match built.prefilter_width {
         _ if on_texels.count == 0 || on_texels.p95 > tolerance => Kept::Missed,
@@ -153,10 +139,36 @@ pub fn row(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<ToleranceR
         build_s,
         stored_bytes: PackedTables::new(&built, built.tables.len(), storage).bytes(),
         floor_per_sr,
-        shares,
+        shares: [Cause::Basis, Cause::WavelengthStep, Cause::Storage].map(|cause| found(cause).p95),
         on_texels,
         cubic,
         bilinear: found(Cause::Total),
         kept,
     })
+}
+
+/// The quantiles of a cause's errors over the hemisphere.
+fn over_hemisphere(rows: &[ErrorRow], cause: Cause) -> ErrorQuantiles {
+    let row = rows.iter().find(|row| row.cause == cause && row.group == Group::Region(Region::Hemisphere));
+    row.map_or(ErrorQuantiles::default(), |row| ErrorQuantiles {
+        p50: row.p50,
+        p95: row.p95,
+        p99: row.p99,
+        worst: row.worst,
+        count: row.directions,
+    })
+}
+
+/// Errors of the tables as read back, at texels of the tables as built and averaged as these are.
+fn on_texels(
+    specimen: &StudySpecimen,
+    plan: &BuildPlan,
+    [built, read]: [&TableSet; 2],
+    floor_per_sr: f64,
+) -> Result<ErrorQuantiles> {
+    let optics = &specimen.optics;
+    let texels = Texels::of(built, optics, plan.filter, &direction_pairs(Region::Hemisphere, DRAWN), floor_per_sr);
+    let reference = texels.reference(&specimen.fields, optics, plan)?;
+    let found = texels.centres.iter().map(|&(wi, wo)| brdf_xyz(read, Interpolation::Cubic, wi, wo)[1]);
+    Ok(relative_error_quantiles(&reference, &found.collect::<Vec<_>>(), floor_per_sr))
 }

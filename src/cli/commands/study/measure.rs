@@ -5,9 +5,8 @@ use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
 use crate::manifest;
-use crate::manifest::SpecimenSection;
-use crate::manifest::convert::{run_config, specimen_config};
 use crate::report::study_page::{PAGE, write_study};
+use crate::stages::config::SpecimenConfig;
 use crate::stages::ingest::ingest;
 use crate::stages::study::{FrameClock, drawn};
 use diffraction_brdf::error::{Error, Result};
@@ -17,19 +16,18 @@ use diffraction_study::study::{GpuClock, SceneSamples, StudyConfig, StudySpecime
 
 /// As [`super::run`].
 pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
-    let (manifest, text) = manifest::load(&args.manifest)?;
+    let (manifest, _) = manifest::load(&args.manifest)?;
     if let Some(unknown) = args.specimen.iter().find(|name| manifest.specimens.iter().all(|s| s.name != **name)) {
         return Err(Error::Call(format!("{}: no specimen is called `{unknown}`", args.manifest.display())));
     }
-    let run = run_config(&manifest, &text);
     let progress = reporter(global.quiet);
     let config = if args.thorough { StudyConfig::thorough() } else { StudyConfig::quick() };
     let mut failures = Vec::new();
     let mut specimens = Vec::new();
-    for section in manifest.specimens.iter().filter(|s| args.specimen.is_empty() || args.specimen.contains(&s.name)) {
-        match specimen(section, &run.scenes, &config) {
+    for given in manifest.specimens.iter().filter(|s| args.specimen.is_empty() || args.specimen.contains(&s.name)) {
+        match specimen(given, &manifest.scenes, &config) {
             Ok(specimen) => specimens.push(specimen),
-            Err(error) => failures.push(format!("{}: {error}", section.name)),
+            Err(error) => failures.push(format!("{}: {error}", given.name)),
         }
     }
     let gpu = open_gpu(&config);
@@ -51,13 +49,13 @@ pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
 }
 
 /// A specimen's prepared scans, and samples of the scenes that show it.
-fn specimen(section: &SpecimenSection, scenes: &[Scene], config: &StudyConfig) -> Result<StudySpecimen> {
-    let shows = |scene: &&Scene| scene.specimen.as_ref().is_none_or(|name| *name == section.name);
+fn specimen(given: &SpecimenConfig, scenes: &[Scene], config: &StudyConfig) -> Result<StudySpecimen> {
+    let shows = |scene: &&Scene| scene.specimen.as_ref().is_none_or(|name| *name == given.name);
     let sampled = |scene| Ok(Box::new(drawn(scene, config.picture_samples)?) as Box<dyn SceneSamples>);
     Ok(StudySpecimen {
-        name: section.name.clone(),
-        fields: ingest(&specimen_config(section))?.fields,
-        optics: section.optics.clone(),
+        name: given.name.clone(),
+        fields: ingest(given)?.fields,
+        optics: given.optics.clone(),
         scenes: scenes.iter().filter(shows).map(sampled).collect::<Result<_>>()?,
     })
 }

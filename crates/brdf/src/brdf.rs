@@ -1,0 +1,196 @@
+//! The BRDF of one specimen: evaluation, and sampling of directions for path tracers.
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use crate::direction::{Vec3, Xyz};
+use crate::error::{Error, Result};
+use crate::evaluate::{self, Interpolation};
+use crate::sampling::Sampler;
+use crate::specimen::{CheckValue, SpecimenRecord};
+use crate::storage;
+use crate::table_set::TableSet;
+
+/// The BRDF that a table set holds. Frame, sign and units: see the [crate's page](crate).
+///
+/// It can be shared between threads; what sampling needs is prepared at the first call that samples.
+#[derive(Debug, Clone)]
+pub struct Brdf {
+    tables: TableSet,
+    interpolation: Interpolation,
+    check_values: Vec<CheckValue>,
+    sampler: OnceLock<Sampler>,
+}
+
+/// A direction drawn by [`Brdf::sample`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    /// Unit vector to the light.
+    pub wi: Vec3,
+    /// `f(wi, wo) cos_theta_i / pdf`, without unit: what light from `wi` adds to the radiance towards `wo` is this times its
+    /// radiance. Its mean over samples is the directional albedo. Channels may be slightly negative where tables are.
+    pub weight: Xyz,
+    /// Density of `wi` in 1/sr: [`Brdf::pdf`].
+    pub pdf: f64,
+}
+
+impl Brdf {
+    /// The BRDF of tables in memory, with look-ups as graphics hardware makes them.
+    ///
+    /// # Errors
+    /// [`Error::Call`] for tables of shapes that do not fit each other, and numbers that are not finite.
+    ///
+    /// ```
+    /// use diffraction_brdf::{Basis, Brdf, Factor, FrontFactor, Material, TableSet};
+    /// # use ndarray::Array3;
+    /// // One table that is constant over the square of (u, v): the surface then only has its geometry factor.
+    /// let brdf = Brdf::new(TableSet {
+    ///     basis: Basis::Chebyshev,
+    ///     tables: vec![Array3::from_elem((3, 3, 3), 0.1)],
+    ///     lobe: None,
+    ///     prefilter_width: 0.0,
+    ///     front_factor: FrontFactor { material: Material::Ideal, shadowing: false, factor: Factor::Scalar },
+    ///     served: None,
+    ///     usable_radius: 2.0,
+    /// })?;
+    /// let up = [0.0, 0.0, 1.0];
+    /// assert!((brdf.eval(up, up)[1] - 0.4).abs() < 1e-6);
+    /// # Ok::<(), diffraction_brdf::Error>(())
+    /// ```
+    pub fn new(tables: TableSet) -> Result<Self> {
+        tables.check().map_err(|what| Error::Call(format!("a table set cannot be evaluated: {what}")))?;
+        let sampler = OnceLock::new();
+        Ok(Self { tables, interpolation: Interpolation::Bilinear, check_values: Vec::new(), sampler })
+    }
+
+    /// Reads the tables beside `specimen.json`.
+    pub(crate) fn read(folder: &Path, record: SpecimenRecord) -> Result<Self> {
+        let tables = storage::read_tables(folder, &record.tables, record.front_factor)?;
+        Ok(Self {
+            tables,
+            interpolation: Interpolation::Bilinear,
+            check_values: record.check_values,
+            sampler: OnceLock::new(),
+        })
+    }
+
+    /// The same BRDF with other look-ups: linear ones are what graphics hardware gives and what check values are of, cubic
+    /// ones cost four times as much and err less between texels.
+    ///
+    /// ```
+    /// # mod tiny { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tiny_atlas/mod.rs")); }
+    /// use diffraction_brdf::{Brdf, Interpolation};
+    /// # let tables = tiny::tiny_tables();
+    /// let linear = Brdf::new(tables)?;
+    /// let cubic = linear.clone().with_interpolation(Interpolation::Cubic);
+    /// let [wi, wo] = [[0.6, 0.0, 0.8], [-0.28, 0.0, 0.96]];
+    /// let [a, b] = [linear.eval(wi, wo)[1], cubic.eval(wi, wo)[1]];
+    /// assert!(a != b && (a / b - 1.0).abs() < 0.1);
+    /// # Ok::<(), diffraction_brdf::Error>(())
+    /// ```
+    pub fn with_interpolation(self, interpolation: Interpolation) -> Self {
+        Self { interpolation, ..self }
+    }
+
+    /// XYZ of the BRDF in 1/sr for unit vectors to the light and to the viewer; the cosine is not in it.
+    ///
+    /// Zero for directions that are not above the surface, not a number where the tables have no answer ([`Self::answers`]).
+    /// Values may be slightly negative where the tables are.
+    pub fn eval(&self, wi: Vec3, wo: Vec3) -> Xyz {
+        evaluate::brdf_xyz(&self.tables, self.interpolation, wi, wo)
+    }
+
+    /// [`Self::eval`] for slices of directions, on all threads with the feature `rayon`.
+    ///
+    /// # Panics
+    /// If the slices differ in length.
+    ///
+    /// ```
+    /// # mod tiny { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tiny_atlas/mod.rs")); }
+    /// # let brdf = diffraction_brdf::Brdf::new(tiny::tiny_tables())?;
+    /// let wi = [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8]];
+    /// let wo = [[0.0, 0.0, 1.0], [-0.6, 0.0, 0.8]];
+    /// let mut xyz = [[0.0; 3]; 2];
+    /// brdf.eval_many(&wi, &wo, &mut xyz);
+    /// assert_eq!(xyz[1], brdf.eval(wi[1], wo[1]));
+    /// # Ok::<(), diffraction_brdf::Error>(())
+    /// ```
+    pub fn eval_many(&self, wi: &[Vec3], wo: &[Vec3], xyz: &mut [Xyz]) {
+        assert!(wi.len() == wo.len() && wo.len() == xyz.len(), "as many wi as wo and values");
+        #[cfg(feature = "rayon")]
+        {
+            use rayon::prelude::*;
+            let pairs = wi.par_iter().zip(wo).with_min_len(256);
+            pairs.zip(xyz).for_each(|((wi, wo), xyz)| *xyz = self.eval(*wi, *wo));
+        }
+        #[cfg(not(feature = "rayon"))]
+        wi.iter().zip(wo).zip(xyz).for_each(|((wi, wo), xyz)| *xyz = self.eval(*wi, *wo));
+    }
+
+    /// Whether the tables can answer for a pair of directions: always, unless they were made for certain scenes only.
+    pub fn answers(&self, wi: Vec3, wo: Vec3) -> bool {
+        evaluate::serves(&self.tables, self.interpolation, wi, wo)
+    }
+
+    /// Draws a direction to the light, given the one to the viewer and three numbers that are uniform in [0, 1).
+    ///
+    /// `None` where `wo` is not above the surface, and where the tables have no answer for what was drawn: the sample then
+    /// counts with the weight 0. The model is reciprocal, so that light paths may swap the roles of `wi` and `wo`.
+    ///
+    /// ```
+    /// # mod tiny { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tiny_atlas/mod.rs")); }
+    /// # let brdf = diffraction_brdf::Brdf::new(tiny::tiny_tables())?;
+    /// // The share of light under an even sky that is reflected towards the viewer: the mean of the weights.
+    /// let wo = [0.6, 0.0, 0.8];
+    /// let mut random = fastrand::Rng::with_seed(1);
+    /// let mut sum = 0.0;
+    /// for _ in 0..10_000 {
+    ///     if let Some(sample) = brdf.sample(wo, [random.f64(), random.f64(), random.f64()]) {
+    ///         assert_eq!(sample.pdf, brdf.pdf(sample.wi, wo));
+    ///         sum += sample.weight[1];
+    ///     }
+    /// }
+    /// assert!(sum / 10_000.0 > 0.01 && sum / 10_000.0 < 1.0);
+    /// # Ok::<(), diffraction_brdf::Error>(())
+    /// ```
+    pub fn sample(&self, wo: Vec3, u: [f64; 3]) -> Option<Sample> {
+        let wi = self.sampler().sample(wo, u)?;
+        let pdf = self.sampler().pdf(wi, wo);
+        let xyz = self.eval(wi, wo);
+        if !(pdf > 0.0 && xyz.iter().all(|value| value.is_finite())) {
+            return None;
+        }
+        Some(Sample { wi, weight: xyz.map(|value| value * wi[2] / pdf), pdf })
+    }
+
+    /// Density in 1/sr with which [`Self::sample`] draws `wi` for this `wo`; 0 where it never does.
+    ///
+    /// Its integral over directions is the probability that a sample is drawn: 1 but for tables made for certain scenes,
+    /// and for rims of the hemisphere within rounding.
+    pub fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
+        if self.tables.served.is_some() && !self.answers(wi, wo) {
+            return 0.0;
+        }
+        self.sampler().pdf(wi, wo)
+    }
+
+    /// An upper bound of the channels of [`Sample::weight`] for linear look-ups; derived in the source of the sampler.
+    pub fn weight_bound(&self, wo: Vec3) -> f64 {
+        self.sampler().weight_bound(wo)
+    }
+
+    /// Directions and values that came with the tables, from linear look-ups: a test of whatever evaluates them. Empty for
+    /// tables that were made in memory.
+    pub fn check_values(&self) -> &[CheckValue] {
+        &self.check_values
+    }
+
+    /// The tables.
+    pub fn tables(&self) -> &TableSet {
+        &self.tables
+    }
+
+    fn sampler(&self) -> &Sampler {
+        self.sampler.get_or_init(|| Sampler::new(&self.tables))
+    }
+}
