@@ -109,7 +109,7 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
         wavelength_steps_nm: vec![],
         sizes: vec![21, 41],
         size: 41,
-        equal_size: 61,
+        equal_size: 101,
         tolerances: vec![3e-2],
         size_max: 101,
         directions: 6,

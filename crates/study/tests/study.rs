@@ -209,7 +209,7 @@ fn a_deep_surface_lists_the_published_method_as_refused() {
         directions: 4,
         ..config()
     };
-    let study = run_study(&[specimen(1_500.0)], &config, NO_GPU, &Silent);
+    let study = run_study(&[StudySpecimen { scenes: vec![], ..specimen(1_500.0) }], &config, NO_GPU, &Silent);
     let deep = &study.specimens[0];
     assert!(
         deep.refusals.len() == 2 && deep.refusals.iter().all(|refusal| refusal.what.starts_with("taylor")),
