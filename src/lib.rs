@@ -71,17 +71,15 @@
 //! # Ok::<(), diffraction_brdf::error::Error>(())
 //! ```
 //!
-//! From files: [`height::read`] and [`height::prepare`] give height fields, [`tables::storage`] keeps tables as EXR,
-//! [`stages::run::pipeline`] does it all for a [`manifest`].
+//! From files: `height::read` and `height::prepare` of `diffraction-build` give height fields, `storage` of `diffraction-brdf`
+//! keeps tables as EXR, [`stages::run::pipeline`] does it all for a [`manifest`].
 //!
 //! # Floors
 //!
-//! A module uses its own floor and those before it:
-//! [`ground`], [`height`], [`optics`], [`tables`], [`scene`], [`render`], [`stages`], [`manifest`] and [`report`], [`cli`].
+//! A module uses those before it: [`stages`], [`manifest`] and [`report`], [`cli`]. Below them lie the crates
+//! [`diffraction_brdf`], [`diffraction_build`] and [`diffraction_render`]; docs/architecture.md draws them all.
 
 pub mod cli;
-
 pub mod manifest;
-
 pub mod report;
 pub mod stages;
