@@ -9,7 +9,7 @@
 //! All three are densities over solid angle. The BRDF grows without bound as `wi` nears the horizon, but its product with the
 //! cosine stays finite, and so does its ratio to such a density; one that is even in (u, v) would fall to 0 with the cosine.
 //!
-//! How much lobe and tables reflect, and the tables' mean over azimuth and `|w|`, are prepared for [`NODES`] polar angles of
+//! How much lobe and tables reflect, and the tables' mean over azimuth and `|w|`, are prepared for [`nodes::NODES`] polar angles of
 //! the viewer; the nearest one is used. Any choice of these leaves densities exact, only less alike the BRDF.
 //!
 //! # A bound on the weights
@@ -28,7 +28,9 @@
 //! It is loose where orders are sharp, whose largest value it takes for the whole hemisphere: weights of the bundled specimens stay
 //! below 40 times the directional albedo at any angle.
 
+mod choice;
 mod lobe;
+mod nodes;
 mod tables;
 
 use std::f64::consts::{PI, TAU};
@@ -37,10 +39,9 @@ use crate::direction::Vec3;
 use crate::front_factor::{Factor, FrontFactor};
 use crate::table_set::{Basis, TableSet};
 use lobe::LobeDensity;
+use nodes::{NODES, node_of};
 use tables::TableDensity;
 
-/// Polar angles of the viewer for which densities are prepared: `cos = ((k + 1/2) / NODES)²`, dense at grazing ones.
-const NODES: usize = 8;
 /// Share of the samples that are even over solid angle.
 const EVEN_SHARE: f64 = 0.1;
 /// Lobe and tables get at least this share of the rest.
@@ -79,16 +80,6 @@ struct Largest {
     coherent: Vec<f64>,
     cross: f64,
     taylor: bool,
-}
-
-/// Cosine of the viewer's polar angle at a node.
-fn node_cosine(node: usize) -> f64 {
-    ((node as f64 + 0.5) / NODES as f64).powi(2)
-}
-
-/// The node for a viewer.
-fn node_of(cos_o: f64) -> usize {
-    ((NODES as f64 * cos_o.sqrt()) as usize).min(NODES - 1)
 }
 
 impl Sampler {
@@ -244,58 +235,4 @@ fn raise(rings: &mut [f64], radius: f64, reach: f64, value: f64) {
     for largest in &mut rings[ring(radius - reach)..=ring(radius + reach)] {
         *largest = largest.max(value);
     }
-}
-
-/// The reflectance by the cosine at the half vector, in steps of 1/64: that of mirrored directions.
-#[derive(Debug, Clone)]
-struct Reflectance(Vec<f64>);
-
-impl Reflectance {
-    fn new(front_factor: FrontFactor) -> Self {
-        let at = |k: usize| {
-            let cos: f64 = (k as f64 / 64.0).max(0.01);
-            let sin = (1.0 - cos * cos).sqrt();
-            front_factor.coherent([sin, 0.0, cos], [-sin, 0.0, cos])
-        };
-        Self((0..=64).map(at).collect())
-    }
-
-    /// At a squared length of `q`, which is twice the cosine long.
-    fn at(&self, q2: f64) -> f64 {
-        let at = (0.5 * q2.sqrt()).min(1.0) * 64.0;
-        let first = (at as usize).min(63);
-        let share = at - first as f64;
-        (1.0 - share) * self.0[first] + share * self.0[first + 1]
-    }
-}
-
-/// Chooses one of `range` with probabilities in proportion to `mass`, all alike where there is none: the index, its
-/// probability, and what is left of the number `u` in [0, 1).
-fn choose(range: std::ops::Range<usize>, u: f64, mass: impl Fn(usize) -> f64) -> (usize, f64, f64) {
-    let total: f64 = range.clone().map(&mass).sum();
-    if !(total > 0.0) {
-        let at = u * range.len() as f64;
-        let index = (at as usize).min(range.len() - 1);
-        return (range.start + index, 1.0 / range.len() as f64, (at - index as f64).min(1.0));
-    }
-    let (target, mut below) = (u * total, 0.0);
-    let mut last = (range.start, 0.0, 0.0);
-    for index in range {
-        let here = mass(index);
-        if here > 0.0 {
-            last = (index, here, below);
-            if target < below + here {
-                break;
-            }
-        }
-        below += here;
-    }
-    let (index, here, below) = last;
-    (index, here / total, ((target - below) / here).clamp(0.0, 1.0))
-}
-
-/// The probability with which [`choose`] takes `index`.
-fn probability(range: std::ops::Range<usize>, index: usize, mass: impl Fn(usize) -> f64) -> f64 {
-    let total: f64 = range.clone().map(&mass).sum();
-    if total > 0.0 { mass(index) / total } else { 1.0 / range.len() as f64 }
 }
