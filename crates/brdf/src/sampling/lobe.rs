@@ -6,7 +6,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::choice::{NODES, Reflectance, choose, node_cosine, probability};
+use super::choice::{choose, probability};
+use super::nodes::{NODES, node_cosine};
 use crate::direction::{Vec3, max_abs_w};
 use crate::front_factor::{Factor, FrontFactor, image_radius2};
 use crate::table_set::Lobe;
@@ -140,10 +141,10 @@ impl LobeDensity {
     pub fn sample(&self, node: usize, wo: Vec3, [u1, u2]: [f64; 2]) -> Option<Vec3> {
         let (along, sin_o) = projection(wo);
         let strips = &self.strips[node];
-        let (strip, _, rest) = choose(0..STRIPS, u1, |k| strips[k]);
+        let (strip, rest) = choose(0..STRIPS, u1, |k| strips[k]);
         let y = -self.radius_max + (strip as f64 + rest) * self.strip_width();
         let strip = self.strip([sin_o, wo[2]], y)?;
-        let (cell, _, rest) = choose(0..CELLS, u2, |k| strip.cells[k]);
+        let (cell, rest) = choose(0..CELLS, u2, |k| strip.cells[k]);
         let (sin, cos) = (strip.first + (cell as f64 + rest) * strip.step).sin_cos();
         let h = (1.0 - y * y).max(0.0).sqrt();
         let [x, across] = [h * sin, -y];
@@ -191,4 +192,27 @@ impl LobeDensity {
 pub(super) fn projection(wo: Vec3) -> ([f64; 2], f64) {
     let sin_o = wo[0].hypot(wo[1]);
     if sin_o < 1e-9 { ([1.0, 0.0], 0.0) } else { ([wo[0] / sin_o, wo[1] / sin_o], sin_o) }
+}
+
+/// The reflectance by the cosine at the half vector, in steps of 1/64: that of mirrored directions.
+#[derive(Debug, Clone)]
+struct Reflectance(Vec<f64>);
+
+impl Reflectance {
+    fn new(front_factor: FrontFactor) -> Self {
+        let at = |k: usize| {
+            let cos: f64 = (k as f64 / 64.0).max(0.01);
+            let sin = (1.0 - cos * cos).sqrt();
+            front_factor.coherent([sin, 0.0, cos], [-sin, 0.0, cos])
+        };
+        Self((0..=64).map(at).collect())
+    }
+
+    /// At a squared length of `q`, which is twice the cosine long.
+    fn at(&self, q2: f64) -> f64 {
+        let at = (0.5 * q2.sqrt()).min(1.0) * 64.0;
+        let first = (at as usize).min(63);
+        let share = at - first as f64;
+        (1.0 - share) * self.0[first] + share * self.0[first + 1]
+    }
 }

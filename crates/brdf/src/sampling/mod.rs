@@ -9,7 +9,7 @@
 //! All three are densities over solid angle. The BRDF grows without bound as `wi` nears the horizon, but its product with the
 //! cosine stays finite, and so does its ratio to such a density; one that is even in (u, v) would fall to 0 with the cosine.
 //!
-//! How much lobe and tables reflect, and the tables' mean over azimuth and `|w|`, are prepared for [`NODES`] polar angles of
+//! How much lobe and tables reflect, and the tables' mean over azimuth and `|w|`, are prepared for [`nodes::NODES`] polar angles of
 //! the viewer; the nearest one is used. Any choice of these leaves densities exact, only less alike the BRDF.
 //!
 //! # A bound on the weights
@@ -30,6 +30,7 @@
 
 mod choice;
 mod lobe;
+mod nodes;
 mod tables;
 
 use std::f64::consts::{PI, TAU};
@@ -37,8 +38,8 @@ use std::f64::consts::{PI, TAU};
 use crate::direction::Vec3;
 use crate::front_factor::{Factor, FrontFactor};
 use crate::table_set::{Basis, TableSet};
-use choice::NODES;
 use lobe::LobeDensity;
+use nodes::{NODES, node_of};
 use tables::TableDensity;
 
 /// Share of the samples that are even over solid angle.
@@ -79,11 +80,6 @@ struct Largest {
     coherent: Vec<f64>,
     cross: f64,
     taylor: bool,
-}
-
-/// The node for a viewer.
-fn node_of(cos_o: f64) -> usize {
-    ((NODES as f64 * cos_o.sqrt()) as usize).min(NODES - 1)
 }
 
 impl Sampler {

@@ -9,11 +9,13 @@
 //! [`PIECES`] pieces that narrow towards its ends by a factor of four, within which the cosine varies by two; in a piece, `u`
 //! is drawn in proportion to the cells, and in those at the ends, far narrower than a cell, evenly in `φ`.
 
+use std::f64::consts::TAU;
 use std::ops::Range;
 
 use ndarray::Array3;
 
-use super::choice::{NODES, choose, node_cosine, probability};
+use super::choice::{choose, probability};
+use super::nodes::{NODES, node_cosine};
 use crate::chebyshev;
 use crate::direction::{Vec3, max_abs_w};
 use crate::table_set::{Basis, TableSet};
@@ -23,7 +25,7 @@ const DEPTHS: usize = 9;
 /// Rings of the radius in (u, v) at which azimuths are averaged.
 const RINGS: usize = 128;
 /// Azimuths of the viewer that are averaged.
-const AZIMUTHS: usize = 48;
+const AZIMUTHS: usize = 32;
 /// Cosines and depths below this count as this where means over azimuth are made of what grows without bound.
 const COSINE_MIN: f64 = 0.1;
 /// What a cell counts of its largest value over the depths, beside its mean.
@@ -101,7 +103,7 @@ impl TableDensity {
         let step = 4.0 / (set.size() - 1) as f64;
         let first = [-2.0 + step * origin[1] as f64, 2.0 - step * origin[0] as f64];
         let band = (rows as f64).sqrt().ceil() as usize;
-        let averages: Vec<Average> = (0..NODES).map(|node| average(set, node_cosine(node))).collect();
+        let averages: Vec<Average> = (0..NODES).map(|node| average(set, node)).collect();
 
         let mut texels = vec![vec![0f32; texel_rows * texel_columns]; NODES];
         let mut reflected = [0.0; NODES];
@@ -140,13 +142,13 @@ impl TableDensity {
     pub fn sample(&self, node: usize, wo: Vec3, [u1, u2]: [f64; 2]) -> Option<Vec3> {
         let node = &self.nodes[node];
         let all = self.seen_rows(wo)?;
-        let (band, _, rest) = choose(self.bands(&all), u1, |band| self.band_mass(node, band, &all, wo));
-        let (row, _, rest) = choose(self.rows_of(band, &all), rest, |row| self.row_mass(node, row, &all, wo));
+        let (band, rest) = choose(self.bands(&all), u1, |band| self.band_mass(node, band, &all, wo));
+        let (row, rest) = choose(self.rows_of(band, &all), rest, |row| self.row_mass(node, row, &all, wo));
         let [top, bottom] = within(row, 1, &all);
         let place = top + rest * (bottom - top);
         let sums = self.row(node, row);
         let chord = self.chord(place, sums, wo);
-        let (piece, _, rest) = choose(0..PIECES, u2, |piece| chord.mass(piece));
+        let (piece, rest) = choose(0..PIECES, u2, |piece| chord.mass(piece));
         let between = |values: &[f64]| values[piece] + rest * (values[piece + 1] - values[piece]);
         let (s, cos) = if chord.is_even(piece) {
             let (sin, cos) = between(&chord.phi).sin_cos();
@@ -383,32 +385,43 @@ fn ring_of(radius: f64) -> usize {
     ((0.5 * radius * RINGS as f64) as usize).min(RINGS - 1)
 }
 
-fn average(set: &TableSet, cos_o: f64) -> Average {
-    let sin_o = (1.0 - cos_o * cos_o).sqrt();
+/// For viewers between the edges of a node: those at its lower edge see rings that others do not.
+fn average(set: &TableSet, node: usize) -> Average {
     let mut average = Average { weights: vec![[0.0; DEPTHS]; RINGS], reflected: vec![[0.0; DEPTHS]; RINGS] };
+    let middle = node_cosine(node);
+    let edges = [node, node + 1].map(|edge| (edge as f64 / NODES as f64).powi(2).max(1e-3));
     for ring in 0..RINGS {
         let radius = 2.0 * (ring as f64 + 0.5) / RINGS as f64;
         let mut seen = 0;
-        for azimuth in 0..AZIMUTHS {
-            let (sin, cos) = (std::f64::consts::TAU * (azimuth as f64 + 0.5) / AZIMUTHS as f64).sin_cos();
-            let wo = [sin_o * cos, sin_o * sin, cos_o];
-            let cos2 = 1.0 - (radius + wo[0]).powi(2) - wo[1] * wo[1];
-            if cos2 <= 0.0 {
-                continue;
-            }
-            seen += 1;
-            let cos_i = cos2.sqrt();
-            let front = set.front_factor.diffuse([-radius - wo[0], -wo[1], cos_i], wo);
-            let reflected = front * (cos_i / COSINE_MIN).min(1.0) / AZIMUTHS as f64;
-            let place = ((cos_i + cos_o) / max_abs_w(radius)).min(1.0) * (DEPTHS - 1) as f64;
-            let below = (place as usize).min(DEPTHS - 2);
-            let share = place - below as f64;
-            for (depth, share) in [(below, 1.0 - share), (below + 1, share)] {
-                average.weights[ring][depth] += share * front * cos_i;
-                average.reflected[ring][depth] += share * reflected;
+        for cos_o in [edges[0], middle, edges[1]] {
+            let sin_o = (1.0 - cos_o * cos_o).sqrt();
+            for azimuth in 0..AZIMUTHS {
+                let (sin, cos) = (TAU * azimuth as f64 / AZIMUTHS as f64).sin_cos();
+                let wo = [sin_o * cos, sin_o * sin, cos_o];
+                let cos2 = 1.0 - (radius + wo[0]).powi(2) - wo[1] * wo[1];
+                if cos2 <= 0.0 {
+                    continue;
+                }
+                seen += 1;
+                let cos_i = cos2.sqrt();
+                let front = set.front_factor.diffuse([-radius - wo[0], -wo[1], cos_i], wo);
+                let place = ((cos_i + cos_o) / max_abs_w(radius)).min(1.0) * (DEPTHS - 1) as f64;
+                let below = (place as usize).min(DEPTHS - 2);
+                let share = place - below as f64;
+                for (depth, share) in [(below, 1.0 - share), (below + 1, share)] {
+                    average.weights[ring][depth] += share * front * cos_i * cos_o;
+                    if cos_o == middle {
+                        let reflected = front * (cos_i / COSINE_MIN).min(1.0) / AZIMUTHS as f64;
+                        average.reflected[ring][depth] += share * reflected;
+                    }
+                }
             }
         }
-        average.weights[ring].iter_mut().for_each(|weight| *weight /= f64::from(seen.max(1)));
+        match seen {
+            // Out of sight but for its edge.
+            0 if ring > 0 => average.weights[ring] = average.weights[ring - 1],
+            _ => average.weights[ring].iter_mut().for_each(|weight| *weight /= f64::from(seen.max(1))),
+        }
     }
     average
 }
