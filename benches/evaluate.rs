@@ -14,7 +14,9 @@ use diffraction_build::optics::reference;
 use diffraction_build::optics::spectra;
 use diffraction_build::optics::spectral;
 use diffraction_build::tables::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
+use diffraction_build::tables::plan;
 
 /// Pairs per measurement of the fast methods: enough that look-ups do not stay in one cache line.
 const PAIRS: usize = 1024;
@@ -31,6 +33,7 @@ fn optics() -> OpticsConfig {
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 2_000.0,
+        lobe_sigma_nm: None,
         edge: Edge::Fade,
         windows: Windows::Centre,
         material: Material::Dielectric { n: 1.56 },
@@ -54,7 +57,7 @@ fn config() -> TablesConfig {
 
 fn from_tables(criterion: &mut Criterion) {
     let field = surface();
-    let (set, _) = build::build(&[field], &optics(), &config(), &|_| ()).expect("the build fits");
+    let (set, _) = build::build(&BuildInput::new(&[field], &optics(), &config()), &|_| ()).expect("the build fits");
     let mut group = criterion.benchmark_group("from tables");
     for region in [Region::Hemisphere, Region::NearSpecular] {
         let pairs: Vec<(Vec3, Vec3)> = direction_pairs(region, PAIRS);
@@ -74,7 +77,7 @@ fn from_tables(criterion: &mut Criterion) {
 fn from_the_scan(criterion: &mut Criterion) {
     let field = surface();
     let (optics, config) = (optics(), config());
-    let plan = build::plan(std::slice::from_ref(&field), &optics, &config).expect("the build fits");
+    let plan = plan::plan(&BuildInput::new(std::slice::from_ref(&field), &optics, &config)).expect("the build fits");
     let (_, placement) = plan.windows[0];
     let transformed = spectra::transform(&field, placement, &optics, &plan.spectra).expect("the transforms fit");
     let pairs = direction_pairs(Region::Hemisphere, FEW_PAIRS);

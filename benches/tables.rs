@@ -11,7 +11,9 @@ use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Wi
 use diffraction_build::optics::spectra;
 use diffraction_build::tables::accumulate::{PowerSums, Quantity, RingSum, add_ring};
 use diffraction_build::tables::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
+use diffraction_build::tables::plan;
 
 /// Nodes in `w`, as snake scales need at the default tolerance.
 const NODES: usize = 5;
@@ -26,6 +28,7 @@ fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
         wavelength_nm: [380.0, 780.0],
         // The 16 µm tile holds 8 sigma.
         sigma_nm: 2_000.0,
+        lobe_sigma_nm: None,
         edge,
         windows,
         material: Material::Dielectric { n: 1.56 },
@@ -56,7 +59,8 @@ fn transforms(criterion: &mut Criterion) {
     let field = surface();
     let mut group = criterion.benchmark_group("transforms of 256²");
     for (name, optics) in cases() {
-        let plan = build::plan(std::slice::from_ref(&field), &optics, &config()).expect("the build fits");
+        let plan =
+            plan::plan(&BuildInput::new(std::slice::from_ref(&field), &optics, &config())).expect("the build fits");
         let (_, placement) = plan.windows[0];
         group.bench_function(name, |bencher| {
             bencher.iter(|| spectra::transform(black_box(&field), placement, &optics, &plan.spectra));
@@ -69,11 +73,12 @@ fn one_ring(criterion: &mut Criterion) {
     let field = surface();
     let mut group = criterion.benchmark_group("outermost ring of 251²");
     for (name, optics) in cases() {
-        let plan = build::plan(std::slice::from_ref(&field), &optics, &config()).expect("the build fits");
+        let plan =
+            plan::plan(&BuildInput::new(std::slice::from_ref(&field), &optics, &config())).expect("the build fits");
         let (_, placement) = plan.windows[0];
         let spectra = spectra::transform(&field, placement, &optics, &plan.spectra).expect("the transforms fit");
         let ring = &plan.rings[0];
-        let nodes = diffraction_brdf::chebyshev::gauss_nodes(NODES, ring.w[0], ring.w[1]);
+        let nodes = diffraction_brdf::chebyshev::gauss_nodes(NODES, ring.abs_w[0], ring.abs_w[1]);
         let mut sums = PowerSums::new(&plan.texels, NODES);
         let what = RingSum { texels: &plan.texels, ring, filter: plan.filter, quantity: Quantity::Power, share: 1.0 };
         group.bench_function(name, |bencher| {
@@ -88,7 +93,9 @@ fn whole_build(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("whole build, 251²");
     for (name, optics) in cases() {
         group.bench_function(name, |bencher| {
-            bencher.iter(|| build::build(std::slice::from_ref(black_box(&field)), &optics, &config(), &|_| ()));
+            bencher.iter(|| {
+                build::build(&BuildInput::new(std::slice::from_ref(black_box(&field)), &optics, &config()), &|_| ())
+            });
         });
     }
     group.finish();

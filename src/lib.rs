@@ -31,6 +31,7 @@
 //! use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 //! use diffraction_build::optics::reference;
 //! use diffraction_brdf::evaluate::{self, Interpolation};
+//! use diffraction_build::tables::input::BuildInput;
 //! use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 //!
 //! // 8 periods of 1.6 µm along x, 120 nm from valley to peak.
@@ -41,6 +42,7 @@
 //!     illuminant: Illuminant::Lines(vec![Line { wavelength_nm: 550.0, power: 1.0 }]),
 //!     wavelength_nm: [380.0, 780.0],
 //!     sigma_nm: 1_500.0,
+//!     lobe_sigma_nm: None,
 //!     edge: Edge::Tile,
 //!     windows: Windows::Grid,
 //!     material: Material::Ideal,
@@ -58,7 +60,7 @@
 //!     memory_mib: 256,
 //! };
 //! let scans = [scan];
-//! let (tables, _) = diffraction_build::tables::build::build(&scans, &optics, &config, &|_| ())?;
+//! let (tables, _) = diffraction_build::tables::build::build(&BuildInput::new(&scans, &optics, &config), &|_| ())?;
 //!
 //! // Light along the normal; the first order leaves at sin θ = λ / period.
 //! let wi = [0.0, 0.0, 1.0];

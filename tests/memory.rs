@@ -5,15 +5,16 @@ mod common;
 use std::sync::Mutex;
 
 use common::surfaces::{laser, random, tables_config};
-use diffraction_atlas::stages::known::Built;
-use diffraction_atlas::stages::serve::{Source, domain_of};
+use diffraction_atlas::stages::built::Built;
+use diffraction_atlas::stages::coverage::savings::cover;
 use diffraction_atlas::stages::usage::{HeapCounter, lend_heap_counter, with_heap_bytes};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
-use diffraction_build::tables::build::{BuildPlan, plan_for};
 use diffraction_build::tables::forecast::{Forecast, forecast_of};
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Prefilter, TablesConfig};
+use diffraction_build::tables::plan::{BuildPlan, plan_for};
 use diffraction_render::scene::model::{Light, Scene, Shape};
 use peak_alloc::PeakAlloc;
 
@@ -32,20 +33,20 @@ struct Case {
 }
 
 impl Case {
-    fn source(&self) -> Source<'_> {
-        Source { fields: std::slice::from_ref(&self.field), optics: &self.optics, tables: &self.tables }
+    fn input(&self) -> BuildInput<'_> {
+        BuildInput::new(std::slice::from_ref(&self.field), &self.optics, &self.tables)
     }
 
     fn planned(&self) -> (BuildPlan, Forecast) {
-        let source = self.source();
-        let domain = self.scene.as_ref().map(|scene| domain_of(&source, &[scene]).unwrap());
-        let plan = plan_for(source.fields, source.optics, source.tables, domain).unwrap();
-        let forecast = forecast_of(source.fields, source.optics, source.tables, &plan, rayon::current_num_threads());
+        let input = self.input();
+        let coverage = self.scene.as_ref().map(|scene| cover(&input, &[scene]).unwrap());
+        let plan = plan_for(&input, coverage).unwrap();
+        let forecast = forecast_of(&input, &plan, rayon::current_num_threads());
         (plan, forecast)
     }
 
     fn measured(&self) -> Built {
-        Built::measured(&self.source(), &self.planned().0, &|_| ()).unwrap()
+        Built::measured(&self.input(), &self.planned().0, &|_| ()).unwrap()
     }
 }
 
@@ -56,6 +57,7 @@ fn daylight(sigma_nm: f64, edge: Edge, windows: Windows) -> OpticsConfig {
         illuminant,
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
+        lobe_sigma_nm: None,
         edge,
         windows,
         material,
@@ -97,10 +99,10 @@ fn cases() -> Vec<Case> {
         ),
         case("fade, one window", surface(512, 50.0), &daylight(3000.0, Edge::Fade, Windows::Centre), point(151), None),
         case("laser", surface(384, 50.0), &laser(&[633.0], 2000.0, Edge::Tile, Windows::Grid), point(601), None),
-        case("served, ball", surface(256, 50.0), &tile, point(401), scene(Shape::Sphere, 64)),
-        case("served, snake", surface(256, 50.0), &tile, point(401), scene(Shape::Snake, 48)),
+        case("restricted, ball", surface(256, 50.0), &tile, point(401), scene(Shape::Sphere, 64)),
+        case("restricted, snake", surface(256, 50.0), &tile, point(401), scene(Shape::Snake, 48)),
         case(
-            "served, laser",
+            "restricted, laser",
             surface(256, 50.0),
             &laser(&[633.0], 2000.0, Edge::Tile, Windows::Grid),
             point(401),

@@ -9,14 +9,14 @@ use diffraction_brdf::files;
 use diffraction_build::ground::csv;
 
 /// The columns of a direction, in degrees.
-pub const COLUMNS: [&str; 4] = ["theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg"];
+pub(crate) const COLUMNS: [&str; 4] = ["theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg"];
 
 const FIX: &str = "The first line names the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg; each other line holds \
                    one number for each, in degrees.";
 
 /// One pair of directions, as written.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub(crate) struct Row {
     /// The four cells, word for word but for decimal commas.
     pub cells: [String; 4],
     /// Their numbers in degrees.
@@ -25,7 +25,7 @@ pub struct Row {
 
 impl Row {
     /// Unit vectors to the light and to the viewer.
-    pub fn pair(&self) -> (Vec3, Vec3) {
+    pub(crate) fn pair(&self) -> (Vec3, Vec3) {
         let [theta_i, phi_i, theta_r, phi_r] = self.angles_deg;
         (from_angles_deg(theta_i, phi_i), from_angles_deg(theta_r, phi_r))
     }
@@ -39,7 +39,7 @@ const PHI_MAX_DEG: f64 = 360.0;
 ///
 /// # Errors
 /// An unreadable file, a missing column, or a cell that is no angle above the surface, with its line.
-pub fn read(path: &Path) -> Result<Vec<Row>> {
+pub(crate) fn read(path: &Path) -> Result<Vec<Row>> {
     let text = files::read_text(path)?;
     let mut lines = csv::lines(&text);
     let header = lines.next().map_or("", |(_, line)| line);
@@ -99,7 +99,7 @@ fn beyond(column: usize, angle_deg: f64) -> Option<String> {
 }
 
 /// The directions as they were read, with further columns: ten significant digits.
-pub fn write(rows: &[Row], columns: &[String], values: &[Vec<f64>]) -> String {
+pub(crate) fn write(rows: &[Row], columns: &[String], values: &[Vec<f64>]) -> String {
     let mut text = format!("{},{}\n", COLUMNS.join(","), columns.join(","));
     for (row, values) in rows.iter().zip(values) {
         text.push_str(&row.cells.join(","));

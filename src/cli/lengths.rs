@@ -4,11 +4,11 @@ use std::str::FromStr;
 
 /// Sample spacing along x and y in nm, written as one number or as `X,Y`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PitchNm(pub [f64; 2]);
+pub(crate) struct PitchNm(pub [f64; 2]);
 
 /// Samples along x and y, written as one number or as `X,Y`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct SizePx(pub [usize; 2]);
+pub(crate) struct SizePx(pub [usize; 2]);
 
 /// Largest number of samples along one axis.
 const SIZE_MAX: usize = 1 << 16;
@@ -43,7 +43,7 @@ fn pair<T: Copy>(text: &str, one: impl Fn(&str) -> Result<T, String>) -> Result<
 }
 
 /// A finite number.
-pub fn finite(text: &str) -> Result<f64, String> {
+pub(crate) fn finite(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(number) if f64::is_finite(number) => Ok(number),
         _ => Err("expected a finite number".to_owned()),
@@ -51,7 +51,7 @@ pub fn finite(text: &str) -> Result<f64, String> {
 }
 
 /// A finite number above 0.
-pub fn positive(text: &str) -> Result<f64, String> {
+pub(crate) fn positive(text: &str) -> Result<f64, String> {
     match finite(text) {
         Ok(number) if number > 0.0 => Ok(number),
         _ => Err("expected a number above 0".to_owned()),
@@ -59,7 +59,7 @@ pub fn positive(text: &str) -> Result<f64, String> {
 }
 
 /// A number between 0 and 1, neither included.
-pub fn share(text: &str) -> Result<f64, String> {
+pub(crate) fn share(text: &str) -> Result<f64, String> {
     match positive(text) {
         Ok(number) if number < 1.0 => Ok(number),
         _ => Err("expected a number between 0 and 1, neither included".to_owned()),

@@ -1,11 +1,11 @@
 //! The command line: arguments in, exit status out; results on stdout, everything else on stderr.
 
-pub mod commands;
-pub mod directions;
-pub mod lengths;
-pub mod options;
-pub mod output;
-pub mod progress;
+pub(crate) mod commands;
+pub(crate) mod directions;
+pub(crate) mod lengths;
+pub(crate) mod options;
+pub(crate) mod output;
+pub(crate) mod progress;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -25,7 +25,7 @@ use output::Outcome;
     after_help = "Exit status: 0 done; 1 done with failures, which are listed; \
                   2 the call or the manifest is wrong, and nothing was written."
 )]
-pub struct Cli {
+pub(crate) struct Cli {
     /// What holds for every command.
     #[command(flatten)]
     pub global: Global,
@@ -36,7 +36,7 @@ pub struct Cli {
 
 /// The commands.
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub(crate) enum Command {
     /// Run the pipeline: from a manifest to a published atlas (also what happens without a command)
     Run(run::RunArgs),
     /// Say what a run would compute, leave out, and take, without computing it

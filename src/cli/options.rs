@@ -1,11 +1,11 @@
 //! What holds for every command.
 
 /// The manifest where none is named.
-pub const MANIFEST: &str = "pipeline.toml";
+pub(crate) const MANIFEST: &str = "pipeline.toml";
 
 /// Options of every command.
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
-pub struct Global {
+pub(crate) struct Global {
     /// No progress and no remarks on stderr; errors still appear
     #[arg(long, global = true)]
     pub quiet: bool,

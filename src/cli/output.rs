@@ -11,7 +11,7 @@ use diffraction_brdf::error::{Error, Result};
 
 /// How a command that ran to its end has ended.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Outcome {
+pub(crate) enum Outcome {
     /// Everything was done.
     Done,
     /// The rest was done; what was not is listed, a line each.
@@ -23,7 +23,7 @@ pub enum Outcome {
 /// # Errors
 /// [`Error::Disk`] where stdout cannot be written; a reader that closed the pipe has had enough, which
 /// is no error.
-pub fn print(text: &str) -> Result<()> {
+pub(crate) fn print(text: &str) -> Result<()> {
     let mut stdout = std::io::stdout().lock();
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
@@ -37,7 +37,7 @@ pub fn print(text: &str) -> Result<()> {
 ///
 /// # Errors
 /// As [`print()`].
-pub fn print_json(value: &impl Serialize) -> Result<()> {
+pub(crate) fn print_json(value: &impl Serialize) -> Result<()> {
     let mut text = serde_json::to_string_pretty(value)
         .map_err(|error| Error::Call(format!("this result has no form in JSON: {error}")))?;
     text.push('\n');
@@ -48,7 +48,7 @@ pub fn print_json(value: &impl Serialize) -> Result<()> {
 ///
 /// # Errors
 /// A path that is no atlas, or none whose files are all there.
-pub fn version_folder(path: &Path) -> Result<PathBuf> {
+pub(crate) fn version_folder(path: &Path) -> Result<PathBuf> {
     let found = atlas::resolve(path)?;
     for what in &found.passed_over {
         eprintln!("warning: a newer version is damaged, {} is taken in its place: {what}", found.folder.display());
@@ -57,7 +57,7 @@ pub fn version_folder(path: &Path) -> Result<PathBuf> {
 }
 
 /// Reports errors and failures on stderr and gives the exit status.
-pub fn conclude(outcome: Result<Outcome>) -> ExitCode {
+pub(crate) fn conclude(outcome: Result<Outcome>) -> ExitCode {
     let (text, status) = conclusion(outcome);
     // Where stderr is closed the exit status still tells.
     let _ = std::io::stderr().lock().write_all(text.as_bytes());
@@ -76,7 +76,7 @@ fn conclusion(outcome: Result<Outcome>) -> (String, u8) {
 }
 
 /// A number of bytes for people: `512 B`, `3.4 MiB`.
-pub fn bytes_in_words(bytes: u64) -> String {
+pub(crate) fn bytes_in_words(bytes: u64) -> String {
     const UNITS: [&str; 5] = ["B", "KiB", "MiB", "GiB", "TiB"];
     let mut value = bytes as f64;
     let mut unit = 0;

@@ -15,7 +15,7 @@ const LINE_INTERVAL: Duration = Duration::from_secs(20);
 const LINE_WORTH: Duration = Duration::from_millis(500);
 
 /// The listener that suits where stderr goes.
-pub fn reporter(quiet: bool) -> Box<dyn Progress> {
+pub(crate) fn reporter(quiet: bool) -> Box<dyn Progress> {
     if quiet {
         Box::new(Silent)
     } else if std::io::stderr().is_terminal() {

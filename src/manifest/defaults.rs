@@ -14,51 +14,51 @@ pub const OUT: &str = "out/atlas";
 /// `[gpu]`.
 pub const GPU: GpuSection = GpuSection { check: GpuCheck::Auto, frame_time: FrameTiming::Auto };
 /// `[report]`.
-pub const REPORT: ReportConfig = ReportConfig { write: true, reference: true, savings: false };
+pub(crate) const REPORT: ReportConfig = ReportConfig { write: true, reference: true, savings: false };
 /// `[cache] folder`, in the folder of atlases.
-pub const CACHE_FOLDER: &str = ".cache";
+pub(crate) const CACHE_FOLDER: &str = ".cache";
 /// `[cache] limit_mib`.
-pub const CACHE_LIMIT_MIB: u64 = 1024;
+pub(crate) const CACHE_LIMIT_MIB: u64 = 1024;
 /// `[[specimen]] level`.
-pub const LEVEL: Level = Level::Plane;
+pub(crate) const LEVEL: Level = Level::Plane;
 /// `[[specimen]] max_missing_share`.
-pub const MAX_MISSING_SHARE: f64 = 0.05;
+pub(crate) const MAX_MISSING_SHARE: f64 = 0.05;
 /// `measured.acceptance_deg`: a single direction.
-pub const ACCEPTANCE_DEG: f64 = 0.0;
+pub(crate) const ACCEPTANCE_DEG: f64 = 0.0;
 /// `measured.bandwidth_nm`: a single wavelength.
-pub const BANDWIDTH_NM: f64 = 0.0;
+pub(crate) const BANDWIDTH_NM: f64 = 0.0;
 /// `height.offset_nm`, beside `nm_per_count`.
-pub const OFFSET_NM: f64 = 0.0;
+pub(crate) const OFFSET_NM: f64 = 0.0;
 /// `[[scene]] size_px`.
 pub const SIZE_PX: usize = 512;
 /// `[[scene]] light_samples`.
-pub const LIGHT_SAMPLES: usize = 16;
+pub(crate) const LIGHT_SAMPLES: usize = 16;
 /// `[[scene]] light_samples` where an environment lights the scene: a light from all around needs more.
-pub const ENVIRONMENT_SAMPLES: usize = 256;
+pub(crate) const ENVIRONMENT_SAMPLES: usize = 256;
 /// `environment.rotate_deg`.
-pub const ENVIRONMENT_ROTATE_DEG: f64 = 0.0;
+pub(crate) const ENVIRONMENT_ROTATE_DEG: f64 = 0.0;
 /// `environment.scale`.
-pub const ENVIRONMENT_SCALE: f64 = 1.0;
+pub(crate) const ENVIRONMENT_SCALE: f64 = 1.0;
 /// `animate.axis`.
-pub const ANIMATE_AXIS: Axis = Axis::Vertical;
+pub(crate) const ANIMATE_AXIS: Axis = Axis::Vertical;
 /// `animate.frames`.
-pub const ANIMATE_FRAMES: usize = 24;
+pub(crate) const ANIMATE_FRAMES: usize = 24;
 /// `animate.degrees`: once round.
-pub const ANIMATE_DEGREES: f64 = 360.0;
+pub(crate) const ANIMATE_DEGREES: f64 = 360.0;
 /// `animate.fps`.
-pub const ANIMATE_FPS: usize = 12;
+pub(crate) const ANIMATE_FPS: usize = 12;
 /// `[[scene]] light`: the sun, high and a little to the right.
 pub const LIGHT: Light = Light { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.53, irradiance: 1.0 };
 /// `[[scene]] pixel_samples`.
-pub const PIXEL_SAMPLES: usize = 1;
+pub(crate) const PIXEL_SAMPLES: usize = 1;
 /// Patch.
 pub const PATCH: Shape = Shape::Patch { width_mm: 20.0, distance_mm: 60.0, tilt_deg: 0.0, turn_deg: 0.0 };
 /// Camera of a mesh: what points up in the picture.
-pub const CAMERA_UP: [f64; 3] = [0.0, 1.0, 0.0];
+pub(crate) const CAMERA_UP: [f64; 3] = [0.0, 1.0, 0.0];
 /// Camera of a mesh: `fov_deg`.
-pub const CAMERA_FOV_DEG: f64 = 25.0;
+pub(crate) const CAMERA_FOV_DEG: f64 = 25.0;
 /// Screen: about the published set-up.
-pub const SCREEN: Shape = Shape::Screen {
+pub(crate) const SCREEN: Shape = Shape::Screen {
     width_mm: 200.0,
     distance_mm: 100.0,
     beam_diameter_mm: 1.0,
@@ -66,7 +66,7 @@ pub const SCREEN: Shape = Shape::Screen {
     incidence_deg: 0.0,
 };
 /// Screen: `beam_divergence_deg`.
-pub const BEAM_DIVERGENCE_DEG: f64 = 0.0;
+pub(crate) const BEAM_DIVERGENCE_DEG: f64 = 0.0;
 
 /// `[optics]`: filtered sunlight as in the published measurements, and a perfect reflector.
 pub fn optics() -> OpticsConfig {
@@ -74,11 +74,12 @@ pub fn optics() -> OpticsConfig {
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 16_250.0,
-        edge: Edge::Tile,
+        lobe_sigma_nm: None,
+        edge: Edge::Auto,
         windows: Windows::Grid,
         material: Material::Ideal,
         shadowing: false,
-        factor: Factor::Scalar,
+        factor: Factor::Vector,
     }
 }
 

@@ -7,14 +7,14 @@ use std::path::{Component, Path, PathBuf};
 use glob::{MatchOptions, Pattern};
 
 /// Most files that one pattern may match: far beyond any specimen, and a bound on memory.
-pub const MATCHES_MAX: usize = 100_000;
+pub(crate) const MATCHES_MAX: usize = 100_000;
 
 /// As in a shell: hidden files must be asked for.
 const LIKE_A_SHELL: MatchOptions =
     MatchOptions { case_sensitive: true, require_literal_separator: true, require_literal_leading_dot: true };
 
 /// The existing files that a path or pattern names, sorted; empty where there is none.
-pub fn expand(base: &Path, pattern: &str) -> io::Result<Vec<PathBuf>> {
+pub(crate) fn expand(base: &Path, pattern: &str) -> io::Result<Vec<PathBuf>> {
     let literal = base.join(pattern);
     if literal.is_file() {
         return Ok(vec![literal]);
@@ -50,7 +50,7 @@ pub fn expand(base: &Path, pattern: &str) -> io::Result<Vec<PathBuf>> {
 }
 
 /// Whether a text holds a wildcard.
-pub fn has_wildcard(text: &str) -> bool {
+pub(crate) fn has_wildcard(text: &str) -> bool {
     text.contains(['*', '?', '['])
 }
 

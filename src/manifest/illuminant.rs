@@ -11,7 +11,7 @@ use diffraction_build::ground::spectrum::{Illuminant, Line};
 pub const WAVELENGTH_NM: [f64; 2] = [200.0, 2500.0];
 
 /// The range that colour is computed from: light wholly outside it has no XYZ.
-pub const VISIBLE_NM: [f64; 2] = [380.0, 780.0];
+pub(crate) const VISIBLE_NM: [f64; 2] = [380.0, 780.0];
 
 /// Names of the CIE illuminants.
 const NAMES: &[&str] = &["D65", "A", "E", "F1", "F2", "F3", "F4", "F5", "F6", "F7", "F8", "F9", "F10", "F11", "F12"];
@@ -142,7 +142,7 @@ fn shortened(row: &str) -> String {
 }
 
 /// Whether some light falls on the visible part of a range, so that XYZ exists.
-pub fn is_visible(illuminant: &Illuminant, range_nm: [f64; 2]) -> bool {
+pub(crate) fn is_visible(illuminant: &Illuminant, range_nm: [f64; 2]) -> bool {
     let low = range_nm[0].max(VISIBLE_NM[0]);
     let high = range_nm[1].min(VISIBLE_NM[1]);
     match illuminant {

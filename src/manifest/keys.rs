@@ -10,7 +10,7 @@ pub struct Keys {
 }
 
 /// The top level.
-pub const TOP: Keys = Keys {
+pub(crate) const TOP: Keys = Keys {
     table: "the top level",
     names: &["schema", "atlas", "optics", "tables", "specimen", "scene", "gpu", "report", "cache"],
 };
@@ -19,22 +19,22 @@ pub const TOP: Keys = Keys {
 pub const ATLAS: Keys = Keys { table: "[atlas]", names: &["name", "out"] };
 
 /// Illumination and averaging; defaults for every specimen.
-pub const OPTICS: Keys = Keys {
+pub(crate) const OPTICS: Keys = Keys {
     table: "[optics]",
-    names: &["illuminant", "wavelength_nm", "coherence", "windows", "material", "shadowing"],
+    names: &["illuminant", "wavelength_nm", "coherence", "windows", "material", "factor", "shadowing"],
 };
 
 /// Laser lines in place of a named illuminant.
-pub const LINES: Keys = Keys { table: "illuminant", names: &["lines_nm", "power"] };
+pub(crate) const LINES: Keys = Keys { table: "illuminant", names: &["lines_nm", "power"] };
 
 /// The light's spatial coherence.
-pub const COHERENCE: Keys = Keys { table: "coherence", names: &["sigma_um", "edge"] };
+pub(crate) const COHERENCE: Keys = Keys { table: "coherence", names: &["sigma_um", "edge"] };
 
 /// Refractive index.
-pub const MATERIAL: Keys = Keys { table: "material", names: &["n", "k"] };
+pub(crate) const MATERIAL: Keys = Keys { table: "material", names: &["n", "k"] };
 
 /// What is asked of the tables.
-pub const TABLES: Keys = Keys {
+pub(crate) const TABLES: Keys = Keys {
     table: "[tables]",
     names: &[
         "basis",
@@ -50,7 +50,7 @@ pub const TABLES: Keys = Keys {
 };
 
 /// A prefilter of fixed width.
-pub const PREFILTER: Keys = Keys { table: "prefilter", names: &["width"] };
+pub(crate) const PREFILTER: Keys = Keys { table: "prefilter", names: &["width"] };
 
 /// One specimen.
 pub const SPECIMEN: Keys = Keys {
@@ -75,13 +75,14 @@ pub const SPECIMEN: Keys = Keys {
 };
 
 /// Measured reflectance to compare with.
-pub const MEASURED: Keys = Keys { table: "measured", names: &["file", "acceptance_deg", "bandwidth_nm"] };
+pub(crate) const MEASURED: Keys = Keys { table: "measured", names: &["file", "acceptance_deg", "bandwidth_nm"] };
 
 /// What the stored numbers of a scan mean.
-pub const HEIGHT: Keys = Keys { table: "height", names: &["full_scale_nm", "unit", "nm_per_count", "offset_nm"] };
+pub(crate) const HEIGHT: Keys =
+    Keys { table: "height", names: &["full_scale_nm", "unit", "nm_per_count", "offset_nm"] };
 
 /// Removal of single outliers.
-pub const DESPIKE: Keys = Keys { table: "despike", names: &["threshold_rms"] };
+pub(crate) const DESPIKE: Keys = Keys { table: "despike", names: &["threshold_rms"] };
 
 /// One picture; which of the keys apply depends on the shape.
 pub const SCENE: Keys = Keys {
@@ -112,28 +113,29 @@ pub const SCENE: Keys = Keys {
 };
 
 /// The camera of a scene with a mesh.
-pub const CAMERA: Keys = Keys { table: "camera", names: &["position", "target", "up", "fov_deg", "width"] };
+pub(crate) const CAMERA: Keys = Keys { table: "camera", names: &["position", "target", "up", "fov_deg", "width"] };
 
 /// One light of a scene.
 pub const LIGHT: Keys = Keys { table: "light", names: &["direction", "angular_diameter_deg", "irradiance"] };
 
 /// Light from all around.
-pub const ENVIRONMENT: Keys = Keys { table: "environment", names: &["file", "rotate_deg", "scale"] };
+pub(crate) const ENVIRONMENT: Keys = Keys { table: "environment", names: &["file", "rotate_deg", "scale"] };
 
 /// Frames besides the still.
-pub const ANIMATE: Keys = Keys { table: "animate", names: &["kind", "axis", "frames", "degrees", "fps", "size_px"] };
+pub(crate) const ANIMATE: Keys =
+    Keys { table: "animate", names: &["kind", "axis", "frames", "degrees", "fps", "size_px"] };
 
 /// A fixed exposure.
-pub const EXPOSURE: Keys = Keys { table: "exposure", names: &["ev"] };
+pub(crate) const EXPOSURE: Keys = Keys { table: "exposure", names: &["ev"] };
 
 /// What a GPU is used for.
 pub const GPU: Keys = Keys { table: "[gpu]", names: &["check", "frame_time"] };
 
 /// What is found out besides the tables.
-pub const REPORT: Keys = Keys { table: "[report]", names: &["write", "reference", "savings"] };
+pub(crate) const REPORT: Keys = Keys { table: "[report]", names: &["write", "reference", "savings"] };
 
 /// Where intermediate results are kept.
-pub const CACHE: Keys = Keys { table: "[cache]", names: &["folder", "limit_mib"] };
+pub(crate) const CACHE: Keys = Keys { table: "[cache]", names: &["folder", "limit_mib"] };
 
 /// Every table.
 pub const ALL: &[&Keys] = &[
@@ -195,7 +197,7 @@ fn in_another_unit(unknown: &str, names: &[&'static str]) -> Option<(&'static st
 const MESH_FILE_WORDS: &[&str] = &["mesh", "model", "obj", "gltf", "glb", "geometry", "file", "path"];
 
 /// What to say of a key that a table does not take; `number` and `text` are its value, where it is one.
-pub fn unknown_key(unknown: &str, keys: &Keys, number: Option<f64>, text: Option<&str>) -> String {
+pub(crate) fn unknown_key(unknown: &str, keys: &Keys, number: Option<f64>, text: Option<&str>) -> String {
     let table = keys.table;
     if keys.table == SCENE.table && MESH_FILE_WORDS.contains(&unknown.to_lowercase().as_str()) {
         let file = text.filter(|text| text.contains('.')).unwrap_or("body.obj");
@@ -239,7 +241,7 @@ pub fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
 }
 
 /// Words in backquotes, separated by commas.
-pub fn quoted(words: &[&str]) -> String {
+pub(crate) fn quoted(words: &[&str]) -> String {
     let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
     quoted.join(", ")
 }

@@ -13,10 +13,10 @@ use diffraction_render::scene::mesh::MeshShape;
 use diffraction_render::scene::mesh_file::{self, COORDINATE_MAX, Model};
 
 /// How a mesh is given in the shape's place.
-pub const EXAMPLE: &str = "the name of a mesh file such as \"body.obj\"";
+pub(crate) const EXAMPLE: &str = "the name of a mesh file such as \"body.obj\"";
 
 /// Whether a shape is a file rather than a word.
-pub fn names_a_file(item: &Item) -> bool {
+pub(crate) fn names_a_file(item: &Item) -> bool {
     item.as_text().is_some_and(|text| text.contains('.'))
 }
 

@@ -26,7 +26,7 @@ use toml::de::DeTable;
 
 pub use model::{AtlasSection, GpuSection, Manifest};
 
-use crate::stages::cache::CacheConfig;
+use crate::stages::cache::store::CacheConfig;
 use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
 use diffraction_brdf::error::{Error, Result};
 use reader::Section;
@@ -88,7 +88,7 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
         name: name::read(&atlas.require("name", "name = \"snakes\"")?)?,
         out: base.join(out.unwrap_or(defaults::OUT)),
     };
-    let optics = match top.get("optics") {
+    let mut optics = match top.get("optics") {
         Some(item) => optics::read(&item, base)?,
         None => defaults::optics(),
     };
@@ -96,6 +96,7 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
         Some(item) => tables::read(&item)?,
         None => defaults::tables(),
     };
+    optics.factor = optics::factor(top.get("optics").as_ref(), tables.basis)?;
     let specimens = top.require("specimen", "[[specimen]]")?;
     let specimens = specimen::read_all(&specimens, &optics, base)?;
     let names: Vec<&str> = specimens.iter().map(|specimen| specimen.name.as_str()).collect();

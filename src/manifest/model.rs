@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::stages::cache::CacheConfig;
+use crate::stages::cache::store::CacheConfig;
 use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve, SpecimenConfig};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::tables::model::TablesConfig;

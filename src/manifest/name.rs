@@ -19,7 +19,7 @@ fn safe(c: char) -> bool {
 }
 
 /// A text with `_` in place of every run of characters that no name may hold.
-pub fn made_safe(text: &str) -> String {
+pub(crate) fn made_safe(text: &str) -> String {
     let mut name = String::new();
     for c in text.chars() {
         match (safe(c), name.ends_with('_')) {
@@ -53,7 +53,7 @@ pub fn checked(item: &Item, name: &str) -> Result<String> {
 }
 
 /// Refuses a name that is taken, or differs from a taken one in case alone.
-pub fn refuse_repetition<'n>(item: &Item, name: &str, mut taken: impl Iterator<Item = &'n str>) -> Result<()> {
+pub(crate) fn refuse_repetition<'n>(item: &Item, name: &str, mut taken: impl Iterator<Item = &'n str>) -> Result<()> {
     match taken.find(|other| other.eq_ignore_ascii_case(name)) {
         None => Ok(()),
         Some(other) if other == name => Err(item.error(format!("repeats the name \"{name}\"; names must differ"))),

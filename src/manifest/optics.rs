@@ -8,7 +8,8 @@ use super::keys;
 use super::reader::{Item, Section};
 use diffraction_brdf::error::Result;
 use diffraction_build::ground::spectrum::Illuminant;
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::tables::model::Basis;
 
 /// Smallest and largest sigma: from well below a wavelength to far beyond any scan.
 const SIGMA_UM: [f64; 2] = [0.1, 10_000.0];
@@ -52,15 +53,32 @@ pub fn read(item: &Item, base: &Path) -> Result<OpticsConfig> {
     Ok(optics)
 }
 
+/// Reads `factor` of `[optics]`, whose default hangs on the basis: the published tables hold the lobe and the rest as one, and
+/// go with the published factor alone.
+pub fn factor(optics: Option<&Item>, basis: Basis) -> Result<Factor> {
+    let given = optics.map(|item| item.section(&keys::OPTICS, "[optics]")).transpose()?;
+    let given = given.as_ref().and_then(|section| section.get("factor"));
+    let Some(item) = given else {
+        return Ok(if basis == Basis::Taylor { Factor::Scalar } else { Factor::Vector });
+    };
+    let factor = item.choice(&[("vector", Factor::Vector), ("scalar", Factor::Scalar)])?;
+    if basis == Basis::Taylor && factor == Factor::Vector {
+        return Err(item.error(
+            "must be \"scalar\" with tables.basis = \"taylor\": those tables hold the lobe and the rest as one",
+        ));
+    }
+    Ok(factor)
+}
+
 /// Reads `coherence`, `windows`, and `material`, which `[optics]` and `[[specimen]]` share.
-pub fn read_overrides(section: &Section, optics: &mut OpticsConfig) -> Result<()> {
+pub(crate) fn read_overrides(section: &Section, optics: &mut OpticsConfig) -> Result<()> {
     if let Some(item) = section.get("coherence") {
-        let section = item.section(&keys::COHERENCE, "{ sigma_um = 16.25, edge = \"tile\" }")?;
+        let section = item.section(&keys::COHERENCE, "{ sigma_um = 16.25, edge = \"auto\" }")?;
         if let Some(item) = section.get("sigma_um") {
             optics.sigma_nm = item.number_within(SIGMA_UM[0], SIGMA_UM[1], "µm")? * 1000.0;
         }
         if let Some(item) = section.get("edge") {
-            optics.edge = item.choice(&[("tile", Edge::Tile), ("fade", Edge::Fade)])?;
+            optics.edge = item.choice(&[("auto", Edge::Auto), ("tile", Edge::Tile), ("fade", Edge::Fade)])?;
         }
     }
     if let Some(item) = section.get("windows") {

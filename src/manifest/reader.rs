@@ -11,7 +11,7 @@ use diffraction_brdf::error::{Error, Result};
 
 /// A table whose keys are all known.
 #[derive(Debug, Clone)]
-pub struct Section<'s> {
+pub(crate) struct Section<'s> {
     source: Source<'s>,
     table: &'s DeTable<'s>,
     span: Range<usize>,
@@ -20,7 +20,7 @@ pub struct Section<'s> {
 
 /// One value, with the path of keys that leads to it.
 #[derive(Debug, Clone)]
-pub struct Item<'s> {
+pub(crate) struct Item<'s> {
     source: Source<'s>,
     value: &'s DeValue<'s>,
     span: Range<usize>,
@@ -82,12 +82,12 @@ impl<'s> Section<'s> {
     }
 
     /// An error at the name of the first of two keys that is given.
-    pub fn error_at_either(&self, key: &str, other: &str, message: impl Into<String>) -> Error {
+    pub(crate) fn error_at_either(&self, key: &str, other: &str, message: impl Into<String>) -> Error {
         self.error_at_key(if self.has(key) { key } else { other }, message)
     }
 
     /// An error at the name of a given key.
-    pub fn error_at_key(&self, key: &str, message: impl Into<String>) -> Error {
+    pub(crate) fn error_at_key(&self, key: &str, message: impl Into<String>) -> Error {
         let span = self.table.get_key_value(key).map_or(self.span.clone(), |(key, _)| key.span());
         self.source.error(span, message)
     }
@@ -118,7 +118,7 @@ impl<'s> Item<'s> {
     }
 
     /// A string with something in it.
-    pub fn text_not_empty(&self) -> Result<&'s str> {
+    pub(crate) fn text_not_empty(&self) -> Result<&'s str> {
         let text = self.text()?;
         if text.trim().is_empty() {
             return Err(self.error("must not be empty"));
@@ -127,12 +127,12 @@ impl<'s> Item<'s> {
     }
 
     /// The string, if it is one.
-    pub fn as_text(&self) -> Option<&'s str> {
+    pub(crate) fn as_text(&self) -> Option<&'s str> {
         self.text().ok()
     }
 
     /// A truth value.
-    pub fn boolean(&self) -> Result<bool> {
+    pub(crate) fn boolean(&self) -> Result<bool> {
         match self.value {
             DeValue::Boolean(value) => Ok(*value),
             _ => Err(self.expected("true or false")),
@@ -149,7 +149,7 @@ impl<'s> Item<'s> {
     }
 
     /// A number in `[low, high]`; `unit` may be empty.
-    pub fn number_within(&self, low: f64, high: f64, unit: &str) -> Result<f64> {
+    pub(crate) fn number_within(&self, low: f64, high: f64, unit: &str) -> Result<f64> {
         let number = self.number()?;
         if number < low || number > high {
             let unit = spaced(unit);
@@ -160,7 +160,7 @@ impl<'s> Item<'s> {
     }
 
     /// A number in `(low, high]`; `unit` may be empty.
-    pub fn number_above(&self, low: f64, high: f64, unit: &str) -> Result<f64> {
+    pub(crate) fn number_above(&self, low: f64, high: f64, unit: &str) -> Result<f64> {
         let number = self.number()?;
         if number <= low || number > high {
             let unit = spaced(unit);
@@ -171,7 +171,7 @@ impl<'s> Item<'s> {
     }
 
     /// A whole number in `[low, high]`; `unit` may be empty.
-    pub fn integer_within(&self, low: usize, high: usize, unit: &str) -> Result<usize> {
+    pub(crate) fn integer_within(&self, low: usize, high: usize, unit: &str) -> Result<usize> {
         let DeValue::Integer(integer) = self.value else {
             return Err(self.expected("a whole number"));
         };
@@ -201,7 +201,7 @@ impl<'s> Item<'s> {
     }
 
     /// Exactly `N` elements, described by `what` in the message.
-    pub fn list_of<const N: usize>(&self, what: &str) -> Result<[Item<'s>; N]> {
+    pub(crate) fn list_of<const N: usize>(&self, what: &str) -> Result<[Item<'s>; N]> {
         let DeValue::Array(_) = self.value else {
             return Err(self.expected(what));
         };
@@ -211,12 +211,12 @@ impl<'s> Item<'s> {
     }
 
     /// Whether it is a list.
-    pub fn is_list(&self) -> bool {
+    pub(crate) fn is_list(&self) -> bool {
         matches!(self.value, DeValue::Array(_))
     }
 
     /// Whether it is a table.
-    pub fn is_table(&self) -> bool {
+    pub(crate) fn is_table(&self) -> bool {
         matches!(self.value, DeValue::Table(_))
     }
 
@@ -229,7 +229,7 @@ impl<'s> Item<'s> {
     }
 
     /// The names and values of a table whose names are the user's own, in their order in the text; `example` shows one.
-    pub fn named_values(&self, example: &str) -> Result<Vec<(String, Item<'s>)>> {
+    pub(crate) fn named_values(&self, example: &str) -> Result<Vec<(String, Item<'s>)>> {
         let DeValue::Table(table) = self.value else {
             return Err(self.expected(&format!("a table such as `{example}`")));
         };
@@ -249,7 +249,7 @@ impl<'s> Item<'s> {
     }
 
     /// One of a few words where something else, read elsewhere, would also do; `besides` says what, or is empty.
-    pub fn choice_besides<T: Copy>(&self, options: &[(&str, T)], besides: &str) -> Result<T> {
+    pub(crate) fn choice_besides<T: Copy>(&self, options: &[(&str, T)], besides: &str) -> Result<T> {
         let words: Vec<&str> = options.iter().map(|(word, _)| *word).collect();
         let list = words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
         let list = if besides.is_empty() { list } else { format!("{list}, or {besides}") };

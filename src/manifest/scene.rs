@@ -62,7 +62,7 @@ const COMMON_KEYS: &[&str] =
     &["name", "shape", "specimen", "size_px", "exposure", "tolerance", "animate", "light_samples", "pixel_samples"];
 
 /// Reads every scene; `specimens` are the names that `specimen` may give.
-pub fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<Scene>> {
+pub(crate) fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<Scene>> {
     if !item.is_list() {
         return Err(item.error("must be written as [[scene]], with double brackets"));
     }
@@ -78,7 +78,7 @@ pub fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<Scen
 }
 
 /// Refuses a tolerance where no tables are made for the scene: it would be ignored.
-pub fn refuse_tolerances(item: &Item) -> Result<()> {
+pub(crate) fn refuse_tolerances(item: &Item) -> Result<()> {
     for item in item.list()? {
         let section = item.section(&keys::SCENE, "[[scene]]")?;
         if section.has("tolerance") {

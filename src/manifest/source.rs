@@ -1,4 +1,8 @@
 //! Positions in a manifest's text, turned into messages with file, line, column, and a caret.
+//!
+//! Kept by hand: `annotate-snippets` and `miette` print whole reports of their own shape and would replace the 30 lines of
+//! the excerpt alone. Line and column as parts of the error, carets that stand right at any width of a tab, lines cut
+//! around the caret, and what must not reach a terminal would remain.
 
 use std::ops::Range;
 

@@ -31,7 +31,7 @@ const BANDWIDTH_MAX_NM: f64 = 100.0;
 const PAGE_MAX: usize = 65_535;
 
 /// Reads every specimen; each starts from the manifest's `optics`.
-pub fn read_all(item: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<SpecimenConfig>> {
+pub(crate) fn read_all(item: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<SpecimenConfig>> {
     if !item.is_list() {
         return Err(item.error("must be written as [[specimen]], with double brackets"));
     }

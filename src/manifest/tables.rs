@@ -60,7 +60,7 @@ pub fn tolerance(item: &Item) -> Result<f64> {
 }
 
 /// Reads `serve`: which directions the tables answer for; `scenes` are the names of the manifest's scenes.
-pub fn read_serve(item: &Item, scenes: &[&str]) -> Result<Serve> {
+pub(crate) fn read_serve(item: &Item, scenes: &[&str]) -> Result<Serve> {
     let section = item.section(&keys::TABLES, "[tables]")?;
     let Some(item) = section.get("serve") else {
         return Ok(Serve::All);

@@ -3,12 +3,12 @@
 use minijinja::{Value, context};
 
 use super::numbers;
-use crate::stages::serve::{Budget, BudgetRow, Cost};
+use diffraction_build::tables::coverage::budget::{Budget, BudgetRow, Cost};
 
 /// Title, introduction and rows of a specimen's budget.
 pub fn budget(budget: &Budget) -> Value {
     let rows: Vec<Value> = budget.rows.iter().map(|row| row_cells(row, budget)).collect();
-    let served = [&budget.served].into_iter().chain(&budget.measured).map(cost_cells).collect::<Vec<_>>();
+    let served = [&budget.restricted].into_iter().chain(&budget.measured).map(cost_cells).collect::<Vec<_>>();
     context! {
         about => format!(
             "These tables serve {} and nothing else: {} of the disc of (u, v).",
@@ -57,7 +57,7 @@ fn row_cells(row: &BudgetRow, budget: &Budget) -> Value {
     context! {
         what => &row.what,
         why => &row.why,
-        predicted => ratios(&row.with_it, Some(&budget.served)),
+        predicted => ratios(&row.with_it, Some(&budget.restricted)),
         found => row.measured.as_ref().map(|measured| ratios(measured, budget.measured.as_ref())),
         error => numbers::number(row.error_bound, 1),
     }
@@ -68,7 +68,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn savings_are_ratios_to_what_is_served() {
+    fn savings_are_ratios_to_the_restricted_tables() {
         let cost = |node_samples| Cost { node_samples, seconds: 1.0, memory_bytes: f64::NAN, stored_bytes: 2e6 };
         let row = BudgetRow {
             step: None,
@@ -81,7 +81,7 @@ mod tests {
         let view = budget(&Budget {
             scenes: vec!["ball".into()],
             reached_share: 0.25,
-            served: cost(1e6),
+            restricted: cost(1e6),
             measured: Some(cost(1e6)),
             rows: vec![row],
         });

@@ -1,10 +1,10 @@
 //! Perceptually even colour maps for pictures of data.
 
 /// Sixteen even steps of a colour map, sRGB; linear in between.
-pub type ColourMap = [[u8; 3]; 16];
+pub(crate) type ColourMap = [[u8; 3]; 16];
 
 /// Viridis (van der Walt and Smith, 2015, public domain): for heights.
-pub const VIRIDIS: ColourMap = [
+pub(crate) const VIRIDIS: ColourMap = [
     [0x44, 0x01, 0x54],
     [0x48, 0x1a, 0x6c],
     [0x47, 0x2f, 0x7d],
@@ -24,7 +24,7 @@ pub const VIRIDIS: ColourMap = [
 ];
 
 /// Inferno (van der Walt and Smith, 2015, public domain): for power.
-pub const INFERNO: ColourMap = [
+pub(crate) const INFERNO: ColourMap = [
     [0x00, 0x00, 0x04],
     [0x0c, 0x08, 0x26],
     [0x24, 0x0c, 0x4f],

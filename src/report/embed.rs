@@ -11,11 +11,11 @@ use diffraction_brdf::error::{Error, Result};
 
 /// Bytes of PNG that one page holds; beyond it pictures are linked, so that the report of a
 /// thousand specimens still opens.
-pub const EMBEDDED_MAX_BYTES: usize = 96 << 20;
+pub(crate) const EMBEDDED_MAX_BYTES: usize = 96 << 20;
 
 /// A picture ready for the page.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Picture {
+pub(crate) struct Picture {
     /// A data URI, or the relative path where the page was full.
     pub href: String,
     /// Size in pixels.
@@ -23,7 +23,7 @@ pub struct Picture {
 }
 
 /// The pictures of one page, embedded in the order they are asked for.
-pub struct Album<'a> {
+pub(crate) struct Album<'a> {
     source: &'a dyn Fn(&str) -> Option<Vec<u8>>,
     room_bytes: usize,
     /// How many pictures found no room and are linked.
@@ -87,7 +87,7 @@ fn png_size(bytes: &[u8]) -> Option<[u32; 2]> {
 }
 
 /// The bytes of a PNG file as an address.
-pub fn data_uri(png: &[u8]) -> String {
+pub(crate) fn data_uri(png: &[u8]) -> String {
     format!("data:image/png;base64,{}", BASE64.encode(png))
 }
 

@@ -10,7 +10,7 @@ use diffraction_build::tables::model::{Basis, Rounding, Storage};
 
 /// A name and what is to be said about it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Fact {
+pub(crate) struct Fact {
     /// The name.
     pub name: String,
     /// A short text.
@@ -22,7 +22,7 @@ fn fact(name: &str, text: String) -> Fact {
 }
 
 /// Everything about a specimen that is not a picture or a table.
-pub fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
+pub(crate) fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
     let mut facts = vec![fact("Scan", scan(specimen))];
     if let Some(found) = &specimen.statistics {
         facts.push(fact("Heights", heights(found)));
@@ -68,7 +68,7 @@ pub fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
 }
 
 /// The provenance of one scan: every entry of the JSON object, in its order. Empty entries are left out.
-pub fn of_scan(scan: &serde_json::Value) -> Vec<Fact> {
+pub(crate) fn of_scan(scan: &serde_json::Value) -> Vec<Fact> {
     let Some(entries) = scan.as_object() else {
         return vec![fact("provenance", value_text(scan))];
     };
@@ -108,7 +108,7 @@ pub fn warnings(specimen: &SpecimenResult) -> Vec<String> {
 }
 
 /// "6 Chebyshev, half".
-pub fn tables_short(built: &BuildResult) -> String {
+pub(crate) fn tables_short(built: &BuildResult) -> String {
     format!(
         "{} {}, {}",
         built.tables,
@@ -121,12 +121,12 @@ pub fn tables_short(built: &BuildResult) -> String {
 }
 
 /// "501 × 501".
-pub fn grid_short(built: &BuildResult) -> String {
+pub(crate) fn grid_short(built: &BuildResult) -> String {
     format!("{0} × {0}", built.size)
 }
 
 /// Error rows with those of one cause together, causes in the order in which they first come.
-pub fn by_cause(rows: &[ErrorRow]) -> Vec<ErrorRow> {
+pub(crate) fn by_cause(rows: &[ErrorRow]) -> Vec<ErrorRow> {
     let first = |row: &ErrorRow| rows.iter().position(|other| other.cause == row.cause);
     let mut sorted = rows.to_vec();
     sorted.sort_by_key(first);
@@ -134,7 +134,7 @@ pub fn by_cause(rows: &[ErrorRow]) -> Vec<ErrorRow> {
 }
 
 /// Which directions the errors count, and how much of each group the tables show lit.
-pub fn counted_directions(rows: &[ErrorRow]) -> String {
+pub(crate) fn counted_directions(rows: &[ErrorRow]) -> String {
     let totals: Vec<&ErrorRow> = rows.iter().filter(|row| row.cause == Cause::Total).collect();
     let [low, high] = totals
         .iter()
@@ -170,7 +170,7 @@ pub fn counted_directions(rows: &[ErrorRow]) -> String {
 }
 
 /// The letters of the spectrum's marks and what they stand for.
-pub fn period_marks(periods: &[Period]) -> String {
+pub(crate) fn period_marks(periods: &[Period]) -> String {
     if periods.is_empty() {
         return "none, for no period stands out".into();
     }
@@ -251,14 +251,22 @@ fn light(optics: &OpticsConfig) -> String {
 
 fn coherence(optics: &OpticsConfig) -> String {
     let edge = match optics.edge {
-        Edge::Tile => "the scan repeats beyond its edge",
+        Edge::Auto | Edge::Tile => "the scan repeats beyond its edge",
         Edge::Fade => "the window stays inside the scan",
     };
     let windows = match optics.windows {
         Windows::Grid => "window positions averaged",
         Windows::Centre => "one window in the middle",
     };
-    format!("σ = {} µm, {edge}, {windows}", numbers::round_number(optics.sigma_nm * 1e-3, 4))
+    let sigma = |nm: f64| numbers::round_number(nm * 1e-3, 4);
+    match optics.lobe_sigma_nm {
+        None => format!("σ = {} µm, {edge}, {windows}", sigma(optics.sigma_nm)),
+        Some(light_nm) => format!(
+            "σ = {} µm for the coherent lobe (the light's), {} µm for the rest (as much as the scan resolves), {edge}, {windows}",
+            sigma(light_nm),
+            sigma(optics.sigma_nm)
+        ),
+    }
 }
 
 fn material(optics: &OpticsConfig) -> String {
@@ -381,7 +389,7 @@ pub(super) mod tests {
     use diffraction_build::ground::sampling::Region;
 
     /// A row of one direction with this 95th percentile.
-    pub fn error_row(cause: Cause, region: Region, p95: f64) -> ErrorRow {
+    pub(crate) fn error_row(cause: Cause, region: Region, p95: f64) -> ErrorRow {
         ErrorRow {
             cause,
             group: Group::Region(region),

@@ -26,7 +26,7 @@ struct Area {
 
 /// The frame of a height map: `href` is the picture's address, `extent_um` the scan's extent along
 /// x and y, `id` a name for parts of this frame that no other frame on the page has.
-pub fn height_frame(href: &str, id: &str, extent_um: [f64; 2], file: &HeightMapFile) -> String {
+pub(crate) fn height_frame(href: &str, id: &str, extent_um: [f64; 2], file: &HeightMapFile) -> String {
     let longer = extent_um[0].max(extent_um[1]);
     let [width, height] = extent_um.map(|extent| {
         let side = SIDE * extent / longer;
@@ -59,7 +59,7 @@ pub fn height_frame(href: &str, id: &str, extent_um: [f64; 2], file: &HeightMapF
 
 /// The frame of a power spectrum, with rings at round frequencies, named by their period, and the
 /// given periods marked a, b, c, ...
-pub fn spectrum_frame(href: &str, id: &str, file: &SpectrumFile, periods: &[Period]) -> String {
+pub(crate) fn spectrum_frame(href: &str, id: &str, file: &SpectrumFile, periods: &[Period]) -> String {
     let area = Area { width: SIDE, height: SIDE };
     let range = file.half_range_per_um;
     let clip = format!("{id}-clip");
@@ -80,7 +80,7 @@ pub fn spectrum_frame(href: &str, id: &str, file: &SpectrumFile, periods: &[Peri
 }
 
 /// The letter that marks a period in the spectrum and in the list of periods.
-pub fn period_letter(index: usize) -> char {
+pub(crate) fn period_letter(index: usize) -> char {
     char::from(b'a' + (index % 26) as u8)
 }
 

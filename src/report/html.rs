@@ -6,7 +6,7 @@ use crate::report::embed::{Album, EMBEDDED_MAX_BYTES, Picture, missing};
 use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
 use crate::report::{budget_facts, frames, gpu_facts, measured, numbers, plots};
-use crate::stages::cache::CacheUse;
+use crate::stages::cache::store::CacheUse;
 use crate::stages::results::{RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::accuracy::directions::Group;
@@ -238,7 +238,7 @@ fn specimen_section(
         scenes => scenes,
         budget => specimen.budget.as_ref().map(budget_facts::budget),
         reached => match &specimen.reached_png {
-            Some(path) => Some(safe(album.img(path, "The part of the disc that is served")?)),
+            Some(path) => Some(safe(album.img(path, "The part of the disc that is covered")?)),
             None => None,
         },
         errors => errors

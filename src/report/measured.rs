@@ -1,5 +1,6 @@
 //! Measured reflectance in the report: figures per column, curves overlaid, places of the peaks.
 
+use crate::report::axes::{Axis, level_lines, marks_below, polyline, title_below};
 use crate::report::numbers;
 use crate::report::svg::{at, escape, ticks};
 use crate::stages::measured::read::Kind;
@@ -171,51 +172,31 @@ fn plot(curve: &CurveResult, label: &str) -> String {
     let low = values().fold(0.0, f64::min);
     let high = if high > low { high } else { low + 1.0 };
     let (first, last) = (curve.at[0], curve.at[curve.at.len() - 1]);
-    let x = |value: f64| LEFT + span * (value - first) / (last - first);
-    let y = |value: f64| TOP + HEIGHT * (high - value) / (high - low);
-    let mut body = String::new();
+    let (across, bottom) = ([LEFT, LEFT + span], TOP + HEIGHT);
+    let x = Axis::linear([first, last], across);
+    let y = Axis::linear([low, high], [bottom, TOP]);
     // Ticks count in units of a power of ten where their digits would not fit.
     let exponent = high.max(-low).log10().floor() as i32;
     let power = if (-2..3).contains(&exponent) { 0 } else { exponent };
     let unit = 10f64.powi(power);
-    for (value, text) in ticks(low / unit, high / unit, 4) {
-        let place = at(y(value * unit));
-        body += &format!(r#"<path class="grid" d="M{LEFT} {place}H{}"/>"#, at(LEFT + span));
-        body += &format!(
-            r#"<text x="{}" y="{}" text-anchor="end">{text}</text>"#,
-            at(LEFT - 6.0),
-            at(y(value * unit) + 4.0)
-        );
-    }
-    for (value, text) in ticks(first, last, 6) {
-        let place = at(x(value));
-        body += &format!(r#"<path class="tick" d="M{place} {}v4"/>"#, at(TOP + HEIGHT));
-        body += &format!(r#"<text x="{place}" y="{}" text-anchor="middle">{text}</text>"#, at(TOP + HEIGHT + 17.0));
-    }
+    let in_units: Vec<_> = ticks(low / unit, high / unit, 4).into_iter().map(|(v, text)| (v * unit, text)).collect();
     let title = axis_title(&curve.along);
     let factor = if power == 0 { String::new() } else { format!(" (values × 10{})", numbers::superscript(power)) };
-    body += &format!(
-        r#"<text x="{}" y="{}" text-anchor="middle">{title}{factor}</text>"#,
-        at(LEFT + 0.5 * span),
-        at(TOP + HEIGHT + 34.0)
-    );
+    let mut body = level_lines(&y, &in_units, across, "grid");
+    body += &marks_below(&x, &x.ticks(6), bottom);
+    body += &title_below(&format!("{title}{factor}"), across, bottom);
     for PeakPair { measured, .. } in &curve.peaks {
-        body += &format!(r#"<path class="limit" d="M{} {}v{HEIGHT}"/>"#, at(x(*measured)), at(TOP));
+        body += &format!(r#"<path class="limit" d="M{} {}v{HEIGHT}"/>"#, at(x.at(*measured)), at(TOP));
     }
     let circles = curve.at.iter().zip(&curve.measured);
     let radius = at((0.35 * span / curve.at.len() as f64).clamp(1.0, 3.0));
     body += &circles
         .map(|(&place, &value)| {
-            format!(r#"<circle class="dot" cx="{}" cy="{}" r="{radius}"/>"#, at(x(place)), at(y(value)))
+            format!(r#"<circle class="dot" cx="{}" cy="{}" r="{radius}"/>"#, at(x.at(place)), at(y.at(value)))
         })
         .collect::<String>();
-    let line: Vec<String> = curve
-        .at
-        .iter()
-        .zip(&curve.model)
-        .map(|(&place, &value)| format!("{} {}", at(x(place)), at(y(value))))
-        .collect();
-    body += &format!(r#"<path style="fill:none;stroke:currentColor;stroke-width:1.4" d="M{}"/>"#, line.join("L"));
+    let model = curve.at.iter().copied().zip(curve.model.iter().copied());
+    body += &polyline(model, &x, &y, "stroke:currentColor;stroke-width:1.4");
     format!(
         r#"<svg class="plot" viewBox="0 0 {WIDTH} {}" role="img" aria-label="{}">{body}</svg>"#,
         at(TOP + HEIGHT + 40.0),

@@ -1,8 +1,9 @@
 //! The report: a self-contained page about a run, its plots, and pictures of the data.
 
+mod axes;
 mod budget_facts;
 mod colour_maps;
-pub mod html;
+pub(crate) mod html;
 pub mod pictures;
 #[cfg(feature = "study")]
 pub mod study_page;

@@ -1,7 +1,7 @@
 //! Numbers as people read them: sensible digits, never NaN.
 
 /// What stands for a number that is missing.
-pub const MISSING: &str = "–";
+pub(crate) const MISSING: &str = "–";
 
 /// `value` to `digits` significant digits: plain between 0.0001 and a million, else with a power of
 /// ten. Trailing zeros stay, for they are significant; zero is "0".
@@ -30,7 +30,7 @@ pub fn number(value: f64, digits: usize) -> String {
 }
 
 /// Like [`number`], without zeros at the end of a decimal fraction: for round numbers.
-pub fn round_number(value: f64, digits: usize) -> String {
+pub(crate) fn round_number(value: f64, digits: usize) -> String {
     let text = number(value, digits);
     if !text.contains('.') || text.contains('×') {
         return text;
@@ -40,12 +40,12 @@ pub fn round_number(value: f64, digits: usize) -> String {
 }
 
 /// A relative quantity in per cent: "0.12 %".
-pub fn percent(value: f64) -> String {
+pub(crate) fn percent(value: f64) -> String {
     with_unit(value * 100.0, 2, "%")
 }
 
 /// A relative quantity that was chosen, in per cent without needless zeros: "0.1 %".
-pub fn round_percent(value: f64) -> String {
+pub(crate) fn round_percent(value: f64) -> String {
     if !value.is_finite() {
         return MISSING.into();
     }
@@ -53,7 +53,7 @@ pub fn round_percent(value: f64) -> String {
 }
 
 /// A number and its unit, or a dash alone.
-pub fn with_unit(value: f64, digits: usize, unit: &str) -> String {
+pub(crate) fn with_unit(value: f64, digits: usize, unit: &str) -> String {
     if !value.is_finite() {
         return MISSING.into();
     }
@@ -61,7 +61,7 @@ pub fn with_unit(value: f64, digits: usize, unit: &str) -> String {
 }
 
 /// A length: nm below 1 µm, then µm, then mm.
-pub fn length_nm(value: f64) -> String {
+pub(crate) fn length_nm(value: f64) -> String {
     match value.abs() {
         size if size >= 999_500.0 => with_unit(value * 1e-6, 3, "mm"),
         size if size >= 999.5 => with_unit(value * 1e-3, 3, "µm"),
@@ -113,7 +113,7 @@ pub fn seconds(value: f64) -> String {
 }
 
 /// An exponent in raised digits.
-pub fn superscript(exponent: i32) -> String {
+pub(crate) fn superscript(exponent: i32) -> String {
     exponent
         .to_string()
         .chars()

@@ -8,7 +8,7 @@ use diffraction_brdf::error::{Error, Result};
 use diffraction_build::height::HeightField;
 
 /// Margin of the scale bar from the lower left corner, as a share of the picture's longer side.
-pub const SCALE_BAR_MARGIN: f64 = 0.03;
+pub(crate) const SCALE_BAR_MARGIN: f64 = 0.03;
 
 /// Longer side of a height map in pixels, whatever the scan: keeps the file small and the bar crisp.
 const HEIGHT_MAP_PX: f64 = 600.0;

@@ -1,7 +1,8 @@
 //! SVG plots of a run's numbers: error ranges, power sums, stage times.
 
+use crate::report::axes::{Axis, level_lines, marks_below, polyline, title_below, upright_lines};
 use crate::report::numbers;
-use crate::report::svg::{at, escape, ticks};
+use crate::report::svg::{at, escape};
 use diffraction_build::accuracy::power_sums::PowerSum;
 use diffraction_build::accuracy::rows::ErrorRow;
 
@@ -29,15 +30,10 @@ pub fn error_plot(rows: &[ErrorRow], tolerance: Option<f64>) -> String {
     if high == 0.0 {
         return String::new();
     }
-    // Whole decades; at most twelve, the uninteresting end being the small one.
-    let last = high.log10().ceil() as i32;
-    let first = (low.log10().floor() as i32).min(last - 1).max(last - 12);
-    let x = |value: f64| {
-        let place = (value.log10() - f64::from(first)) / f64::from(last - first);
-        LEFT + span * place.clamp(0.0, 1.0)
-    };
+    let axis = Axis::logarithmic([low, high], 12, [LEFT, LEFT + span]);
+    let x = |value: f64| axis.at(value);
     let bottom = TOP + ROW * rows.len() as f64;
-    let mut body = decades(first, last, &x, TOP, bottom);
+    let mut body = upright_lines(&axis, &axis.decades(6, decade_percent), [TOP, bottom], "grid");
     if let Some(limit) = tolerance.filter(|&value| drawable(value)) {
         body += &format!(
             r#"<path class="limit" d="M{0} {1}V{2}"/><text class="small" x="{0}" y="{3}" text-anchor="middle">tolerance</text>"#,
@@ -70,27 +66,6 @@ pub fn error_plot(rows: &[ErrorRow], tolerance: Option<f64>) -> String {
 
 fn drawable(value: f64) -> bool {
     value.is_finite() && value > 0.0
-}
-
-fn decades(first: i32, last: i32, x: &dyn Fn(f64) -> f64, top: f64, bottom: f64) -> String {
-    let every = if last - first > 6 { 2 } else { 1 };
-    (first..=last)
-        .map(|power| {
-            let value = 10f64.powi(power);
-            let place = at(x(value));
-            // Labels of the coarse decades only; every decade has its line.
-            let label = if (last - power) % every == 0 {
-                format!(
-                    r#"<text x="{place}" y="{}" text-anchor="middle">{}</text>"#,
-                    at(bottom + 16.0),
-                    escape(&decade_percent(power))
-                )
-            } else {
-                String::new()
-            };
-            format!(r#"<path class="grid" d="M{place} {}V{}"/>{label}"#, at(top), at(bottom))
-        })
-        .collect()
 }
 
 /// `10^power` in per cent without trailing zeros.
@@ -138,32 +113,13 @@ pub fn power_plot(sums: &[PowerSum]) -> String {
     }
     // The scalar model can run away towards grazing; the part that matters stays readable.
     let top_sum = usable.iter().map(|sum| sum.sum).fold(1.0, f64::max).min(3.0) * 1.08;
-    let x = |theta_deg: f64| LEFT + span * theta_deg / 90.0;
-    let y = |sum: f64| TOP + HEIGHT * (1.0 - (sum / top_sum).clamp(0.0, 1.0));
-    let mut body = format!(r#"<path class="limit" d="M{LEFT} {0}H{1}"/>"#, at(y(1.0)), at(LEFT + span));
-    for (value, text) in ticks(0.0, top_sum, 5) {
-        let place = y(value);
-        body += &format!(
-            r#"<path class="grid" d="M{LEFT} {0}H{1}"/><text x="{2}" y="{3}" text-anchor="end">{text}</text>"#,
-            at(place),
-            at(LEFT + span),
-            at(LEFT - 6.0),
-            at(place + 4.0)
-        );
-    }
-    for theta_deg in [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0] {
-        let place = at(x(theta_deg));
-        body += &format!(
-            r#"<path class="tick" d="M{place} {0}v4"/><text x="{place}" y="{1}" text-anchor="middle">{theta_deg}°</text>"#,
-            at(TOP + HEIGHT),
-            at(TOP + HEIGHT + 17.0)
-        );
-    }
-    body += &format!(
-        r#"<text x="{}" y="{}" text-anchor="middle">angle of incidence</text>"#,
-        at(LEFT + span / 2.0),
-        at(TOP + HEIGHT + 34.0)
-    );
+    let (across, bottom) = ([LEFT, LEFT + span], TOP + HEIGHT);
+    let x = Axis::linear([0.0, 90.0], across);
+    let y = Axis::linear([0.0, top_sum], [bottom, TOP]);
+    let mut body = level_lines(&y, &[(1.0, String::new())], across, "limit");
+    body += &level_lines(&y, &y.ticks(5), across, "grid");
+    body += &marks_below(&x, &[0, 15, 30, 45, 60, 75, 90].map(|deg| (f64::from(deg), format!("{deg}°"))), bottom);
+    body += &title_below("angle of incidence", across, bottom);
     for (index, Series { name, colour, points }) in series(&usable).iter().enumerate() {
         body += &curve(points, colour, &x, &y);
         let place = TOP + 8.0 + 18.0 * index as f64;
@@ -179,16 +135,14 @@ pub fn power_plot(sums: &[PowerSum]) -> String {
     svg("Power sums against the angle of incidence", TOP + HEIGHT + 40.0, &body)
 }
 
-fn curve(points: &[(f64, f64)], colour: &str, x: &dyn Fn(f64) -> f64, y: &dyn Fn(f64) -> f64) -> String {
-    let path: Vec<String> =
-        points.iter().map(|&(theta_deg, sum)| format!("{} {}", at(x(theta_deg)), at(y(sum)))).collect();
+fn curve(points: &[(f64, f64)], colour: &str, x: &Axis, y: &Axis) -> String {
     let dots: String = points
         .iter()
         .map(|&(theta_deg, sum)| {
-            format!(r#"<circle style="fill:{colour}" cx="{}" cy="{}" r="2.5"/>"#, at(x(theta_deg)), at(y(sum)))
+            format!(r#"<circle style="fill:{colour}" cx="{}" cy="{}" r="2.5"/>"#, at(x.at(theta_deg)), at(y.at(sum)))
         })
         .collect();
-    format!(r#"<path style="fill:none;stroke:{colour};stroke-width:1.6" d="M{}"/>{dots}"#, path.join("L"))
+    polyline(points.iter().copied(), x, y, &format!("stroke:{colour};stroke-width:1.6")) + &dots
 }
 
 /// One line of a plot.

@@ -28,7 +28,7 @@ const SHOWN: [&str; 6] =
     ["FFT", "chebyshev, half", "taylor, float", "Stam, random", "Stam, regular", "spherical harmonics"];
 
 /// Name of the page in a study's folder, as in a version of an atlas.
-pub const PAGE: &str = "report.html";
+pub(crate) const PAGE: &str = "report.html";
 
 /// A file's name and its bytes.
 pub type File = (String, Vec<u8>);
@@ -37,7 +37,7 @@ pub type File = (String, Vec<u8>);
 /// well.
 ///
 /// # Errors
-/// `Error::Call` if a plot or the page cannot be made: a defect of the program.
+/// `Error::Call` if the page cannot be made: a defect of the program.
 pub fn study_files(study: &Study, stability: &Stability) -> Result<Vec<File>> {
     let mut pictures: Vec<File> = Vec::new();
     let (mut of_specimens, mut strips) = (Vec::new(), Vec::new());
@@ -45,7 +45,7 @@ pub fn study_files(study: &Study, stability: &Stability) -> Result<Vec<File>> {
         let first = pictures.len();
         let name = file_name(&specimen.name);
         for (key, figure) in figures(specimen) {
-            pictures.push((format!("{name}.{key}.svg"), svg(&figure)?.into_bytes()));
+            pictures.push((format!("{name}.{key}.svg"), svg(&figure).into_bytes()));
         }
         let svgs = pictures[first..].iter();
         of_specimens.push(svgs.map(|(_, svg)| String::from_utf8_lossy(svg).into_owned()).collect());
@@ -53,7 +53,7 @@ pub fn study_files(study: &Study, stability: &Stability) -> Result<Vec<File>> {
     }
     let mut of_stability = BTreeMap::new();
     for (key, figure) in stability_figures(stability) {
-        let picture = svg(&figure)?;
+        let picture = svg(&figure);
         of_stability.insert(key, picture.clone());
         pictures.push((format!("stability.{key}.svg"), picture.into_bytes()));
     }
@@ -125,7 +125,7 @@ fn strip(specimen: &SpecimenStudy) -> Result<Vec<Shown>> {
 ///
 /// # Errors
 /// Those of [`study_files`], and `Error::Disk`.
-pub fn write_study(folder: &Path, study: &Study, stability: &Stability) -> Result<()> {
+pub(crate) fn write_study(folder: &Path, study: &Study, stability: &Stability) -> Result<()> {
     let files = study_files(study, stability)?;
     std::fs::create_dir_all(folder).map_err(|source| Error::disk(folder, "create the folder", source))?;
     for (name, bytes) in files {

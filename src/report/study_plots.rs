@@ -1,31 +1,32 @@
 //! Plots of a study as SVG: error against cost, against the number of tables, and against each knob.
 
-use plotters::coord::Shift;
-use plotters::prelude::*;
-
-use diffraction_brdf::error::{Error, Result};
+use crate::report::axes::{self, Axis, level_lines, polyline, title_below, title_beside, upright_lines};
+use crate::report::svg::{at, escape};
 use diffraction_build::ground::sampling::Region;
 use diffraction_study::stability::{DepthRow, GrazingRow, SeriesRow, Stability};
 use diffraction_study::study::{MethodRow, SpecimenStudy};
 
-/// Pixels of one panel, and of the column that names the lines.
-const PANEL_PX: (u32, u32) = (470, 400);
-const LEGEND_PX: u32 = 250;
+/// Size of one panel in SVG units, of the column that names the lines, and of the line with the title.
+const PANEL: [f64; 2] = [470.0, 370.0];
+const LEGEND: f64 = 250.0;
+const TITLE: f64 = 30.0;
+
+/// Room in a panel for what stands left, above and below its axes, and right of them.
+const LEFT: f64 = 74.0;
+const TOP: f64 = 8.0;
+const BELOW: f64 = 48.0;
+const RIGHT: f64 = 18.0;
 
 /// Factor kept free around the data on logarithmic axes.
 const MARGIN: f64 = 1.2;
 
+/// A figure is a file of its own too, so it brings its style along.
+const STYLE: &str = ".figure{background:#fff}.figure text{font:12px sans-serif;fill:#1b1b1b}\
+                     .figure .head{font-size:17px}.figure .grid{fill:none;stroke:#d7d7d7}\
+                     .figure .fine{fill:none;stroke:#f2f2f2}.figure .box{fill:none;stroke:#666}";
+
 /// Colours that stay apart for colour-blind readers (Okabe and Ito 2008).
-const COLOURS: [RGBColor; 8] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-    RGBColor(0, 0, 0),
-    RGBColor(140, 140, 140),
-];
+const COLOURS: [&str; 8] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c8c8c"];
 
 /// A line of points with a name.
 #[derive(Debug, Clone, PartialEq)]
@@ -239,76 +240,56 @@ fn drawable(&(x, y): &(f64, f64)) -> bool {
 
 /// Draws a figure as SVG. Points that are not positive numbers cannot stand on logarithmic axes and are left to the
 /// tables.
-///
-/// # Errors
-/// `Error::Call` if the drawing library fails.
-pub fn svg(figure: &Figure) -> Result<String> {
+pub fn svg(figure: &Figure) -> String {
     let mut names: Vec<&str> = Vec::new();
     for series in figure.panels.iter().flat_map(|panel| &panel.series) {
         if series.points.iter().any(drawable) && !names.contains(&series.name.as_str()) {
             names.push(&series.name);
         }
     }
-    let size = (PANEL_PX.0 * figure.panels.len() as u32 + LEGEND_PX, PANEL_PX.1);
-    let mut svg = String::new();
-    {
-        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-        draw(&area, figure, &names).map_err(|error| Error::Call(format!("drawing a plot failed: {error}")))?;
-    }
-    Ok(svg)
-}
-
-type Drawn<'a> = std::result::Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
-
-fn draw<'a>(area: &DrawingArea<SVGBackend<'a>, Shift>, figure: &Figure, names: &[&str]) -> Drawn<'a> {
-    area.fill(&WHITE)?;
-    let body = area.titled(&figure.title, ("sans-serif", 17))?;
-    let (charts, legend) = body.split_horizontally(PANEL_PX.0 * figure.panels.len() as u32);
-    let parts = charts.split_evenly((1, figure.panels.len()));
-    for (panel, part) in figure.panels.iter().zip(&parts) {
-        draw_panel(part, panel, names)?;
+    let panels = PANEL[0] * figure.panels.len() as f64;
+    let (width, height) = (at(panels + LEGEND), at(TITLE + PANEL[1]));
+    let title = escape(&figure.title);
+    let mut body = format!(r#"<text class="head" x="{}" y="21" text-anchor="middle">{title}</text>"#, at(0.5 * panels));
+    for (index, panel) in figure.panels.iter().enumerate() {
+        let x = at(PANEL[0] * index as f64);
+        body += &format!(r#"<g transform="translate({x} {TITLE})">{}</g>"#, draw_panel(panel, &names));
     }
     for (index, name) in names.iter().enumerate() {
-        let y = 30 + 22 * index as i32;
-        legend.draw(&mark((14, y), style(name, names)))?;
-        legend.draw(&Text::new((*name).to_owned(), (28, y - 7), ("sans-serif", 13)))?;
+        let y = TITLE + TOP + 8.0 + 22.0 * index as f64;
+        body += &mark([panels + 14.0, y], style(name, &names));
+        body += &format!(r#"<text x="{}" y="{}">{}</text>"#, at(panels + 28.0), at(y + 4.0), escape(name));
     }
-    area.present()
+    format!(
+        r##"<svg xmlns="http://www.w3.org/2000/svg" class="figure" width="{width}" height="{height}" viewBox="0 0 {width} {height}" role="img" aria-label="{title}"><style>{STYLE}</style><rect width="{width}" height="{height}" fill="#fff"/>{body}</svg>"##
+    )
 }
 
-fn draw_panel<'a>(area: &DrawingArea<SVGBackend<'a>, Shift>, panel: &Panel, names: &[&str]) -> Drawn<'a> {
+fn draw_panel(panel: &Panel, names: &[&str]) -> String {
+    let (across, upright) = ([LEFT, PANEL[0] - RIGHT], [TOP, PANEL[1] - BELOW]);
     let points = || panel.series.iter().flat_map(|s| s.points.iter().copied()).filter(drawable);
-    // Whole decades: every axis then has at least two labels.
-    let range = |of: fn((f64, f64)) -> f64| {
+    let axis = |of: fn((f64, f64)) -> f64, ends| {
         let (low, high) = points().map(of).fold((f64::MAX, 0.0f64), |(low, high), v| (low.min(v), high.max(v)));
-        let decade = |value: f64, round: fn(f64) -> f64| 10f64.powf(round(value.log10()));
-        if low <= high { decade(low / MARGIN, f64::floor)..decade(high * MARGIN, f64::ceil) } else { 0.1..10.0 }
+        let range = if low <= high { [low / MARGIN, high * MARGIN] } else { [0.1, 10.0] };
+        Axis::logarithmic(range, usize::MAX, ends)
     };
-    let mut chart = ChartBuilder::on(area)
-        .margin(8)
-        .margin_right(18)
-        .x_label_area_size(42)
-        .y_label_area_size(70)
-        .build_cartesian_2d(range(|p| p.0).log_scale(), range(|p| p.1).log_scale())?;
-    chart
-        .configure_mesh()
-        .x_desc(panel.x_label.as_str())
-        .y_desc(panel.y_label.as_str())
-        .x_labels(6)
-        .x_label_formatter(&|value| tick(*value))
-        .y_label_formatter(&|value| tick(*value))
-        .light_line_style(RGBColor(240, 240, 240))
-        .bold_line_style(RGBColor(215, 215, 215))
-        .label_style(("sans-serif", 12))
-        .axis_desc_style(("sans-serif", 13))
-        .draw()?;
-    for line in &panel.series {
-        let index = style(&line.name, names);
-        let points: Vec<(f64, f64)> = line.points.iter().copied().filter(drawable).collect();
-        chart.draw_series(LineSeries::new(points.iter().copied(), COLOURS[index % COLOURS.len()].stroke_width(2)))?;
-        chart.draw_series(points.iter().map(|&point| EmptyElement::at(point) + mark((0, 0), index)))?;
+    let x = axis(|point| point.0, across);
+    let y = axis(|point| point.1, [upright[1], upright[0]]);
+    let mut body = upright_lines(&x, &x.between_decades(), upright, "fine");
+    body += &level_lines(&y, &y.between_decades(), across, "fine");
+    body += &upright_lines(&x, &x.decades(7, axes::decade), upright, "grid");
+    body += &level_lines(&y, &y.decades(14, axes::decade), across, "grid");
+    body += &format!(r#"<path class="box" d="M{} {}V{}H{}"/>"#, at(LEFT), at(TOP), at(upright[1]), at(across[1]));
+    body += &title_below(&panel.x_label, across, upright[1]);
+    body += &title_beside(&panel.y_label, 16.0, upright);
+    for series in &panel.series {
+        let index = style(&series.name, names);
+        let points = || series.points.iter().copied().filter(drawable);
+        let stroke = format!("stroke:{};stroke-width:2;stroke-linejoin:round", COLOURS[index % COLOURS.len()]);
+        body += &polyline(points(), &x, &y, &stroke);
+        body += &points().map(|(a, b)| mark([x.at(a), y.at(b)], index)).collect::<String>();
     }
-    Ok(())
+    body
 }
 
 /// Methods keep their colour from figure to figure; other lines take them in turn.
@@ -331,21 +312,9 @@ fn style(name: &str, names: &[&str]) -> usize {
 }
 
 /// The mark of a line: colour and shape tell lines apart.
-fn mark(at: (i32, i32), index: usize) -> Polygon<(i32, i32)> {
-    const CORNERS: [&[(i32, i32)]; 4] = [
-        &[(4, 0), (3, 3), (0, 4), (-3, 3), (-4, 0), (-3, -3), (0, -4), (3, -3)],
-        &[(-4, -4), (4, -4), (4, 4), (-4, 4)],
-        &[(0, -5), (5, 4), (-5, 4)],
-        &[(0, -6), (5, 0), (0, 6), (-5, 0)],
-    ];
-    let corners = CORNERS[(index + index / COLOURS.len()) % CORNERS.len()].iter();
-    let points: Vec<(i32, i32)> = corners.map(|(x, y)| (at.0 + x, at.1 + y)).collect();
-    Polygon::new(points, COLOURS[index % COLOURS.len()].filled())
-}
-
-fn tick(value: f64) -> String {
-    if (1e-2..1e4).contains(&value) {
-        return format!("{}", (value * 1e6).round() / 1e6);
-    }
-    format!("{value:.0e}")
+fn mark([x, y]: [f64; 2], index: usize) -> String {
+    const SHAPES: [&str; 4] =
+        ["m4 0l-1 3l-3 1l-3 -1l-1 -3l1 -3l3 -1l3 1z", "m-4 -4h8v8h-8z", "m0 -5l5 9h-10z", "m0 -6l5 6l-5 6l-5 -6z"];
+    let shape = SHAPES[(index + index / COLOURS.len()) % SHAPES.len()];
+    format!(r#"<path fill="{}" d="M{} {}{shape}"/>"#, COLOURS[index % COLOURS.len()], at(x), at(y))
 }

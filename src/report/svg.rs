@@ -1,7 +1,7 @@
 //! Small pieces of SVG: escaped text, coordinates, ticks.
 
 /// Text that is safe in XML content and attributes. Characters XML cannot hold become U+FFFD.
-pub fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for character in text.chars() {
         match character {
@@ -17,7 +17,7 @@ pub fn escape(text: &str) -> String {
 }
 
 /// The character itself, or U+FFFD where neither XML nor HTML has a place for it.
-pub fn printable(character: char) -> char {
+pub(crate) fn printable(character: char) -> char {
     let forbidden = (character.is_control() && !matches!(character, '\n' | '\t'))
         || matches!(character as u32 & 0xffff, 0xfffe | 0xffff)
         || ('\u{fdd0}'..='\u{fdef}').contains(&character);
@@ -32,7 +32,7 @@ pub fn at(value: f64) -> String {
 }
 
 /// The largest of 1, 2, 5 times a power of ten that does not exceed `value` (which is positive).
-pub fn round_step(value: f64) -> f64 {
+pub(crate) fn round_step(value: f64) -> f64 {
     if !(value.is_finite() && value > 0.0) {
         return 1.0;
     }
@@ -47,7 +47,7 @@ pub fn round_step(value: f64) -> f64 {
 }
 
 /// Round numbers within `[low, high]`, at most `wanted` steps apart, with the decimals they need.
-pub fn ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
+pub(crate) fn ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
     let span = high - low;
     if !(span.is_finite() && span > 0.0) {
         return Vec::new();

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::cache::CacheConfig;
+use super::cache::store::CacheConfig;
 use crate::stages::measured::MeasuredConfig;
 use diffraction_build::height::prepare::PrepareConfig;
 use diffraction_build::height::read::ReadConfig;
@@ -41,7 +41,7 @@ pub struct RunConfig {
 
 impl RunConfig {
     /// An input's path as the atlas records it: from the manifest's folder where it lies below it.
-    pub fn relative_name(&self, path: &Path) -> String {
+    pub(crate) fn relative_name(&self, path: &Path) -> String {
         path.strip_prefix(&self.base).unwrap_or(path).display().to_string()
     }
 }
@@ -82,7 +82,7 @@ pub enum Serve {
 
 impl Serve {
     /// Whether tables answer for every direction.
-    pub fn is_all(&self) -> bool {
+    pub(crate) fn is_all(&self) -> bool {
         *self == Self::All
     }
 }

@@ -6,12 +6,15 @@ use diffraction_build::height::HeightField;
 use diffraction_build::height::prepare::{PrepareRecord, prepare};
 use diffraction_build::height::read::{Provenance, read_scan};
 use diffraction_build::height::statistics::{Statistics, statistics};
+use diffraction_build::optics::config::OpticsConfig;
 
 /// A specimen's scans, ready for the optics.
 #[derive(Debug, Clone)]
 pub struct Scans {
     /// Prepared heights, one per scan.
     pub fields: Vec<HeightField>,
+    /// The specimen's optics with as much coherence as these scans resolve.
+    pub optics: OpticsConfig,
     /// Where each comes from.
     pub provenance: Vec<Provenance>,
     /// What preparing did to each.
@@ -25,8 +28,13 @@ pub struct Scans {
 /// # Errors
 /// The first scan that cannot be read or prepared.
 pub fn ingest(specimen: &SpecimenConfig) -> Result<Scans> {
-    let mut scans =
-        Scans { fields: Vec::new(), provenance: Vec::new(), preparation: Vec::new(), statistics: Vec::new() };
+    let mut scans = Scans {
+        fields: Vec::new(),
+        optics: specimen.optics.clone(),
+        provenance: Vec::new(),
+        preparation: Vec::new(),
+        statistics: Vec::new(),
+    };
     let shortest_nm = specimen.optics.illuminant.reach_nm(specimen.optics.wavelength_nm)[0];
     for path in &specimen.scans {
         let scan = read_scan(path, &specimen.read)?;
@@ -36,5 +44,6 @@ pub fn ingest(specimen: &SpecimenConfig) -> Result<Scans> {
         scans.provenance.push(scan.provenance);
         scans.preparation.push(record);
     }
+    scans.optics = specimen.optics.for_scans(&scans.fields);
     Ok(scans)
 }

@@ -7,7 +7,7 @@ use diffraction_brdf::error::Result;
 use diffraction_build::ground::progress::Progress;
 
 /// Times and failures so far, in the order they came, and who hears of them.
-pub struct Log<'a> {
+pub(crate) struct Log<'a> {
     progress: &'a dyn Progress,
     /// Times, in the order the stages ended in.
     pub stages: Vec<StageTime>,

@@ -5,9 +5,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::cache::CacheUse;
+use super::cache::store::CacheUse;
 pub use super::gpu::results::{GpuResult, GpuRow};
-use super::serve::{Budget, Cost};
 use super::stage::Stage;
 use crate::stages::measured::MeasuredResult;
 use diffraction_brdf::error::{Error, Result};
@@ -17,6 +16,7 @@ use diffraction_build::ground::null_for_nan;
 pub use diffraction_build::height::statistics::{Period, Statistics};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::Pigment;
+use diffraction_build::tables::coverage::budget::{Budget, Cost};
 use diffraction_build::tables::model::{Basis, BuildRecord, Rounding, Storage};
 
 /// Version of the layout of `report.json`; raised when a field changes its meaning or disappears.
@@ -134,7 +134,7 @@ pub struct SpecimenResult {
     /// Path of the picture of what its tables serve, where that is not every direction.
     #[serde(default)]
     pub reached_png: Option<String>,
-    /// What its tables leave out and what that saves; `None` where they serve every direction.
+    /// What its tables leave out and what that saves; `None` where they are not restricted to scenes.
     #[serde(default)]
     pub budget: Option<Budget>,
     /// What the reader must know before using the tables.
@@ -205,7 +205,7 @@ pub struct SceneResult {
     pub seconds: f64,
     /// Measured difference from the reference, where one was rendered.
     pub error: Option<SceneError>,
-    /// Pixels that ask for directions which the tables do not serve: painted in a marker's colour, and a failure.
+    /// Pixels that ask for directions which the tables do not cover: painted in a marker's colour, and a failure.
     #[serde(default)]
     pub unserved_pixels: usize,
     /// The picture made with the tables.

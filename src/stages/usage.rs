@@ -49,7 +49,7 @@ fn processor_s() -> Option<f64> {
 
 /// Measures how long a stage takes.
 #[derive(Debug, Clone, Copy)]
-pub struct Stopwatch {
+pub(crate) struct Stopwatch {
     started: Instant,
     processor_s: Option<f64>,
 }

@@ -200,6 +200,9 @@ impl Reader<'_> {
         let (mut open, mut depth, mut at): (Vec<(String, usize)>, usize, usize) = (Vec::new(), 0, 0);
         while at < tokens.len() {
             match &tokens[at..] {
+                [Token::Word(word), Token::Word(name), Token::Sign('{'), ..] if word == "mod" && name == "tests" => {
+                    at = closing_brace(tokens, at + 2);
+                }
                 [Token::Word(word), Token::Word(name), Token::Sign('{'), ..] if word == "mod" => {
                     open.push((name.clone(), depth));
                     (depth, at) = (depth + 1, at + 3);
@@ -264,6 +267,20 @@ impl Reader<'_> {
         }
         Some(whole)
     }
+}
+
+/// Where the brace that opens at `at` is closed.
+fn closing_brace(tokens: &[Token], at: usize) -> usize {
+    let mut depth = 0;
+    for (place, token) in tokens.iter().enumerate().skip(at) {
+        match token {
+            Token::Sign('{') => depth += 1,
+            Token::Sign('}') if depth == 1 => return place + 1,
+            Token::Sign('}') => depth -= 1,
+            _ => {}
+        }
+    }
+    tokens.len()
 }
 
 fn inside(file: &Module, open: &[(String, usize)]) -> Module {

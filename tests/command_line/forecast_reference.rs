@@ -2,14 +2,15 @@
 
 use crate::common::surfaces::{laser, random, tables_config};
 use assert_cmd::Command;
-use diffraction_atlas::stages::forecast_run::{ReferenceForecast, reference_forecast};
 use diffraction_atlas::stages::pictures::scenes::{reference_samples, render_tables};
-use diffraction_atlas::stages::serve::Source;
+use diffraction_atlas::stages::run::reference_forecast::{ReferenceForecast, reference_forecast};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::optics::window::placements;
-use diffraction_build::tables::build::{build, plan};
+use diffraction_build::tables::build::build;
+use diffraction_build::tables::input::BuildInput;
+use diffraction_build::tables::plan::plan;
 use diffraction_render::scene::model::{Light, Scene, Shape};
 use serde_json::Value;
 
@@ -25,16 +26,16 @@ fn scenes() -> Vec<Scene> {
 
 fn forecast(optics: &OpticsConfig, scenes: &[Scene], threads: usize) -> ReferenceForecast {
     let (fields, tables) = ([surface()], tables_config(1e-2, Some(65)));
-    let source = Source { fields: &fields, optics, tables: &tables };
-    let plan = plan(&fields, optics, &tables).unwrap();
+    let input = BuildInput::new(&fields, optics, &tables);
+    let plan = plan(&input).unwrap();
     let samples: Vec<_> = scenes.iter().map(|scene| reference_samples(scene).unwrap()).collect();
-    reference_forecast(&source, &plan, 4, &samples.iter().collect::<Vec<_>>(), threads)
+    reference_forecast(&input, &plan, 4, &samples.iter().collect::<Vec<_>>(), threads)
 }
 
 #[test]
 fn pairs_are_those_that_a_run_evaluates() {
     let optics = laser(&[450.0, 633.0], 900.0, Edge::Tile, Windows::Grid);
-    let tables = build(&[surface()], &optics, &tables_config(1e-2, Some(65)), &|_| ()).unwrap().0;
+    let tables = build(&BuildInput::new(&[surface()], &optics, &tables_config(1e-2, Some(65))), &|_| ()).unwrap().0;
     let evaluated =
         |scene: &Scene| render_tables(scene, Surface::without_pigment(&tables)).unwrap().pairs().count() as u64;
     let expected: u64 = scenes().iter().map(evaluated).sum();

@@ -46,7 +46,7 @@ fn only_what_a_scene_needs_is_published() {
     let sums = |cost: &serde_json::Value| cost["node_samples"].as_f64().unwrap();
     assert!(sums(&budget["rows"][0]["measured"]) > 1_000.0 * sums(&budget["measured"]), "{budget}");
     place.call("verify out/small --manifest m.toml").ended(0);
-    assert!(place.call("inspect out/small").ended(0).stdout.contains("serves the scenes of its manifest alone"));
+    assert!(place.call("inspect out/small").ended(0).stdout.contains("restricted to the scenes of its manifest"));
     // Nothing has changed: nothing is published.
     assert!(place.call("run m.toml").ended(0).stdout.contains("nothing was published"));
 }

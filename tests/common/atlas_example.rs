@@ -19,6 +19,7 @@ fn optics(shadowing: bool) -> OpticsConfig {
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 16_250.0,
+        lobe_sigma_nm: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Dielectric { n: 1.56 },

@@ -9,7 +9,6 @@ use diffraction_atlas::report::spectrum_picture::{spectrum_half_range_per_um, sp
 use diffraction_atlas::stages::gpu::check::{CpuPictures, compare, compare_with_reference};
 use diffraction_atlas::stages::gpu::results::{FrameComparison, MethodFrame};
 use diffraction_atlas::stages::results::*;
-use diffraction_atlas::stages::serve::Cost;
 use diffraction_atlas::stages::stage::Stage;
 use diffraction_build::accuracy::directions::Group;
 use diffraction_build::accuracy::power_sums::PowerSum;
@@ -18,6 +17,7 @@ use diffraction_build::ground::sampling::Region;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::tables::coverage::budget::Cost;
 use diffraction_build::tables::model::{Basis, BuildRecord, Rounding, Storage};
 use diffraction_render::render::gpu::GpuInfo;
 use diffraction_render::render::gpu_frame::{Clock, FrameTime};
@@ -216,6 +216,7 @@ fn optics() -> OpticsConfig {
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 16_250.0,
+        lobe_sigma_nm: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Dielectric { n: 1.56 },

@@ -7,6 +7,7 @@ use diffraction_build::ground::spectrum::{Illuminant, Line};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 use ndarray::{Array2, Axis, Slice};
 
@@ -19,6 +20,7 @@ pub fn laser(wavelengths_nm: &[f64], sigma_nm: f64, edge: Edge, windows: Windows
         ),
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
+        lobe_sigma_nm: None,
         edge,
         windows,
         material: Material::Ideal,
@@ -51,7 +53,7 @@ pub fn tables_config(tolerance: f64, size: Option<usize>) -> TablesConfig {
 
 /// Tables of one scan.
 pub fn tables(field: &HeightField, optics: &OpticsConfig, tolerance: f64, size: Option<usize>) -> TableSet {
-    build(std::slice::from_ref(field), optics, &tables_config(tolerance, size), &|_| ()).unwrap().0
+    build(&BuildInput::new(std::slice::from_ref(field), optics, &tables_config(tolerance, size)), &|_| ()).unwrap().0
 }
 
 /// Samples `height(x, y)` in nm; (0, 0) is the middle of the scan, row 0 the +y edge. The heights are

@@ -3,12 +3,14 @@
 use std::sync::OnceLock;
 
 use crate::skip::skipped;
-use diffraction_atlas::stages::serve::{Source, domain_of, plan_without};
+use diffraction_atlas::stages::coverage::savings::cover;
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::{build, build_planned};
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+use diffraction_build::tables::plan::plan_for;
 use diffraction_render::render::gpu::Gpu;
 use diffraction_render::scene::model::{Light, Scene, Shape};
 use ndarray::Array2;
@@ -40,6 +42,7 @@ pub fn optics(windows: Windows, material: Material, shadowing: bool) -> OpticsCo
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 1_500.0,
+        lobe_sigma_nm: None,
         edge: Edge::Tile,
         windows,
         material,
@@ -65,7 +68,7 @@ pub fn build_set(basis: Basis, windows: Windows, material: Material, shadowing: 
         prefilter: Prefilter::None,
         memory_mib: 256,
     };
-    build(&[surface()], &optics, &config, &|_| ()).expect("the set builds").0
+    build(&BuildInput::new(&[surface()], &optics, &config), &|_| ()).expect("the set builds").0
 }
 
 /// A set with everything: cross term, conductor, shadowing.
@@ -88,10 +91,10 @@ pub fn served_set(scene: &Scene) -> TableSet {
         memory_mib: 256,
     };
     let fields = [surface()];
-    let source = Source { fields: &fields, optics: &optics, tables: &config };
-    let domain = domain_of(&source, &[scene]).expect("the scene renders");
-    let plan = plan_without(None, &source, &domain).expect("the build fits");
-    build_planned(&fields, &optics, &config, &plan, &|_| ()).expect("the set builds").0
+    let input = BuildInput::new(&fields, &optics, &config);
+    let covered = cover(&input, &[scene]).expect("the scene renders");
+    let plan = plan_for(&input, Some(covered)).expect("the build fits");
+    build_planned(&input, &plan, &|_| ()).expect("the set builds").0
 }
 
 /// A sphere under a lamp and the sun.

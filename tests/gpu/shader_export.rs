@@ -84,7 +84,6 @@ fn msl_holds_the_functions_and_the_bindings() {
 #[test]
 fn every_text_holds_the_evaluation_under_its_own_names() {
     for language in ShaderLanguage::ALL {
-        assert_eq!(ShaderLanguage::from_name(language.name()).unwrap(), language);
         if language != ShaderLanguage::Spirv {
             let text = String::from_utf8(shader(language).unwrap()).unwrap();
             for name in ["brdf_xyz(", "window_power(", "geometry_factor(", "v_cavity_shadowing(", "lobe_value("] {
@@ -92,7 +91,6 @@ fn every_text_holds_the_evaluation_under_its_own_names() {
             }
         }
     }
-    assert!(ShaderLanguage::from_name("glsl").is_err());
 }
 
 /// The README that goes with exported shaders names what is in them.

@@ -14,6 +14,7 @@ use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::optics::reference::brdf_xyz_batch;
 use diffraction_build::tables::build::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::TablesConfig;
 
 const WAVELENGTH_NM: f64 = 550.0;
@@ -410,7 +411,7 @@ fn a_surface_of_two_deep_levels_keeps_half_of_its_mirror_image() {
     // The same in tables: the lobe at normal incidence.
     let normal = |depth_nm: f64| {
         let few = TablesConfig { count: Some(3), ..tables_config(0.1, Some(21)) };
-        let set = build(&[levels(depth_nm)], &optics, &few, &|_| ()).unwrap().0;
+        let set = build(&BuildInput::new(&[levels(depth_nm)], &optics, &few), &|_| ()).unwrap().0;
         lobe_window_power(&set, Interpolation::Bilinear, [0.0, 0.0, -2.0])[1]
     };
     let kept = normal(80_000.0) / normal(0.0);

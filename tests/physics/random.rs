@@ -12,7 +12,9 @@ use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::optics::reference::brdf_xyz_batch;
 use diffraction_build::optics::spectral;
 use diffraction_build::optics::window::{Placement, placements, speckle_deviation};
-use diffraction_build::tables::build::{build, plan};
+use diffraction_build::tables::build::build;
+use diffraction_build::tables::input::BuildInput;
+use diffraction_build::tables::plan::plan;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
@@ -247,7 +249,7 @@ fn check_random_surfaces(cases: u32) {
 
 /// 95th percentile of the error of the tables of several scans against a luminance at each pair.
 fn error_of_scans(scans: &[HeightField], optics: &OpticsConfig, pairs: &[Pair], exact: &[f64]) -> (usize, f64) {
-    let set = build(scans, optics, &tables_config(1e-3, None), &|_| ()).unwrap().0;
+    let set = build(&BuildInput::new(scans, optics, &tables_config(1e-3, None)), &|_| ()).unwrap().0;
     let relative =
         |(pair, exact): (&Pair, &f64)| (brdf_xyz(&set, Interpolation::Cubic, pair.0, pair.1)[1] / exact - 1.0).abs();
     (set.tables.len(), quantile(&pairs.iter().zip(exact).map(relative).collect::<Vec<_>>(), 0.95))
@@ -294,7 +296,7 @@ fn spread_over_surfaces(optics: &OpticsConfig, samples: usize) -> f64 {
     let values: Vec<Vec<f64>> = (0..32)
         .map(|seed| {
             let fields = [random([samples; 2], [100.0; 2], 250.0, 40.0, seed)];
-            let spectra = plan(&fields, optics, &config).unwrap().spectra;
+            let spectra = plan(&BuildInput::new(&fields, optics, &config)).unwrap().spectra;
             spectral::brdf_xyz_batch(&fields, optics, &spectra, &pairs).unwrap().iter().map(|xyz| xyz[1]).collect()
         })
         .collect();

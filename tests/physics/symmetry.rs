@@ -10,6 +10,7 @@ use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::optics::reference::brdf_xyz_batch;
 use diffraction_build::tables::build::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{TableSet, TablesConfig};
 
 type Pair = (Vec3, Vec3);
@@ -45,7 +46,7 @@ fn reference(field: &HeightField, optics: &OpticsConfig, pairs: &[Pair]) -> Vec<
 /// Six tables whatever the surface: the program's own choice may differ between a surface and its image.
 fn stored(field: &HeightField, optics: &OpticsConfig) -> TableSet {
     let config = TablesConfig { count: Some(6), ..tables_config(1e-2, Some(201)) };
-    build(std::slice::from_ref(field), optics, &config, &|_| ()).unwrap().0
+    build(&BuildInput::new(std::slice::from_ref(field), optics, &config), &|_| ()).unwrap().0
 }
 
 fn table(set: &TableSet, pairs: &[Pair]) -> Vec<Xyz> {
@@ -173,7 +174,8 @@ fn threads_do_not_change_a_bit() {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| {
                 let config = tables_config(1e-2, Some(151));
-                let (set, record) = build(std::slice::from_ref(&field), &optics, &config, &|_| ()).unwrap();
+                let (set, record) =
+                    build(&BuildInput::new(std::slice::from_ref(&field), &optics, &config), &|_| ()).unwrap();
                 (reference(&field, &optics, &pairs), set, record)
             })
         };

@@ -9,6 +9,7 @@ use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::optics::reference::brdf_xyz_batch;
 use diffraction_build::tables::build::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 use ndarray::Array2;
 
@@ -28,6 +29,7 @@ fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
+        lobe_sigma_nm: None,
         edge,
         windows,
         material: Material::Ideal,
@@ -93,8 +95,8 @@ fn meets_the_direct_sum_inside_a_scan_and_on_a_tile_and_a_wrong_sign_is_seen() {
     for (edge, windows) in [(Edge::Fade, Windows::Grid), (Edge::Tile, Windows::Centre)] {
         let optics = optics(edge, windows);
         let fields = std::slice::from_ref(&field);
-        let (chebyshev, _) = build(fields, &optics, &config(Basis::Chebyshev), &|_| ()).unwrap();
-        let (mut taylor, record) = build(fields, &optics, &config(Basis::Taylor), &|_| ()).unwrap();
+        let (chebyshev, _) = build(&BuildInput::new(fields, &optics, &config(Basis::Chebyshev)), &|_| ()).unwrap();
+        let (mut taylor, record) = build(&BuildInput::new(fields, &optics, &config(Basis::Taylor)), &|_| ()).unwrap();
         assert_eq!(record.transforms, taylor.tables.len());
         let errors = [error(&chebyshev, &optics, &field), error(&taylor, &optics, &field)];
         println!(
@@ -113,9 +115,9 @@ fn meets_the_direct_sum_inside_a_scan_and_on_a_tile_and_a_wrong_sign_is_seen() {
 fn refuses_a_depth_whose_terms_cancel_but_chebyshev_goes_on() {
     let (deep, optics) = (relief(1_500.0), optics(Edge::Tile, Windows::Grid));
     let fields = std::slice::from_ref(&deep);
-    let refused = build(fields, &optics, &config(Basis::Taylor), &|_| ()).unwrap_err();
+    let refused = build(&BuildInput::new(fields, &optics, &config(Basis::Taylor)), &|_| ()).unwrap_err();
     assert!(matches!(refused, diffraction_brdf::error::Error::Limit { .. }), "{refused}");
-    let (chebyshev, _) = build(fields, &optics, &config(Basis::Chebyshev), &|_| ()).unwrap();
+    let (chebyshev, _) = build(&BuildInput::new(fields, &optics, &config(Basis::Chebyshev)), &|_| ()).unwrap();
     let found = error(&chebyshev, &optics, &deep);
     assert!(found < 2e-3, "{found:e}");
 }

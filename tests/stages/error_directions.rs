@@ -11,14 +11,17 @@ use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
-use diffraction_build::tables::build::{build, plan};
+use diffraction_build::tables::build::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::TableSet;
+use diffraction_build::tables::plan::plan;
 
 fn daylight() -> OpticsConfig {
     OpticsConfig {
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 1500.0,
+        lobe_sigma_nm: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Ideal,
@@ -28,13 +31,15 @@ fn daylight() -> OpticsConfig {
 }
 
 fn tables(field: &HeightField) -> TableSet {
-    build(std::slice::from_ref(field), &daylight(), &tables_config(1e-3, Some(201)), &|_| ()).unwrap().0
+    build(&BuildInput::new(std::slice::from_ref(field), &daylight(), &tables_config(1e-3, Some(201))), &|_| ())
+        .unwrap()
+        .0
 }
 
 /// Rows of tables against the field's reference, at directions that the tables themselves choose.
 fn rows(field: &HeightField, set: &TableSet) -> Vec<ErrorRow> {
     let fields = std::slice::from_ref(field);
-    let plan = plan(fields, &daylight(), &tables_config(1e-3, Some(201))).unwrap();
+    let plan = plan(&BuildInput::new(fields, &daylight(), &tables_config(1e-3, Some(201)))).unwrap();
     let directions = ErrorDirections::of_regions(set);
     let reference = reference::evaluate(fields, &daylight(), &plan, set.tables.len(), directions, []).unwrap();
     error_rows(&reference, set, set)

@@ -1,17 +1,21 @@
 //! Tables made for certain scenes show them as tables for every direction do, and answer nothing else.
 
-use diffraction_atlas::stages::serve::{Pruning, Source, account, domain_of, measure, plan_without};
+use diffraction_atlas::stages::coverage::savings::{account, cover, measure};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, serves};
 use diffraction_build::height::HeightField;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{ReadConfig, read_scan};
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
-use diffraction_build::tables::build::{build, build_planned, grid};
-use diffraction_build::tables::domain::Domain;
+use diffraction_build::tables::build::{build, build_planned};
+use diffraction_build::tables::coverage::budget::Pruning;
+use diffraction_build::tables::coverage::find::looked_up;
+use diffraction_build::tables::coverage::ranges::Coverage;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{TableSet, TablesConfig};
+use diffraction_build::tables::plan::{grid, plan_for};
 use diffraction_render::render::cpu;
 use diffraction_render::scene::model::{Exposure, Light, Scene, Shape, exposure_factor};
-use diffraction_render::scene::reach::reach;
+use diffraction_render::scene::reach::SceneLookUps;
 use diffraction_render::scene::samples::samples;
 use ndarray::Array3;
 use proptest::prelude::*;
@@ -51,11 +55,11 @@ fn pair_at([u, v]: [f64; 2], w: f64) -> ([f64; 3], [f64; 3]) {
     ([half[0] + x, half[1] + y, half[2]], [half[0] - x, half[1] - y, half[2]])
 }
 
-/// Tables for a scene, and what they serve.
-fn served(source: &Source, scene: &Scene) -> (TableSet, Domain) {
-    let domain = domain_of(source, &[scene]).unwrap();
-    let plan = plan_without(None, source, &domain).unwrap();
-    (build_planned(source.fields, source.optics, source.tables, &plan, &|_| ()).unwrap().0, domain)
+/// Tables restricted to a scene, and what they cover.
+fn restricted(input: &BuildInput, scene: &Scene) -> (TableSet, Coverage) {
+    let covered = cover(input, &[scene]).unwrap();
+    let plan = plan_for(input, Some(covered.clone())).unwrap();
+    (build_planned(input, &plan, &|_| ()).unwrap().0, covered)
 }
 
 /// Largest difference of a pixel in units of the display's white, or of the pixel itself where it is brighter: a
@@ -78,8 +82,8 @@ fn pictures_are_the_same_in_every_kind_of_scene() {
     let tables = config(201);
     for windows in [Windows::Grid, Windows::Centre] {
         let optics = daylight(windows);
-        let source = Source { fields: &fields, optics: &optics, tables: &tables };
-        let (full, _) = build(&fields, &optics, &tables, &|_| ()).unwrap();
+        let input = BuildInput::new(&fields, &optics, &tables);
+        let (full, _) = build(&input, &|_| ()).unwrap();
         let sun = light([0.3, 0.2, 1.0], 0.53);
         for shape in [
             Shape::Hemisphere,
@@ -96,12 +100,12 @@ fn pictures_are_the_same_in_every_kind_of_scene() {
             },
         ] {
             let scene = scene(shape.clone(), vec![sun]);
-            let (set, domain) = served(&source, &scene);
+            let (set, covered) = restricted(&input, &scene);
             let (expected, found) = (picture(&scene, &full), picture(&scene, &set));
             let worst = difference(&expected, &found, scene.exposure);
             println!(
                 "{windows:?} {shape:?}: {} texels, {} tables against {}, worst {worst:.1e}",
-                domain.texels(),
+                covered.count(),
                 set.tables.len(),
                 full.tables.len()
             );
@@ -120,41 +124,44 @@ fn a_ball_asks_for_one_depth_at_each_texel() {
     let (fields, optics, tables) = ([surface()], daylight(Windows::Grid), config(601));
     let sun = [0.3, 0.2, 1.0];
     let scene = Scene { size_px: 200, ..scene(Shape::Sphere, vec![light(sun, 0.53)]) };
-    let domain = reach(&scene, grid(&optics, &tables), 2).unwrap();
-    let [reached, all] = domain.disc_texels();
+    let input = BuildInput::new(&fields, &optics, &tables);
+    let covered = looked_up(&SceneLookUps::new(&scene), grid(&input), 2).unwrap();
+    let [reached, all] = covered.disc_texels();
     // Whatever faces neither light nor camera is missing, and the disc beyond |q|: sin² of half the angle between them.
     let cosine = 1.0 / (sun[0] * sun[0] + sun[1] * sun[1] + 1.0f64).sqrt();
     let share = reached as f64 / all as f64;
     assert!(share < 0.5 + 0.5 * cosine + 0.02 && share > 0.9, "{share}");
-    assert!(domain.texels() < all, "{} of {all}", domain.texels());
+    assert!(covered.count() < all, "{} of {all}", covered.count());
     // The sun's disc spreads |q|² by its diameter times the sine; and a texel's look-ups lie up to a diagonal away.
     let spread = 2.0 * 0.53f64.to_radians() * (1.0 - cosine * cosine).sqrt() * (1.0 + 2.0 / 16.0);
-    let diagonal = 1.01 * std::f64::consts::SQRT_2 * domain.grid.texel();
-    for (row, column, t) in domain.iter() {
-        let rho = domain.grid.u(column).hypot(domain.grid.v(row));
-        let [low, high] = domain.w_at(row, column, t).map(|w| w * w + rho * rho);
+    let diagonal = 1.01 * std::f64::consts::SQRT_2 * covered.grid.texel();
+    for (row, column, t) in covered.iter() {
+        let radius = covered.grid.u(column).hypot(covered.grid.v(row));
+        let [low, high] = covered.abs_w_at(row, column, t).map(|w| w * w + radius * radius);
         let expected = 2.0 + 2.0 * cosine;
-        assert!((low - expected).abs().max((high - expected).abs()) < spread + 4.0 * rho.max(0.1) * diagonal, "{rho}");
+        assert!(
+            (low - expected).abs().max((high - expected).abs()) < spread + 4.0 * radius.max(0.1) * diagonal,
+            "{radius}"
+        );
     }
-    // Every texel lies in one ring, which holds its depths, and rings lie side by side.
-    let source = Source { fields: &fields, optics: &optics, tables: &tables };
-    let plan = plan_without(None, &source, &domain).unwrap();
-    assert!(plan.rings.windows(2).all(|pair| pair[0].rho[0] == pair[1].rho[1]));
-    for (row, column, t) in domain.iter() {
-        let rho = domain.grid.u(column).hypot(domain.grid.v(row));
-        let own: Vec<_> = plan.rings.iter().filter(|ring| ring.rho[0] <= rho && rho < ring.rho[1]).collect();
-        let [low, high] = domain.w_at(row, column, t);
-        assert!(own.len() == 1 && own[0].w[0] <= low && high <= own[0].w[1], "{rho}");
+    // Every texel lies in one ring, which holds its `|w|`, and rings lie side by side.
+    let plan = plan_for(&input, Some(covered.clone())).unwrap();
+    assert!(plan.rings.windows(2).all(|pair| pair[0].radius[0] == pair[1].radius[1]));
+    for (row, column, t) in covered.iter() {
+        let radius = covered.grid.u(column).hypot(covered.grid.v(row));
+        let own: Vec<_> = plan.rings.iter().filter(|ring| ring.holds(radius)).collect();
+        let [low, high] = covered.abs_w_at(row, column, t);
+        assert!(own.len() == 1 && own[0].abs_w[0] <= low && high <= own[0].abs_w[1], "{radius}");
     }
 }
 
 #[test]
 fn what_is_not_served_has_no_answer() {
     let (fields, optics, tables) = ([surface()], daylight(Windows::Grid), config(101));
-    let source = Source { fields: &fields, optics: &optics, tables: &tables };
+    let input = BuildInput::new(&fields, &optics, &tables);
     let patch = Shape::Patch { width_mm: 20.0, distance_mm: 60.0, tilt_deg: 30.0, turn_deg: 0.0 };
     let scene = scene(patch, vec![light([0.35, 0.866, 0.5], 0.53)]);
-    let (set, domain) = served(&source, &scene);
+    let (set, covered) = restricted(&input, &scene);
     let gathered = samples(&scene).unwrap();
     for (wi, wo) in gathered.wi.iter().zip(&gathered.wo) {
         assert!(serves(&set, Interpolation::Bilinear, wi.map(f64::from), wo.map(f64::from)));
@@ -168,7 +175,7 @@ fn what_is_not_served_has_no_answer() {
         assert!(!serves(&set, Interpolation::Bilinear, wi, wo));
         assert!(brdf_xyz(&set, Interpolation::Bilinear, wi, wo).iter().all(|value| value.is_nan()));
     }
-    assert!(domain.texels() < 1_000);
+    assert!(covered.count() < 1_000);
     // Below the surface there is nothing to look up, served or not.
     assert_eq!(brdf_xyz(&set, Interpolation::Bilinear, normal, [0.0, 0.0, -1.0]), [0.0; 3]);
     // Another light asks for what is not there: the picture shows it.
@@ -182,16 +189,16 @@ fn every_step_taken_back_costs_what_the_plan_says() {
     // A window wide enough for the wavelengths to depend on the radius.
     let optics = OpticsConfig { sigma_nm: 9_000.0, ..daylight(Windows::Grid) };
     let (fields, tables) = ([surface()], config(301));
-    let source = Source { fields: &fields, optics: &optics, tables: &tables };
+    let input = BuildInput::new(&fields, &optics, &tables);
     let patch = Shape::Patch { width_mm: 20.0, distance_mm: 60.0, tilt_deg: 30.0, turn_deg: 0.0 };
     let scene = scene(patch, vec![light([0.9, 0.4, 0.3], 0.53)]);
-    let domain = domain_of(&source, &[&scene]).unwrap();
-    let taken = measure(&source, &plan_without(None, &source, &domain).unwrap()).unwrap();
+    let covered = cover(&input, &[&scene]).unwrap();
+    let taken = measure(&input, &plan_for(&input, Some(covered.clone())).unwrap()).unwrap();
     // Tables for every direction would be asked for ten times the accuracy.
     let whole = TablesConfig { tolerance: 0.1 * TOLERANCE, ..tables.clone() };
-    let budget = account(&source, &[&scene], &domain, &whole, taken, true).unwrap();
+    let budget = account(&input, &[&scene], &covered, &whole, taken, true).unwrap();
     let steps: Vec<_> = budget.rows.iter().filter_map(|row| row.step).collect();
-    let expected = [Pruning::Texels, Pruning::Depths, Pruning::Wavelengths, Pruning::Lobe, Pruning::Tolerance];
+    let expected = [Pruning::Texels, Pruning::Ranges, Pruning::Wavelengths, Pruning::Lobe, Pruning::Tolerance];
     assert_eq!(steps, expected, "daylight, and a patch that does not look into the lobe");
     for row in &budget.rows {
         let (predicted, without) = (row.with_it, row.measured.unwrap());
@@ -217,7 +224,7 @@ fn every_step_taken_back_costs_what_the_plan_says() {
         }
     }
     // The same accuracy asked of all: nothing is saved by asking for less.
-    let same = account(&source, &[&scene], &domain, &tables, taken, false).unwrap();
+    let same = account(&input, &[&scene], &covered, &tables, taken, false).unwrap();
     assert!(same.rows.iter().all(|row| row.step != Some(Pruning::Tolerance)));
 }
 
@@ -232,19 +239,22 @@ fn bundled_specimens_look_the_same() {
         let optics = crate::common::reference_optics(4_000.0, Edge::Tile);
         let optics = OpticsConfig { windows: Windows::Grid, ..optics };
         let tables = config(601);
-        let source = Source { fields: &fields, optics: &optics, tables: &tables };
+        let input = BuildInput::new(&fields, &optics, &tables);
         let scene = Scene { size_px: 96, ..scene(Shape::Snake, vec![light([0.3, 0.2, 1.0], 0.53)]) };
-        let (set, domain) = served(&source, &scene);
-        let (full, _) = build(&fields, &optics, &tables, &|_| ()).unwrap();
+        let (set, covered) = restricted(&input, &scene);
+        let (full, _) = build(&input, &|_| ()).unwrap();
         let worst = difference(&picture(&scene, &full), &picture(&scene, &set), scene.exposure);
         println!("{name}: {} tables against {}, worst {worst:.1e}", set.tables.len(), full.tables.len());
         assert!(worst <= ALLOWED && set.tables.len() < full.tables.len());
         // Exposed by hand, a picture may look into the dark: no less is asked for than before dark places were left out.
         let by_hand = Scene { exposure: Exposure::Ev(20.0), ..scene };
-        let deep = served(&source, &by_hand).0;
+        let (deep, covered_by_hand) = restricted(&input, &by_hand);
         println!("{} tables for the dark", deep.tables.len());
         assert!(deep.tables.len() >= set.tables.len() + usize::from(name.starts_with("blazed")));
-        assert!(domain.scenes[0].0.iter().any(|bits| *bits != 0));
+        assert!(
+            covered.iter().eq(covered_by_hand.iter()) && covered != covered_by_hand,
+            "only what counts as dark differs"
+        );
     }
 }
 
@@ -280,14 +290,14 @@ fn any_shape() -> impl Strategy<Value = Shape> {
 /// Tables for a scene show it as tables for every direction do, if it looks at anything.
 fn check_scene(scene: &Scene) -> Result<(), TestCaseError> {
     let (fields, optics, tables) = ([surface()], daylight(Windows::Grid), config(101));
-    let source = Source { fields: &fields, optics: &optics, tables: &tables };
-    prop_assume!(domain_of(&source, &[scene]).unwrap().texels() > 0);
-    let (set, _) = served(&source, scene);
+    let input = BuildInput::new(&fields, &optics, &tables);
+    prop_assume!(cover(&input, &[scene]).unwrap().count() > 0);
+    let (set, _) = restricted(&input, scene);
     static FULL: std::sync::OnceLock<TableSet> = std::sync::OnceLock::new();
     let full = FULL.get_or_init(|| {
         // More tables than the tolerance asks for: what is compared is the served set.
         let many = TablesConfig { count: Some(8), ..config(101) };
-        build(&[surface()], &daylight(Windows::Grid), &many, &|_| ()).unwrap().0
+        build(&BuildInput::new(&[surface()], &daylight(Windows::Grid), &many), &|_| ()).unwrap().0
     });
     let worst = difference(&picture(scene, full), &picture(scene, &set), scene.exposure);
     prop_assert!(worst <= ALLOWED, "{worst:e}");
@@ -307,9 +317,9 @@ fn any_scene() -> impl Strategy<Value = Scene> {
 /// What lies between the samples is served too: another renderer's samples, anywhere in the same pixels and lights.
 fn check_other_samples(scene: Scene) -> Result<(), TestCaseError> {
     let (fields, optics, tables) = ([surface()], daylight(Windows::Grid), config(101));
-    let source = Source { fields: &fields, optics: &optics, tables: &tables };
-    prop_assume!(domain_of(&source, &[&scene]).unwrap().texels() > 0);
-    let (set, _) = served(&source, &scene);
+    let input = BuildInput::new(&fields, &optics, &tables);
+    prop_assume!(cover(&input, &[&scene]).unwrap().count() > 0);
+    let (set, _) = restricted(&input, &scene);
     let other = samples(&Scene { pixel_samples: 13, light_samples: 13, ..scene }).unwrap();
     let asked = other.weight.len();
     let missed = other

@@ -4,8 +4,9 @@ use std::path::Path;
 
 use diffraction_atlas::manifest::load;
 use diffraction_atlas::stages::ingest::ingest;
-use diffraction_build::tables::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Prefilter, Storage, TablesConfig};
+use diffraction_build::tables::plan;
 use diffraction_study::study::{Kept, StudyConfig, StudySpecimen, TOLERANCES, ToleranceRow, automatic, tolerance_row};
 
 /// The specimens of a manifest, by its path in the repository.
@@ -93,7 +94,7 @@ fn fewer_wavelengths_keep_no_grating() {
             // At every radius a third of what the outermost ring takes.
             let [low, high] = specimen.optics.wavelength_nm;
             let tables = small(specimen, tolerance);
-            let plan = build::plan(&specimen.fields, &specimen.optics, &tables).unwrap();
+            let plan = plan::plan(&BuildInput::new(&specimen.fields, &specimen.optics, &tables)).unwrap();
             let third = plan.rings[0].quadrature.wavelengths_nm.len() / 3;
             let step_nm = (high - low) / third as f64;
             let row = tolerance_row(specimen, &TablesConfig { wavelength_step_nm: Some(step_nm), ..tables }).unwrap();

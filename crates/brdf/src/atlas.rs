@@ -281,8 +281,8 @@ mod tests {
     #[test]
     fn another_schema_is_named_in_the_error() {
         let folder = tempfile::tempdir().unwrap();
-        let mut index = AtlasIndex { schema: 2, ..AtlasIndex::new("test", "", vec![], vec![]) };
+        let mut index = AtlasIndex { schema: 3, ..AtlasIndex::new("test", "", vec![], vec![]) };
         write_index(folder.path(), &mut index).unwrap();
-        assert!(read_index(folder.path()).unwrap_err().to_string().contains("schema is 2, this program reads 1"));
+        assert!(read_index(folder.path()).unwrap_err().to_string().contains("schema is 3, this program reads 1 to 2"));
     }
 }

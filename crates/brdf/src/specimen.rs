@@ -13,8 +13,10 @@ use crate::json;
 use crate::storage::{self, StoredTables};
 use crate::table_set::TableSet;
 
-/// Version of the layout of the atlas and its files that this crate writes and reads.
-pub const SCHEMA: u32 = 1;
+/// Version of the layout of the atlas and its files that is written: 2 since `optics.factor`.
+pub const SCHEMA: u32 = 2;
+/// Oldest version that is read. In version 1 every factor is the scalar one.
+pub const OLDEST_SCHEMA: u32 = 1;
 /// Name of the file in the specimen's folder.
 pub const FILE: &str = "specimen.json";
 
@@ -83,13 +85,13 @@ pub fn load(folder: &Path) -> Result<(SpecimenRecord, TableSet)> {
 /// `Error::BadFile` for a file at `path` with another schema, or none.
 pub fn check_schema(path: &Path, value: &Value) -> Result<()> {
     let schema = value.get("schema").and_then(Value::as_u64);
-    if schema == Some(u64::from(SCHEMA)) {
+    if schema.is_some_and(|schema| (u64::from(OLDEST_SCHEMA)..=u64::from(SCHEMA)).contains(&schema)) {
         return Ok(());
     }
     let found = schema.map_or("none".to_owned(), |schema| schema.to_string());
     Err(Error::bad_file(
         path,
-        format!("its schema is {found}, this program reads {SCHEMA}"),
+        format!("its schema is {found}, this program reads {OLDEST_SCHEMA} to {SCHEMA}"),
         "Use the version of the program that wrote it, or run the pipeline again.",
     ))
 }

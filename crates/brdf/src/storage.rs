@@ -24,11 +24,12 @@ const PEAK_EXPONENT: i32 = 12;
 const FIX: &str = "Restore specimen.json and the files beside it, or run the pipeline again.";
 
 /// What a renderer computes from tables in the Chebyshev basis.
-const CHEBYSHEV_FORMULA: &str = "f = R G (coherent / w^2 + sum_n cross_n T_n(2t - 1) / |w| + sum_n table_n T_n(2t - 1)), t = |w| / sqrt(4 - u^2 - v^2)";
+const CHEBYSHEV_FORMULA: &str =
+    "f = D (sum_n table_n T_n(2t - 1) + sum_n cross_n T_n(2t - 1) / |w|) + C lobe, t = |w| / sqrt(4 - u^2 - v^2)";
 /// The same from tables made for certain scenes.
-const SERVED_FORMULA: &str = "f = R G (coherent / w^2 + sum_n cross_n T_n(2t - 1) / |w| + sum_n table_n T_n(2s - 1)), t = |w| / sqrt(4 - u^2 - v^2), s = (t - low) / (high - low)";
+const SERVED_FORMULA: &str = "f = D (sum_n table_n T_n(2s - 1) + sum_n cross_n T_n(2t - 1) / |w|) + C lobe, t = |w| / sqrt(4 - u^2 - v^2), s = (t - low) / (high - low)";
 /// What a renderer computes from tables in powers of w.
-const TAYLOR_FORMULA: &str = "f = R G (sum_n table_n |w|^n) / w^2";
+const TAYLOR_FORMULA: &str = "f = D (sum_n table_n |w|^n) / w^2";
 
 /// One axis of an image: positions of the first and the last texel centre, evenly spaced in between.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

@@ -183,12 +183,12 @@ fn another_schema_is_named_in_either_file() {
         let version = folder.path().join("v0001");
         let path = version.join(file);
         let text = fs::read_to_string(&path).unwrap();
-        fs::write(&path, text.replace("\"schema\": 1", "\"schema\": 2")).unwrap();
+        fs::write(&path, text.replace("\"schema\": 2", "\"schema\": 3")).unwrap();
         if file != "atlas.json" {
             republish(&version);
         }
         let error = read_all(folder.path()).unwrap_err().to_string();
-        assert!(error.contains("its schema is 2, this program reads 1"), "{error}");
+        assert!(error.contains("its schema is 3, this program reads 1 to 2"), "{error}");
     }
 }
 

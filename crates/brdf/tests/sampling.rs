@@ -14,6 +14,7 @@ use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{ReadConfig, read_scan};
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::tables::build::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 use ndarray::Array3;
 use rayon::prelude::*;
@@ -39,6 +40,7 @@ fn built(name: &str, material: Material, level: Level, blend_nm: Option<f64>) ->
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 1_500.0,
+        lobe_sigma_nm: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material,
@@ -55,7 +57,7 @@ fn built(name: &str, material: Material, level: Level, blend_nm: Option<f64>) ->
         prefilter: Prefilter::Auto,
         memory_mib: 512,
     };
-    Brdf::new(build(&[field], &optics, &config, &|_| ()).unwrap().0).unwrap()
+    Brdf::new(build(&BuildInput::new(&[field], &optics, &config), &|_| ()).unwrap().0).unwrap()
 }
 
 /// All bundled specimens with the materials of pipeline.toml, and the made-up one, which has shadowing and a cross term.

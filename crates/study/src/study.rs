@@ -4,11 +4,13 @@
 //! window no wider than the tables' grid resolves, so that methods are compared and not their filters.
 
 mod batch;
+mod config;
 mod equal;
 mod knobs;
 mod lent;
 mod methods;
 mod pictures;
+mod rows;
 mod sample;
 mod texels;
 mod timing;
@@ -16,129 +18,30 @@ mod tolerance;
 mod wave_methods;
 
 pub use batch::stored;
+pub use config::{StudyConfig, StudySpecimen, TOLERANCES};
 pub use equal::{Contender, EqualError, Filed, Measure};
 pub use lent::{GpuClock, SceneSamples};
 pub use methods::PURPOSES;
+pub use rows::{KnobRow, MethodRow, Picture, Refusal, RegionErrors, SceneColour};
 pub use sample::pair_of;
-pub use tolerance::{Kept, TOLERANCES, ToleranceRow, automatic, row as tolerance_row};
+pub use tolerance::{Kept, ToleranceRow, automatic, row as tolerance_row};
 
 use timing::Clock;
 
-use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 
 use crate::baselines::statistics::{SurfaceStatistics, surface_statistics};
 use diffraction_brdf::error::Result;
 use diffraction_build::accuracy::directions::FLOOR_SHARE;
-use diffraction_build::ground::metrics::ErrorQuantiles;
 use diffraction_build::ground::progress::Progress;
-use diffraction_build::ground::sampling::Region;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::optics::window::FADE_SIGMAS;
-use diffraction_build::tables::build::AUTOMATIC_SIZE_MAX;
-use diffraction_build::tables::model::{Basis, Storage};
-use diffraction_build::tables::plan::{lobe_width, usable_radius};
+use diffraction_build::tables::resolution::{lobe_width, usable_radius};
 
 /// Standard deviations of the narrowest lobe per texel of the study's tables: cubic interpolation then errs by
 /// about `3/128 · 0.5⁴ · 3` = 0.4 % of a lobe's peak at worst, and far less at the median.
 const TEXEL_WIDTHS: f64 = 0.5;
-
-/// One specimen: its prepared scans.
-#[derive(Debug)]
-pub struct StudySpecimen {
-    /// Name for people.
-    pub name: String,
-    /// Prepared (levelled, centred) scans.
-    pub fields: Vec<HeightField>,
-    /// As in the manifest.
-    pub optics: OpticsConfig,
-    /// The pictures that methods are compared in.
-    pub scenes: Vec<Box<dyn SceneSamples>>,
-}
-
-/// How much is measured.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct StudyConfig {
-    /// Pairs of directions per region.
-    pub directions: usize,
-    /// Pairs of directions on which evaluation is timed.
-    pub timed_directions: usize,
-    /// Texels along u and v.
-    pub size: usize,
-    /// Numbers of Chebyshev tables.
-    pub chebyshev: Vec<usize>,
-    /// Numbers of Taylor tables.
-    pub taylor: Vec<usize>,
-    /// Degrees of the spherical harmonics.
-    pub harmonics: Vec<usize>,
-    /// Positions and angles of the light fields.
-    pub light_fields: Vec<[usize; 2]>,
-    /// Numbers of optical paths.
-    pub paths: Vec<usize>,
-    /// Largest wavelength steps in nm.
-    pub wavelength_steps_nm: Vec<f64>,
-    /// Numbers of texels of the grid's own study.
-    pub sizes: Vec<usize>,
-    /// Side of the tables of the comparison at equal error.
-    pub equal_size: usize,
-    /// Tolerances asked for with automatic settings.
-    pub tolerances: Vec<f64>,
-    /// Largest side of those tables.
-    pub size_max: usize,
-    /// Samples of a scene that are compared.
-    pub picture_samples: usize,
-    /// Whether evaluation is timed on a GPU, where there is one.
-    pub gpu: bool,
-    /// Working memory of a build in MiB.
-    pub memory_mib: usize,
-}
-
-impl StudyConfig {
-    /// A few seconds per specimen.
-    pub fn quick() -> Self {
-        Self {
-            directions: 96,
-            timed_directions: 20_000,
-            size: 201,
-            chebyshev: vec![1, 2, 3, 4, 5, 6, 8],
-            taylor: vec![4, 8, 16, 24, 32],
-            harmonics: vec![2, 4, 6],
-            light_fields: vec![[16, 64], [64, 256]],
-            paths: vec![64, 256, 1024, 4096],
-            wavelength_steps_nm: vec![20.0, 10.0, 5.0, 2.5],
-            sizes: vec![51, 101, 201],
-            equal_size: 301,
-            tolerances: TOLERANCES.to_vec(),
-            size_max: AUTOMATIC_SIZE_MAX,
-            picture_samples: 6_000,
-            gpu: true,
-            memory_mib: 2048,
-        }
-    }
-
-    /// Minutes per specimen.
-    pub fn thorough() -> Self {
-        Self {
-            directions: 400,
-            timed_directions: 400_000,
-            size: 501,
-            chebyshev: vec![1, 2, 3, 4, 5, 6, 7, 8, 10],
-            taylor: vec![4, 8, 12, 16, 20, 24, 32, 40],
-            harmonics: vec![2, 4, 6, 8, 10],
-            light_fields: vec![[16, 64], [64, 256], [256, 1024]],
-            paths: vec![64, 256, 1024, 4096, 16_384],
-            wavelength_steps_nm: vec![20.0, 10.0, 5.0, 2.5, 1.25],
-            sizes: vec![63, 125, 251, 501],
-            equal_size: 1001,
-            tolerances: TOLERANCES.to_vec(),
-            size_max: 2001,
-            picture_samples: 20_000,
-            gpu: true,
-            memory_mib: 8192,
-        }
-    }
-}
 
 /// A whole study.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -155,15 +58,6 @@ pub struct Study {
     pub specimens: Vec<SpecimenStudy>,
     /// Specimens that could not, with the reason.
     pub failures: Vec<Refusal>,
-}
-
-/// Something that was refused, and why.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Refusal {
-    /// A specimen, or a method with its setting.
-    pub what: String,
-    /// The program's own message.
-    pub message: String,
 }
 
 /// Everything measured on one specimen.
@@ -195,93 +89,6 @@ pub struct SpecimenStudy {
     pub tolerances: Vec<ToleranceRow>,
     /// Settings that were refused.
     pub refusals: Vec<Refusal>,
-}
-
-/// One method at one setting.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct MethodRow {
-    /// Family: rows of one family are joined in plots.
-    pub method: String,
-    /// What was set, such as "8 tables".
-    pub setting: String,
-    /// Expansion, for tables.
-    pub basis: Option<Basis>,
-    /// Number format, for tables.
-    pub storage: Option<Storage>,
-    /// Seconds to build or fit; what must be done once.
-    pub build_s: f64,
-    /// Seconds per direction in a batch on one thread; tables with cubic look-ups, with which errors are measured.
-    pub evaluate_s: f64,
-    /// Wall seconds per direction with all threads at work.
-    pub all_threads_s: f64,
-    /// Seconds per direction on one thread with linear look-ups, for tables.
-    pub bilinear_s: Option<f64>,
-    /// Seconds per direction on the GPU, linear look-ups; for half tables where there is a GPU.
-    pub gpu_s: Option<f64>,
-    /// Memory that building took on top of what the process held, in bytes, where the system tells.
-    pub peak_bytes: Option<u64>,
-    /// Bytes a renderer has to hold.
-    pub stored_bytes: u64,
-    /// Errors by region.
-    pub errors: Vec<RegionErrors>,
-    /// Errors where (u, v) lies on texels, over the hemisphere: without the grid's share.
-    pub on_texels: ErrorQuantiles,
-    /// `∫ Y cos_o dω_o` at normal incidence over the usable disc: the share of power sent back. `None` for
-    /// methods too slow to integrate.
-    pub power_sum: Option<f64>,
-    /// Colour differences in every scene, against the picture straight from the transforms.
-    pub colours: Vec<SceneColour>,
-    /// The pictures; of the reference in the row of the transforms.
-    #[serde(skip)]
-    pub pictures: Vec<Picture>,
-}
-
-/// How a method's picture of a scene differs in colour: CIEDE2000.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SceneColour {
-    /// The scene.
-    pub scene: String,
-    /// Pixels compared.
-    pub pixels: usize,
-    /// Mean.
-    pub mean: f64,
-    /// 95th percentile.
-    pub p95: f64,
-    /// Largest.
-    pub max: f64,
-}
-
-/// A small picture for people.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Picture {
-    /// The scene.
-    pub scene: String,
-    /// sRGB, `[rows, columns, 3]`.
-    pub rgb: Array3<u8>,
-}
-
-/// Errors over the directions of one region.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct RegionErrors {
-    /// Which directions.
-    pub region: Region,
-    /// `‖Y - Y_ref‖ / ‖Y_ref‖`, directions below the floor included.
-    pub relative_l2: f64,
-    /// Pointwise relative errors above the floor.
-    pub quantiles: ErrorQuantiles,
-}
-
-/// One knob changed alone, everything else at its finest.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct KnobRow {
-    /// The knob: "basis", "wavelength step", "grid, bilinear", "grid, cubic", "storage", "windows".
-    pub knob: String,
-    /// Its value for the axis of a plot: tables, nm, texels; 0 where it is not a number.
-    pub value: f64,
-    /// The setting for people.
-    pub setting: String,
-    /// Errors of Y over the whole hemisphere, above the floor.
-    pub quantiles: ErrorQuantiles,
 }
 
 /// Studies specimens one after another; one that fails never stops the others. `gpu` is one to time evaluation on, or
@@ -336,8 +143,9 @@ fn study_specimen(
     let (optics, sample, pictures, spectra) = (&optics, &sample, &pictures, &spectra[..]);
     let clock = &Clock::new()?;
     let context = methods::Context { fields, optics, config, sample, spectra, pictures, clock, gpu, progress };
-    stage("methods", methods::count(config));
+    stage("methods", methods::count(config) + wave_methods::count(config) as u64);
     let mut rows = context.rows(&statistics, transforms)?;
+    rows.methods.extend(context.wave_rows()?);
     stage("equal error", equal::count(config));
     let equal = equal::rows(specimen, &context, &mut rows.refusals)?;
     stage("knobs", knobs::count(config));

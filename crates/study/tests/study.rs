@@ -72,6 +72,7 @@ fn specimen(depth_nm: f64) -> StudySpecimen {
             illuminant: Illuminant::D65,
             wavelength_nm: [380.0, 780.0],
             sigma_nm: 900.0,
+            lobe_sigma_nm: None,
             edge: Edge::Tile,
             windows: Windows::Grid,
             material: Material::Ideal,

@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use crate::cli::options::MANIFEST;
 use crate::cli::output::{self, Outcome};
 use crate::manifest;
-use crate::stages::cache;
+use crate::stages::cache::store;
 use diffraction_brdf::error::Result;
 
 /// Arguments of `cache`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
 #[command(after_help = "Example:\n  diffraction-atlas cache pipeline.toml --clear")]
-pub struct CacheArgs {
+pub(crate) struct CacheArgs {
     /// Manifest whose runs keep them
     #[arg(default_value = MANIFEST)]
     pub manifest: PathBuf,
@@ -24,11 +24,11 @@ pub struct CacheArgs {
 ///
 /// # Errors
 /// A wrong manifest, or the disk's.
-pub fn run(args: &CacheArgs) -> Result<Outcome> {
+pub(crate) fn run(args: &CacheArgs) -> Result<Outcome> {
     let (manifest, _) = manifest::load(&args.manifest)?;
     let config = &manifest.cache;
     let folder = config.folder.display();
-    let (entries, bytes) = if args.clear { cache::clear(&config.folder)? } else { cache::size(&config.folder)? };
+    let (entries, bytes) = if args.clear { store::clear(&config.folder)? } else { store::size(&config.folder)? };
     let mib = bytes as f64 / f64::from(1 << 20);
     output::print(&match args.clear {
         true => format!("{folder}: removed {entries} entries, {mib:.1} MiB\n"),

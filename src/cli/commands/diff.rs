@@ -10,7 +10,7 @@ use diffraction_brdf::error::Result;
 /// Arguments of `diff`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
 #[command(after_help = "Example:\n  diffraction-atlas diff out/atlas/squamates/v0001 out/atlas/squamates/v0002")]
-pub struct DiffArgs {
+pub(crate) struct DiffArgs {
     /// The older version
     pub a: PathBuf,
     /// The newer version
@@ -24,7 +24,7 @@ pub struct DiffArgs {
 ///
 /// # Errors
 /// A folder that is no atlas.
-pub fn run(args: &DiffArgs, _global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &DiffArgs, _global: &Global) -> Result<Outcome> {
     let report = diff(&output::version_folder(&args.a)?, &output::version_folder(&args.b)?)?;
     if args.json {
         output::print_json(&report)?;

@@ -9,14 +9,14 @@ use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
 use crate::manifest;
 use crate::stages::archive::specimen_file;
-use crate::stages::ingest::ingest;
+use crate::stages::ingest::{Scans, ingest};
 use diffraction_brdf::atlas;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, serves};
 use diffraction_brdf::files;
 use diffraction_build::optics::reference;
-use diffraction_build::tables::plan::usable_radius;
+use diffraction_build::tables::resolution::usable_radius;
 
 /// Arguments of `eval`.
 #[derive(Debug, Clone, PartialEq, clap::Args)]
@@ -28,7 +28,7 @@ use diffraction_build::tables::plan::usable_radius;
 The CSV has the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, thetas below 90 either way, between commas,
 semicolons or tabs; lines that start with # are comments. X, Y, Z in 1/sr are added to them, or one column for each of
 the wavelengths asked for.")]
-pub struct EvalArgs {
+pub(crate) struct EvalArgs {
     /// Directions to the light and to the viewer, in degrees
     #[arg(long, value_name = "CSV")]
     pub directions: PathBuf,
@@ -57,7 +57,7 @@ pub struct EvalArgs {
 
 /// What is evaluated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum Method {
+pub(crate) enum Method {
     /// The tables of an atlas, as a renderer does
     Tables,
     /// The integral over the scan itself, without tables
@@ -75,7 +75,7 @@ pub enum Lookup {
 
 /// Where the values come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum EvalSource<'a> {
+pub(crate) enum EvalSource<'a> {
     /// An atlas's folder.
     Tables(&'a Path),
     /// A manifest.
@@ -87,7 +87,7 @@ impl EvalArgs {
     ///
     /// # Errors
     /// [`Error::Call`] where they do not fit together.
-    pub fn source(&self) -> Result<EvalSource<'_>> {
+    pub(crate) fn source(&self) -> Result<EvalSource<'_>> {
         let wrong = |message: &str| Err(Error::Call(message.to_owned()));
         match (self.method, &self.atlas, &self.manifest) {
             (Method::Tables, _, Some(_)) => wrong("`--manifest` goes with `--method reference`"),
@@ -110,7 +110,7 @@ impl EvalArgs {
 ///
 /// # Errors
 /// Wrong directions, an unreadable atlas or manifest, or the reference's.
-pub fn run(args: &EvalArgs, _global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &EvalArgs, _global: &Global) -> Result<Outcome> {
     let source = args.source()?;
     let rows = directions::read(&args.directions)?;
     let pairs: Vec<(Vec3, Vec3)> = rows.iter().map(directions::Row::pair).collect();
@@ -155,7 +155,7 @@ fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<
     if let Some(first) = beyond.first() {
         return Err(Error::limit(
             format!(
-                "{} of {} directions, row {first} the first, lie outside of what this atlas serves: its tables were made \
+                "{} of {} directions, row {first} the first, lie outside of what this atlas covers: its tables were made \
                  for the scenes of its manifest alone",
                 beyond.len(),
                 pairs.len()
@@ -177,14 +177,13 @@ fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Resul
             known.join(", ")
         )));
     };
-    let fields = ingest(specimen)?.fields;
-    let usable = fields.iter().map(|f| usable_radius(&specimen.optics, f.pitch_nm)).fold(2.0, f64::min);
+    let Scans { fields, optics, .. } = ingest(specimen)?;
+    let usable = fields.iter().map(|f| usable_radius(&optics, f.pitch_nm)).fold(2.0, f64::min);
     warn_beyond(usable, pairs);
     if args.wavelengths_nm.is_empty() {
-        return Ok(xyz_table(reference::brdf_xyz_batch(&fields, &specimen.optics, pairs)?));
+        return Ok(xyz_table(reference::brdf_xyz_batch(&fields, &optics, pairs)?));
     }
-    let spectrum =
-        |&(wi, wo): &(Vec3, Vec3)| reference::brdf_spectrum(&fields, &specimen.optics, wi, wo, &args.wavelengths_nm);
+    let spectrum = |&(wi, wo): &(Vec3, Vec3)| reference::brdf_spectrum(&fields, &optics, wi, wo, &args.wavelengths_nm);
     Ok(Table {
         columns: args.wavelengths_nm.iter().map(|nm| format!("f_{nm}_nm")).collect(),
         values: pairs.par_iter().map(spectrum).collect::<Result<_>>()?,

@@ -17,7 +17,7 @@ use diffraction_build::tables::model::Storage;
 /// Arguments of `export`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
 #[command(after_help = "Example:\n  diffraction-atlas export out/atlas/squamates --form float-tables --out export")]
-pub struct ExportArgs {
+pub(crate) struct ExportArgs {
     /// An atlas, or one version of it
     pub atlas: PathBuf,
     /// What to write
@@ -33,7 +33,7 @@ pub struct ExportArgs {
 
 /// Other forms of an atlas.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum Form {
+pub(crate) enum Form {
     /// The same tables as 32-bit floats, scales multiplied in
     FloatTables,
     /// Code that evaluates the tables in several shading languages, with the bytes to upload
@@ -44,7 +44,7 @@ pub enum Form {
 ///
 /// # Errors
 /// A folder that is no atlas, an unknown specimen, or files that are there already.
-pub fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
     let folder = output::version_folder(&args.atlas)?;
     let index = atlas::read_index(&folder)?;
     let all: Vec<String> = index.specimens.iter().map(|entry| entry.name.clone()).collect();

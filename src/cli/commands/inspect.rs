@@ -22,7 +22,7 @@ use diffraction_build::tables::model::{Basis, Storage};
   diffraction-atlas inspect scans/snake.tif --pitch-nm 48.8 --full-scale-nm 375
   diffraction-atlas inspect scans/snake.gsf --save-heights heights.tif
   diffraction-atlas inspect out/atlas/squamates/v0001 --json")]
-pub struct InspectArgs {
+pub(crate) struct InspectArgs {
     /// A scan, an atlas, or one version of it
     pub file: PathBuf,
     /// Write the scan's heights as 32-bit floats in nm, row 0 at +y, before any levelling
@@ -49,7 +49,7 @@ pub struct InspectArgs {
 ///
 /// # Errors
 /// A file that is neither scan nor atlas.
-pub fn run(args: &InspectArgs, _global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &InspectArgs, _global: &Global) -> Result<Outcome> {
     if args.file.is_dir() { inspect_atlas(args) } else { inspect_scan(args) }
 }
 
@@ -175,7 +175,7 @@ fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
         );
         if let Some(served) = &file.tables.served {
             text += &format!(
-                "  serves the scenes of its manifest alone: {} x {} of {} x {} texels\n",
+                "  restricted to the scenes of its manifest: {} x {} of {} x {} texels\n",
                 file.tables.u.samples, file.tables.v.samples, served.size, served.size
             );
         }

@@ -11,7 +11,7 @@ use diffraction_brdf::error::{Error, Result};
 /// Arguments of `list`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
 #[command(after_help = "Example:\n  diffraction-atlas list out/atlas --json")]
-pub struct ListArgs {
+pub(crate) struct ListArgs {
     /// A folder of atlases, or one atlas
     #[arg(default_value = "out/atlas")]
     pub folder: PathBuf,
@@ -22,7 +22,7 @@ pub struct ListArgs {
 
 /// One atlas.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct AtlasListing {
+pub(crate) struct AtlasListing {
     /// The atlas's name, that of its folder.
     pub name: String,
     /// The version that `latest` names; `None` where there is no such version.
@@ -33,7 +33,7 @@ pub struct AtlasListing {
 
 /// One version of an atlas.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct VersionListing {
+pub(crate) struct VersionListing {
     /// `v0001` and so on.
     pub name: String,
     /// Specimens, sorted.
@@ -45,7 +45,7 @@ pub struct VersionListing {
 }
 
 /// Lists and prints.
-pub fn run(args: &ListArgs, global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &ListArgs, global: &Global) -> Result<Outcome> {
     let atlases = list(&args.folder)?;
     if args.json {
         output::print_json(&atlases)?;
@@ -62,7 +62,7 @@ pub fn run(args: &ListArgs, global: &Global) -> Result<Outcome> {
 ///
 /// # Errors
 /// [`Error::Call`] where there is no such folder, [`Error::Disk`] where it cannot be read.
-pub fn list(folder: &Path) -> Result<Vec<AtlasListing>> {
+pub(crate) fn list(folder: &Path) -> Result<Vec<AtlasListing>> {
     if !folder.is_dir() {
         return Err(Error::Call(format!("{} is not a folder", folder.display())));
     }

@@ -1,16 +1,16 @@
 //! One file per command: its arguments and what it does.
 
-pub mod cache;
-pub mod diff;
-pub mod eval;
-pub mod export;
-pub mod inspect;
-pub mod list;
-pub mod plan;
-pub mod run;
-pub mod study;
-pub mod synthesize;
-pub mod verify;
+pub(crate) mod cache;
+pub(crate) mod diff;
+pub(crate) mod eval;
+pub(crate) mod export;
+pub(crate) mod inspect;
+pub(crate) mod list;
+pub(crate) mod plan;
+pub(crate) mod run;
+pub(crate) mod study;
+pub(crate) mod synthesize;
+pub(crate) mod verify;
 
 #[cfg(test)]
 mod tests {

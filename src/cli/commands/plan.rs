@@ -8,22 +8,24 @@ use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome, bytes_in_words};
 use crate::manifest::{self, convert::run_config};
 use crate::stages::config::{RunConfig, SpecimenConfig};
-use crate::stages::forecast_run::{ReferenceForecast, reference_forecast};
+use crate::stages::coverage::{asked, savings};
 use crate::stages::ingest::ingest;
 use crate::stages::measured;
 use crate::stages::pictures::scenes::reference_samples;
-use crate::stages::serve::{self, Budget, Cost, Source};
+use crate::stages::run::reference_forecast::{ReferenceForecast, reference_forecast};
 use diffraction_brdf::error::Result;
-use diffraction_build::tables::build;
+use diffraction_build::tables::coverage::budget::{Budget, Cost};
 use diffraction_build::tables::forecast::{Forecast, forecast_of};
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::Storage;
+use diffraction_build::tables::plan;
 use diffraction_render::scene::model::Scene;
 use diffraction_render::scene::samples::ShadingSamples;
 
 /// Arguments of `plan`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
 #[command(after_help = "Example:\n  diffraction-atlas plan snakes.toml --json")]
-pub struct PlanArgs {
+pub(crate) struct PlanArgs {
     /// What to plan for
     #[arg(default_value = MANIFEST)]
     pub manifest: PathBuf,
@@ -51,7 +53,7 @@ struct SpecimenPlan {
     forecast: Option<Forecast>,
     /// What evaluating its reference will take, where that is asked for.
     reference: Option<ReferenceForecast>,
-    /// What its tables leave out, where they do not serve every direction.
+    /// What its tables leave out, where they are restricted to scenes.
     budget: Option<Budget>,
     failure: Option<String>,
 }
@@ -60,11 +62,11 @@ struct SpecimenPlan {
 ///
 /// # Errors
 /// A wrong manifest. A specimen that would fail is part of the plan, and of the exit status.
-pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
     let config = run_config(manifest, text);
     let threads = rayon::current_num_threads();
-    let asked_for = config.specimens.iter().filter(|specimen| serve::is_asked_for(&config, &specimen.name));
+    let asked_for = config.specimens.iter().filter(|specimen| asked::is_asked_for(&config, &specimen.name));
     let mut pictures = Pictures::default();
     let specimens = asked_for.map(|specimen| {
         plan_specimen(&config, specimen, threads, &mut pictures).unwrap_or_else(|error| SpecimenPlan {
@@ -80,7 +82,7 @@ pub fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
         threads,
         tolerance: config.tables.tolerance,
         specimens: specimens.collect(),
-        left_out: serve::left_out(&config),
+        left_out: asked::left_out(&config),
     };
     if args.json {
         output::print_json(&plan)?;
@@ -103,23 +105,23 @@ fn plan_specimen(
 ) -> Result<SpecimenPlan> {
     specimen.measured.as_ref().map(measured::read).transpose()?;
     let ingested = ingest(specimen)?;
-    let tables = serve::tables_for(config, &specimen.name);
-    let source = Source { fields: &ingested.fields, optics: &specimen.optics, tables: &tables };
-    let (plan, budget) = match serve::served_scenes(config, &specimen.name) {
-        None => (build::plan(source.fields, source.optics, source.tables)?, None),
+    let tables = asked::tables_for(config, &specimen.name);
+    let input = BuildInput::new(&ingested.fields, &ingested.optics, &tables);
+    let (plan, budget) = match asked::restricted_to(config, &specimen.name) {
+        None => (plan::plan(&input)?, None),
         Some(scenes) => {
             let scenes: Vec<&Scene> = scenes.iter().collect();
-            let domain = serve::domain_of(&source, &scenes)?;
-            let budget = serve::budget(&source, &scenes, &domain, &config.tables)?;
-            (serve::plan_without(None, &source, &domain)?, Some(budget))
+            let covered = savings::cover(&input, &scenes)?;
+            let budget = savings::predict(&input, &scenes, &covered, &config.tables)?;
+            (plan::plan_for(&input, Some(covered))?, Some(budget))
         }
     };
-    let forecast = forecast_of(source.fields, source.optics, source.tables, &plan, threads);
+    let forecast = forecast_of(&input, &plan, threads);
     let reference = match config.report.reference {
         false => None,
         true => {
-            let samples = pictures.of(serve::pictured_scenes(config, &specimen.name))?;
-            Some(reference_forecast(&source, &plan, forecast.tables, &samples, threads))
+            let samples = pictures.of(asked::pictured_scenes(config, &specimen.name))?;
+            Some(reference_forecast(&input, &plan, forecast.tables, &samples, threads))
         }
     };
     Ok(SpecimenPlan { name: specimen.name.clone(), forecast: Some(forecast), reference, budget, failure: None })
@@ -250,7 +252,7 @@ fn numbers_in_words(forecast: &Forecast) -> &'static str {
 /// What a specimen's tables leave out, one row per thing.
 fn budget_text(name: &str, budget: &Budget) -> String {
     let mut text = format!(
-        "{name} serves {}: {:.2} % of the disc of (u, v)\n  {:<42} {:>9} {:>9} {:>11} {:>11} {:>8}  why\n",
+        "{name} for {} alone: {:.2} % of the disc of (u, v)\n  {:<42} {:>9} {:>9} {:>11} {:>11} {:>8}  why\n",
         budget.scenes.join(", "),
         100.0 * budget.reached_share,
         "left out",
@@ -261,7 +263,7 @@ fn budget_text(name: &str, budget: &Budget) -> String {
         "error"
     );
     for row in &budget.rows {
-        let saved = |of: fn(&Cost) -> f64| (of(&row.with_it) - of(&budget.served)).max(0.0);
+        let saved = |of: fn(&Cost) -> f64| (of(&row.with_it) - of(&budget.restricted)).max(0.0);
         text += &format!(
             "  {:<42} {:>9.1e} {:>9.2} {:>11} {:>11} {:>8.0e}  {}\n",
             row.what,

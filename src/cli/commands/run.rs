@@ -20,7 +20,7 @@ use diffraction_render::render::png_image::write_png;
 /// Arguments of `run`; those of the program called without a command are the defaults.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
 #[command(after_help = "Example:\n  diffraction-atlas run snakes.toml")]
-pub struct RunArgs {
+pub(crate) struct RunArgs {
     /// What to compute
     #[arg(default_value = MANIFEST)]
     pub manifest: PathBuf,
@@ -39,7 +39,7 @@ impl Default for RunArgs {
 ///
 /// # Errors
 /// A wrong manifest, or what concerns the whole run.
-pub fn run(args: &RunArgs, global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &RunArgs, global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
     let mut config = run_config(manifest, text);
     if args.no_cache {

@@ -4,7 +4,7 @@ mod args;
 #[cfg(feature = "study")]
 mod measure;
 
-pub use args::StudyArgs;
+pub(crate) use args::StudyArgs;
 
 use crate::cli::options::Global;
 use crate::cli::output::Outcome;
@@ -15,7 +15,7 @@ use diffraction_brdf::error::Result;
 /// # Errors
 /// A wrong manifest, a specimen it does not hold, or the disk's.
 #[cfg(feature = "study")]
-pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
     measure::run(args, global)
 }
 
@@ -24,7 +24,7 @@ pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
 /// # Errors
 /// Always.
 #[cfg(not(feature = "study"))]
-pub fn run(_args: &StudyArgs, _global: &Global) -> Result<Outcome> {
+pub(crate) fn run(_args: &StudyArgs, _global: &Global) -> Result<Outcome> {
     Err(diffraction_brdf::error::Error::Call(
         "this build has no study: build the program with its default features, or with `--features study`".into(),
     ))

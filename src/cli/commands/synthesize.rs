@@ -15,7 +15,7 @@ use diffraction_build::height::write::write_scan_tiff;
 #[command(after_help = "Examples:
   diffraction-atlas synthesize sinusoid --period-nm 1600 --amplitude-nm 60 --size 512,64 --pitch-nm 50 --out s.tif
   diffraction-atlas synthesize corn-snake --seed 7 --out snake.tif")]
-pub struct SynthesizeArgs {
+pub(crate) struct SynthesizeArgs {
     /// What to generate
     #[command(subcommand)]
     pub structure: StructureArgs,
@@ -23,7 +23,7 @@ pub struct SynthesizeArgs {
 
 /// Size, spacing, and place of the file, for every structure.
 #[derive(Debug, Clone, PartialEq, clap::Args)]
-pub struct FieldArgs {
+pub(crate) struct FieldArgs {
     /// Samples: one number, or X,Y
     #[arg(long, value_name = "N", default_value = "512")]
     pub size: SizePx,
@@ -37,7 +37,7 @@ pub struct FieldArgs {
 
 /// The structures, each with its own parameters.
 #[derive(Debug, Clone, PartialEq, clap::Subcommand)]
-pub enum StructureArgs {
+pub(crate) enum StructureArgs {
     /// Sinusoidal grating
     Sinusoid {
         /// Period
@@ -131,7 +131,7 @@ pub enum StructureArgs {
 }
 
 /// Generates, writes, and says what was written.
-pub fn run(args: &SynthesizeArgs, global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &SynthesizeArgs, global: &Global) -> Result<Outcome> {
     let (structure, file) = args.structure.parts();
     let (size, pitch) = (file.size.0, file.pitch_nm.0);
     let field = synthesize(&structure, size, pitch)?;

@@ -14,7 +14,7 @@ use diffraction_brdf::files;
 /// Arguments of `verify`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
 #[command(after_help = "Example:\n  diffraction-atlas verify out/atlas/squamates --samples 200")]
-pub struct VerifyArgs {
+pub(crate) struct VerifyArgs {
     /// An atlas, or one version of it
     pub atlas: PathBuf,
     /// Lit directions per specimen, over the hemisphere and again around the mirror direction, that are evaluated
@@ -36,7 +36,7 @@ pub struct VerifyArgs {
 ///
 /// # Errors
 /// A folder that is no atlas, or scans that cannot be read any more.
-pub fn run(args: &VerifyArgs, _global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &VerifyArgs, _global: &Global) -> Result<Outcome> {
     let sampling = Sampling { count: args.samples, seed: args.seed };
     let verified =
         verify(&target(&args.atlas)?, sampling, |digest| matching_manifest(args.manifest.as_deref(), digest))?;

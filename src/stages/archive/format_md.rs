@@ -8,7 +8,7 @@ use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
 use diffraction_brdf::storage::{StoredLobe, StoredServed, StoredTables};
-use diffraction_build::optics::config::Material;
+use diffraction_build::optics::config::{Factor, Material};
 use diffraction_build::tables::model::Basis;
 
 /// Directions of the worked number in degrees, where tables answer for every direction.
@@ -57,7 +57,8 @@ specimen stand in its `specimen.json`, and each EXR header repeats what concerns
 - `tables.lobe`: `radius_max`, and `coherent` and `cross.patches` with `file` and `scale`; `null` where there is none.
 - `tables.storage`: `\"half\"` or `\"float\"`, what the tables lose as 16-bit floats decides. With these, 95 % of colours
   shift by less than `tables.rounding.half`; a renderer that keeps tables in textures of 16-bit floats shows that.
-- `optics.material`: `\"ideal\"`, or a `dielectric` of index `n`, or a `conductor` of `n + i k`; `optics.shadowing`.
+- `optics.material`: `\"ideal\"` (`R = 1`), or `{{ \"dielectric\": {{ \"n\" }} }}`, or `{{ \"conductor\": {{ \"n\", \"k\" }} }}` of
+  index `n + i k`; `optics.factor`: `\"vector\"` or `\"scalar\"`, see Factors; `optics.shadowing`.
 - `check_values`: directions and X, Y, Z to test an implementation with, from linear look-ups.
 - `errors`: measured errors of Y against the reference, by cause (`what`) and region, relative to the value itself: quantiles
   `p50`, `p95`, `p99` and `worst` of the `directions` that are brighter than `floor_per_sr`, and `relative_l2` over all
@@ -151,24 +152,23 @@ fn evaluation(tables: &StoredTables) -> String {
         Basis::Chebyshev if tables.served.is_some() => {
             "2. `t = |w| / sqrt(4 - u^2 - v^2)`, at most 1 (0 where the root is 0).
 3. `low` and `high` from `range.exr` at (u, v); `s = (t - low) / (high - low)`.
-4. `T_0 = 1`, `T_1 = x`, `T_n = 2 x T_(n-1) - T_(n-2)`; `body` = sum over n of `T_n`, for `x = 2 s - 1`, times table n at
+4. `T_0 = 1`, `T_1 = x`, `T_n = 2 x T_(n-1) - T_(n-2)`; `diffuse` = sum over n of `T_n`, for `x = 2 s - 1`, times table n at
    (u, v).
-5. Where there is a lobe: `glint = coherent(radius, t) / w^2 + (sum over n of T_n, for x = 2 t - 1, times cross patch n at
-   (u, v)) / |w|`; the first where `radius = sqrt(u^2 + v^2) < radius_max`, the second where `|u|` and `|v|` both are,
-   otherwise 0.
-6. `f = R G (glint + body)`, times the shadowing factor where it is switched on."
+5. Where there is a lobe: `cross` = (sum over n of `T_n`, for `x = 2 t - 1`, times cross patch n at (u, v)) / `|w|` where `|u|`
+   and `|v|` both are below `radius_max`, otherwise 0; `lobe`: see Factors.
+6. `f = D (diffuse + cross) + C lobe`, times the shadowing factor where it is switched on."
         }
         Basis::Chebyshev => {
             "2. `t = |w| / sqrt(4 - u^2 - v^2)`, at most 1 (0 where the root is 0); `x = 2 t - 1`.
 3. `T_0 = 1`, `T_1 = x`, `T_n = 2 x T_(n-1) - T_(n-2)`.
-4. `body` = sum over n of `T_n` times table n at (u, v).
-5. `glint = coherent(radius, t) / w^2 + (sum over n of T_n times cross patch n at (u, v)) / |w|`; the first where
-   `radius = sqrt(u^2 + v^2) < radius_max`, the second where `|u|` and `|v|` both are, otherwise 0.
-6. `f = R G (glint + body)`, times the shadowing factor where it is switched on."
+4. `diffuse` = sum over n of `T_n` times table n at (u, v).
+5. `cross` = (sum over n of `T_n` times cross patch n at (u, v)) / `|w|` where `|u|` and `|v|` both are below `radius_max`,
+   otherwise 0; `lobe`: see Factors.
+6. `f = D (diffuse + cross) + C lobe`, times the shadowing factor where it is switched on."
         }
         Basis::Taylor => {
-            "2. `body` = sum over n of `|w|^n` times table n at (u, v).
-3. `f = R G body / w^2`, times the shadowing factor where it is switched on."
+            "2. `diffuse` = sum over n of `|w|^n` times table n at (u, v).
+3. `f = D diffuse / w^2`, times the shadowing factor where it is switched on."
         }
     };
     format!(
@@ -190,9 +190,24 @@ fn factors(example: &SpecimenFile) -> String {
         Material::Conductor { n, k } => format!("here `n = {n}`, `k = {k}`"),
     };
     let shadowing = if example.optics.shadowing { "switched on" } else { "switched off" };
+    let factor = match example.optics.factor {
+        Factor::Vector => "vector",
+        Factor::Scalar => "scalar",
+    };
     format!(
         "## Factors
 
+`optics.factor` in `specimen.json`, here `{factor}`, says which `D`, `C` and `lobe` are meant. Write `coherent(r)` for `lobe.exr`
+at the radius `r` and at `t = |w| / sqrt(4 - r^2)`, at most 1; 0 from `r = radius_max` on, and where there is no lobe.
+
+- `scalar`: `D = R G`, `C = R G / w^2`, `lobe = coherent(sqrt(u^2 + v^2))`.
+- `vector`: `C = R`, `lobe = coherent(sqrt(u^2 + v^2)) + coherent(sqrt(u^2 + v^2 + 4 h_i h_o))`, `h = z^2 / (1 + sqrt(x^2 + y^2))`
+  of `wi` and of `wo`: the second is the lobe's mirror image in the horizon, the light that would leave below. `D = R G` for the
+  material `ideal`; otherwise `D = 2 wi_z wo_z |eps - 1|^2 (cos^2 |1 / (A B)|^2 + sin^2 (|b / (A B')|^2 + |a / (A' B)|^2)
+  + |(a b cos - eps s_i s_o) / (A' B')|^2)`, first-order vector perturbation, with `eps = (n + i k)^2`;
+  `s_i = sqrt(wi_x^2 + wi_y^2)`, `a = sqrt(eps - s_i^2)`, `A = wi_z + a`, `A' = eps wi_z + a`; `s_o`, `b`, `B`, `B'` likewise of `wo`;
+  `cos = -(wi_x wo_x + wi_y wo_y) / (s_i s_o)` (1 where `s_i s_o` is 0), `sin^2 = 1 - cos^2`. Roots are complex with a real
+  part that is not negative.
 - `G = (1 + wi.wo)^2 / (wi_z wo_z)`.
 - `R`, the Fresnel reflectance of unpolarised light at the half vector ({material}): with `c = |wi + wo| / 2` and
   `g = sqrt((n + i k)^2 - 1 + c^2)` (complex, real part positive), `R = (|a|^2 + |b|^2) / 2`, `a = (c - g) / (c + g)`,
@@ -219,7 +234,7 @@ fn use_in_a_renderer(example: &SpecimenFile) -> String {
 - On a mesh the program lays x along the texture coordinate u and y at a right angle to it, on the side to which v grows:
   where the coordinates are mirrored, so is the structure.
 - To sample directions: `cos(theta_o) d(omega_o) = du dv`, so a density over (u, v) times `cos(theta_o)` is one over
-  directions. Sample the lobe apart from the body: it is narrow and round in (u, v) about the mirror direction, where
+  directions. Sample the lobe apart from the diffuse part: it is narrow and round in (u, v) about the mirror direction, where
   `t = cos(theta_i)` and `G = w^2`: it reflects `R` times the integral of `coherent` over (u, v), to a good approximation.
 - Where `specimen.json` has a `pigment`, the pictures show one below the structure besides `f`; the tables do not hold it. It
   adds `(1 - R(wi_z)) (1 - R(wo_z)) pigment.xyz_per_sr`, with the `R` of the factors above at `c = wi_z` and `c = wo_z`.
@@ -272,7 +287,7 @@ Specimen `{name}`, light at theta {theta_i}, phi {phi_i}, viewer at theta {theta
         let corners = term.corners_y.map(digits).join(", ");
         text += &format!("| {n} | {} | {corners} | {} |\n", digits(term.basis_value), triple(term.value));
     }
-    text += &format!("\n- `body` = {}\n", triple(worked.sum));
+    text += &format!("\n- `diffuse` = {}\n", triple(worked.sum));
     if let Some(lobe) = &worked.lobe {
         let inside = lobe
             .lookup
@@ -284,12 +299,17 @@ Specimen `{name}`, light at theta {theta_i}, phi {phi_i}, viewer at theta {theta
             triple(lobe.coherent),
             triple(lobe.cross)
         );
+        if let Some((radius, coherent)) = lobe.image {
+            text += &format!("- its image: radius {}, coherent = {}\n", digits(radius), triple(coherent));
+        }
     }
     text += &format!(
-        "- `G` = {}, `c` = {}, `R` = {}, shadowing {}\n- **`f` = {}** (X, Y, Z in 1/sr)\n",
+        "- `G` = {}, `c` = {}, `R` = {}, `D` = {}, `C` = {}, shadowing {}\n- **`f` = {}** (X, Y, Z in 1/sr)\n",
         digits(worked.geometry_factor),
         digits(worked.cos_half),
         digits(worked.reflectance),
+        digits(worked.diffuse_factor),
+        digits(worked.coherent_factor),
         digits(worked.shadowing),
         triple(worked.xyz),
     );

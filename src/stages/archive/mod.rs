@@ -3,7 +3,7 @@
 pub mod diff;
 pub mod format_md;
 pub mod publish;
-pub mod shader_data;
+pub(crate) mod shader_data;
 pub mod shader_export;
 pub mod specimen_file;
 pub(crate) mod verify;

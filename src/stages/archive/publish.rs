@@ -51,7 +51,7 @@ impl Staging {
     }
 
     /// Name of the version that it becomes if it is published: the lock keeps others from taking it.
-    pub fn next_version(&self) -> Result<String> {
+    pub(crate) fn next_version(&self) -> Result<String> {
         let newest = atlas::version_numbers(&self.root)?.last().copied().unwrap_or(0);
         Ok(atlas::version_name(newest + 1))
     }

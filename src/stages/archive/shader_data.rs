@@ -11,14 +11,14 @@ use diffraction_brdf::shader::{HalfLayers, table_image};
 use diffraction_build::optics::pigment::Surface;
 
 /// Name of the file that describes the others.
-pub const INDEX: &str = "textures.json";
+pub(crate) const INDEX: &str = "textures.json";
 
 /// Writes `params.bin` (the block `TableParams`, 2112 bytes, little-endian), the texels of the three textures row by row and
 /// layer by layer without padding, and [`INDEX`] with their sizes and formats.
 ///
 /// # Errors
 /// `Error::Limit` for tables that do not fit every GPU; the disk's.
-pub fn write_shader_data(folder: &Path, surface: Surface) -> Result<()> {
+pub(crate) fn write_shader_data(folder: &Path, surface: Surface) -> Result<()> {
     files::create_folder(folder)?;
     let image = table_image(surface.tables, surface.pigment.map(|pigment| pigment.xyz_per_sr))?;
     let [rows, columns] = image.coherent_size;

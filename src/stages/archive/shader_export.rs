@@ -43,17 +43,6 @@ impl ShaderLanguage {
         }
     }
 
-    /// The language of a name.
-    ///
-    /// # Errors
-    /// `Error::Call` that lists the names.
-    pub fn from_name(name: &str) -> Result<Self> {
-        Self::ALL.into_iter().find(|language| language.name() == name).ok_or_else(|| {
-            let names = Self::ALL.map(Self::name).join(", ");
-            Error::Call(format!("no shading language \"{name}\": one of {names}"))
-        })
-    }
-
     /// Name of the file in an export. GLSL of either version has the same ending, so there the name tells which it is.
     pub fn file_name(self) -> String {
         match self {

@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use super::specimen_file::SpecimenFile;
 use crate::stages::config::RunConfig;
+use crate::stages::coverage::asked;
 use crate::stages::ingest::{Scans, ingest};
-use crate::stages::serve;
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
@@ -16,15 +16,17 @@ use diffraction_build::ground::sampling::{self, Region};
 use diffraction_build::height::HeightField;
 use diffraction_build::height::read::Provenance;
 use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::spectra::SpectraConfig;
 use diffraction_build::optics::spectral;
-use diffraction_build::tables::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{TableSet, TablesConfig};
+use diffraction_build::tables::plan;
 use diffraction_render::scene::model::Scene;
 use diffraction_render::scene::samples::samples;
 
 /// Which directions are evaluated anew.
 #[derive(Debug, Clone, Copy)]
-pub struct Sampling {
+pub(crate) struct Sampling {
     /// Directions above the floor, of each group.
     pub count: usize,
     /// Chooses them.
@@ -99,7 +101,7 @@ pub(super) fn against_scans(
         row.is_some()
     });
     let ErrorDirections { groups, pairs } = ErrorDirections::drawn(set, candidates, sampling.count);
-    let exact = reference(&scans.fields, &specimen.optics, &run.tables, &pairs)?;
+    let exact = reference(&scans.fields, &scans.optics, &run.tables, &pairs)?;
     let mut directions = pairs.iter().zip(&exact);
     let mut reference = Vec::new();
     for group in &groups {
@@ -133,9 +135,9 @@ fn reference(
 ) -> Result<Vec<Xyz>> {
     // Sums over every direction are not what is asked for here; transforms are.
     let roomy = TablesConfig { memory_mib: usize::MAX >> 20, ..tables.clone() };
-    let mut plan = build::plan(fields, optics, &roomy)?;
-    plan.spectra.memory_bytes = (tables.memory_mib as u64) << 20;
-    spectral::brdf_xyz_batch(fields, optics, &plan.spectra, pairs)
+    let plan = plan::plan(&BuildInput::new(fields, optics, &roomy))?;
+    let spectra = SpectraConfig { memory_bytes: (tables.memory_mib as u64) << 20, ..plan.spectra };
+    spectral::brdf_xyz_batch(fields, optics, &spectra, pairs)
 }
 
 /// Turns of candidates to choose from: indices stay small enough for their points to be evenly spread.
@@ -151,7 +153,7 @@ fn hemisphere_candidates(set: &TableSet, seed: u64) -> Vec<Candidates> {
 
 /// Directions of the scenes that the tables were made for, others than the recorded ones.
 fn scene_candidates(run: &RunConfig, file: &SpecimenFile, set: &TableSet, seed: u64) -> Result<Vec<Candidates>> {
-    let scenes = serve::served_scenes(run, &file.name).unwrap_or_default();
+    let scenes = asked::restricted_to(run, &file.name).unwrap_or_default();
     let of_scene = |scene: &Scene| {
         let samples = samples(scene)?;
         let count = samples.weight.len();

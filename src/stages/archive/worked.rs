@@ -4,10 +4,12 @@
 //! second opinion.
 
 use ndarray::Array3;
+use rustfft::num_complex::Complex;
 use serde::Serialize;
 
 use diffraction_brdf::direction::{self, Vec3, Xyz};
-use diffraction_brdf::material;
+use diffraction_brdf::front_factor::Factor;
+use diffraction_brdf::material::{self, Material};
 use diffraction_build::tables::model::{Basis, Lobe, Served, TableSet};
 
 /// A look-up between four texels.
@@ -41,6 +43,8 @@ pub struct LobeShare {
     pub lookup: Option<Lookup>,
     /// Interpolated coherent part in 1/sr.
     pub coherent: Xyz,
+    /// Radius of the lobe's image in the horizon, and the coherent part there, with the vector factor.
+    pub image: Option<(f64, Xyz)>,
     /// Sum of the cross term in 1/sr, before the division by `|w|`; zero beyond its square.
     pub cross: Xyz,
 }
@@ -60,7 +64,7 @@ pub struct WorkedNumber {
     pub t: f64,
     /// Where in the tables.
     pub lookup: Lookup,
-    /// Lowest and highest `t` between the texels there, where tables do not serve every direction; [0, 1] elsewhere.
+    /// Lowest and highest `t` between the texels there, where tables are restricted to scenes; [0, 1] elsewhere.
     pub range: [f64; 2],
     /// Where `t` lies in that range: what the tables' polynomials are evaluated at.
     pub s: f64,
@@ -78,6 +82,10 @@ pub struct WorkedNumber {
     pub reflectance: f64,
     /// Shadowing factor; 1 where it is not applied.
     pub shadowing: f64,
+    /// `D` of `FORMAT.md`: the factor of tables and cross term, without shadowing.
+    pub diffuse_factor: f64,
+    /// `C`: the factor of the lobe, likewise.
+    pub coherent_factor: f64,
     /// The BRDF in 1/sr.
     pub xyz: Xyz,
 }
@@ -94,25 +102,40 @@ pub fn work_number(tables: &TableSet, angles_deg: [f64; 4]) -> WorkedNumber {
 
     let (lookup, range) = match &tables.served {
         None => (look_up([(u + 2.0) / 4.0, (2.0 - v) / 4.0], [tables.size(), tables.size()]), [0.0, 1.0]),
-        Some(served) => served_place(served, u, v),
+        Some(window) => place_in_window(window, u, v),
     };
     let s = (t - range[0]) / (range[1] - range[0]);
     let terms: Vec<Term> =
         tables.tables.iter().enumerate().map(|(n, table)| term(tables.basis, n, w, s, table, &lookup)).collect();
     let sum = weighted_sum(&terms);
-    let lobe = tables.lobe.as_ref().map(|lobe| lobe_share(lobe, q, t));
+    let vector = tables.front_factor.factor == Factor::Vector;
+    let lobe = tables.lobe.as_ref().map(|lobe| {
+        let image = vector.then(|| {
+            let radius = image_radius(wi, wo);
+            let t = relative_w([radius, 0.0, w]);
+            (radius, lobe_share(lobe, [radius, 0.0, w], t).coherent)
+        });
+        LobeShare { image, ..lobe_share(lobe, q, t) }
+    });
 
     let geometry_factor = direction::geometry_factor(wi, wo);
     let cos_half = material::cos_half_angle(wi, wo);
     let reflectance = material::reflectance(tables.front_factor.material, cos_half);
     let shadowing = if tables.front_factor.shadowing { direction::v_cavity_shadowing(wi, wo) } else { 1.0 };
+    let scalar = reflectance * geometry_factor;
+    let (diffuse_factor, coherent_factor) = match tables.front_factor.factor {
+        Factor::Scalar => (scalar, scalar / (w * w)),
+        Factor::Vector => (vector_factor(tables.front_factor.material, wi, wo).unwrap_or(scalar), reflectance),
+    };
     let xyz = std::array::from_fn(|channel| {
-        let body = match tables.basis {
+        let diffuse = match tables.basis {
             Basis::Chebyshev => sum[channel],
             Basis::Taylor => sum[channel] / (w * w),
         };
-        let glint = lobe.as_ref().map_or(0.0, |lobe| lobe.coherent[channel] / (w * w) + lobe.cross[channel] / w.abs());
-        reflectance * geometry_factor * shadowing * (glint + body)
+        let cross = lobe.as_ref().map_or(0.0, |lobe| lobe.cross[channel] / w.abs());
+        let coherent =
+            lobe.as_ref().map_or(0.0, |lobe| lobe.coherent[channel] + lobe.image.map_or(0.0, |i| i.1[channel]));
+        shadowing * (diffuse_factor * (diffuse + cross) + coherent_factor * coherent)
     });
     WorkedNumber {
         angles_deg,
@@ -130,18 +153,51 @@ pub fn work_number(tables: &TableSet, angles_deg: [f64; 4]) -> WorkedNumber {
         cos_half,
         reflectance,
         shadowing,
+        diffuse_factor,
+        coherent_factor,
         xyz,
     }
 }
 
-/// Where in a served window, and the range of `t` there.
-fn served_place(served: &Served, u: f64, v: f64) -> (Lookup, [f64; 2]) {
-    let (rows, columns, _) = served.range.dim();
-    let texel = 4.0 / (served.size - 1) as f64;
-    let at = [(u + 2.0) / texel - served.first[1] as f64, (2.0 - v) / texel - served.first[0] as f64];
+/// `sqrt(u² + v² + 4 h_i h_o)`, by angles: `h = 1 - sin θ`.
+fn image_radius(wi: Vec3, wo: Vec3) -> f64 {
+    let [u, v, _] = direction::wave_vector_change(wi, wo);
+    let h = |d: Vec3| 1.0 - (1.0 - d[2] * d[2]).sqrt();
+    (u * u + v * v + 4.0 * h(wi) * h(wo)).sqrt()
+}
+
+/// The vector factor by angles, polarisation by polarisation; `None` for the ideal reflector, which has no index.
+fn vector_factor(material: Material, wi: Vec3, wo: Vec3) -> Option<f64> {
+    let index = match material {
+        Material::Ideal => return None,
+        Material::Dielectric { n } => Complex::new(n, 0.0),
+        Material::Conductor { n, k } => Complex::new(n, k),
+    };
+    let (eps, one) = (index * index, Complex::new(1.0, 0.0));
+    let [theta_i, theta_o] = [wi, wo].map(|d| d[2].min(1.0).acos());
+    // From the direction of travel to that of the scattered light: a half turn from the light's own azimuth.
+    let phi = wo[1].atan2(wo[0]) - wi[1].atan2(wi[0]) - std::f64::consts::PI;
+    let [a, b] = [theta_i, theta_o].map(|theta| (eps - one * theta.sin().powi(2)).sqrt());
+    let [s_i, s_o] = [(theta_i, a), (theta_o, b)].map(|(theta, root)| root + theta.cos());
+    let [p_i, p_o] = [(theta_i, a), (theta_o, b)].map(|(theta, root)| eps * theta.cos() + root);
+    let amplitudes = [
+        one * phi.cos() / (s_i * s_o),
+        b * phi.sin() / (s_i * p_o),
+        a * phi.sin() / (p_i * s_o),
+        (a * b * phi.cos() - eps * theta_i.sin() * theta_o.sin()) / (p_i * p_o),
+    ];
+    let q: f64 = amplitudes.iter().map(|amplitude| ((eps - one) * amplitude).norm_sqr()).sum();
+    Some(2.0 * theta_i.cos() * theta_o.cos() * q)
+}
+
+/// Where in the window of restricted tables, and the range of `t` there.
+fn place_in_window(window: &Served, u: f64, v: f64) -> (Lookup, [f64; 2]) {
+    let (rows, columns, _) = window.range.dim();
+    let texel = 4.0 / (window.size - 1) as f64;
+    let at = [(u + 2.0) / texel - window.first[1] as f64, (2.0 - v) / texel - window.first[0] as f64];
     let last = [(columns - 1) as f64, (rows - 1) as f64];
     let lookup = look_up([at[0] / last[0], at[1] / last[1]], [columns, rows]);
-    let range = term(Basis::Chebyshev, 0, 0.0, 0.0, &served.range, &lookup).value;
+    let range = term(Basis::Chebyshev, 0, 0.0, 0.0, &window.range, &lookup).value;
     (lookup, [range[0], range[1]])
 }
 
@@ -197,7 +253,7 @@ fn weighted_sum(terms: &[Term]) -> Xyz {
 fn lobe_share(lobe: &Lobe, q: Vec3, t: f64) -> LobeShare {
     let [u, v, w] = q;
     let (radius, width) = (u.hypot(v), 2.0 * lobe.radius_max);
-    let mut share = LobeShare { radius, lookup: None, coherent: [0.0; 3], cross: [0.0; 3] };
+    let mut share = LobeShare { radius, lookup: None, coherent: [0.0; 3], image: None, cross: [0.0; 3] };
     if radius < lobe.radius_max {
         let (t_samples, radius_samples, _) = lobe.coherent.dim();
         let lookup = look_up([radius / lobe.radius_max, t], [radius_samples, t_samples]);
@@ -220,13 +276,14 @@ fn lobe_share(lobe: &Lobe, q: Vec3, t: f64) -> LobeShare {
 mod tests {
     use super::*;
     use diffraction_build::ground::spectrum::Illuminant;
-    use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+    use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 
     fn optics() -> OpticsConfig {
         OpticsConfig {
             illuminant: Illuminant::E,
             wavelength_nm: [380.0, 780.0],
             sigma_nm: 16_250.0,
+            lobe_sigma_nm: None,
             edge: Edge::Tile,
             windows: Windows::Grid,
             material: Material::Ideal,
@@ -287,8 +344,8 @@ mod tests {
         let worked = work_number(&set, near_mirror);
         let [u, v, w] = worked.q;
         let (radius, x) = (u.hypot(v), 2.0 * worked.t - 1.0);
-        let glint = (1.0 + 2.0 * worked.t) * (4.0 - 4.0 * radius / 0.2) / (w * w) + (0.25 + 2.0 * x) / w.abs();
+        let lobe = (1.0 + 2.0 * worked.t) * (4.0 - 4.0 * radius / 0.2) / (w * w) + (0.25 + 2.0 * x) / w.abs();
         let difference = worked.xyz[1] - work_number(&without, near_mirror).xyz[1];
-        assert!((difference / (worked.geometry_factor * glint) - 1.0).abs() < 1e-12);
+        assert!((difference / (worked.geometry_factor * lobe) - 1.0).abs() < 1e-12);
     }
 }

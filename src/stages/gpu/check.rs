@@ -26,7 +26,7 @@ use diffraction_render::scene::samples::{ShadingSamples, samples_of, samples_per
 const BAND_SAMPLES: usize = 1 << 20;
 
 /// XYZ picture of samples by the GPU.
-pub type Shade<'a> = &'a dyn Fn(&Arc<ShadingSamples>) -> Result<Array3<f32>>;
+pub(crate) type Shade<'a> = &'a dyn Fn(&Arc<ShadingSamples>) -> Result<Array3<f32>>;
 
 /// Checks every scene of a table set, its pictures by the CPU made here.
 ///
@@ -51,7 +51,7 @@ pub fn check_uploaded(gpu: &Gpu, tables: &GpuTables, surface: Surface, scene: &S
 ///
 /// # Errors
 /// As [`check_specimen`].
-pub fn check_picture(
+pub(crate) fn check_picture(
     shade: Shade,
     surface: Surface,
     scene: &Scene,
@@ -70,7 +70,7 @@ pub fn check_picture(
 ///
 /// # Errors
 /// As [`check_specimen`].
-pub fn check_reference(
+pub(crate) fn check_reference(
     shade: Shade,
     surface: Surface,
     scene: &Scene,
@@ -90,7 +90,7 @@ pub fn check_reference(
 
 /// What a picture's values may be off, look-ups aside: the tolerance for each of the two causes that it is asked of,
 /// number of tables and wavelength step, and half a unit in the last place of the stored numbers.
-pub fn reference_limit(tolerance: f64, storage: Storage) -> f64 {
+pub(crate) fn reference_limit(tolerance: f64, storage: Storage) -> f64 {
     2.0 * tolerance + unit_roundoff(storage)
 }
 
@@ -259,7 +259,7 @@ fn finite(image: &Array3<f32>) -> Array3<f32> {
 
 /// Differences as 8-bit RGB: grey up to what a pixel was allowed (white: all of it), red beyond, magenta where the GPU's
 /// value is not finite.
-pub fn difference_picture(by_cpu: &Array3<f32>, by_gpu: &Array3<f32>, bound: &Array3<f32>) -> Array3<u8> {
+pub(crate) fn difference_picture(by_cpu: &Array3<f32>, by_gpu: &Array3<f32>, bound: &Array3<f32>) -> Array3<u8> {
     let (rows, columns, _) = by_cpu.dim();
     let mut picture = Array3::zeros((rows, columns, 3));
     for row in 0..rows {

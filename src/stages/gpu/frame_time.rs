@@ -13,7 +13,7 @@ use super::device::GpuDevice;
 use super::results::{FrameComparison, MethodFrame};
 use crate::stages::archive::specimen_file;
 use crate::stages::config::{RunConfig, SpecimenConfig};
-use crate::stages::ingest::ingest;
+use crate::stages::ingest::{Scans, ingest};
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
@@ -23,7 +23,9 @@ use diffraction_build::accuracy::directions::{ErrorDirections, ErrorGroup};
 use diffraction_build::accuracy::reference;
 use diffraction_build::ground::metrics;
 use diffraction_build::tables::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
+use diffraction_build::tables::plan;
 use diffraction_render::render::gpu::Gpu;
 use diffraction_render::render::gpu_frame::{Frame, FramePlan, FrameTime, copy_gb_per_s, time_frames};
 use diffraction_render::render::gpu_tables::upload;
@@ -48,18 +50,18 @@ pub fn compare(
     folder: &Path,
 ) -> Result<FrameComparison> {
     let (_, atlas) = specimen_file::load(folder)?;
-    let fields = ingest(specimen)?.fields;
-    let plan = build::plan(&fields, &specimen.optics, &config.tables)?;
+    let Scans { fields, optics, .. } = ingest(specimen)?;
+    let plan = plan::plan(&BuildInput::new(&fields, &optics, &config.tables))?;
     let directions = ErrorDirections::of_regions(&atlas);
     let (groups, pairs) = (directions.groups.clone(), directions.pairs.clone());
-    let exact = reference::evaluate(&fields, &specimen.optics, &plan, atlas.tables.len(), directions, [])?.xyz;
+    let exact = reference::evaluate(&fields, &optics, &plan, atlas.tables.len(), directions, [])?.xyz;
     let atlas = as_on_gpu(atlas);
     let errors = |set: &TableSet| errors_p95(set, &groups, &pairs, &exact);
     let atlas_errors = errors(&atlas);
     // Wavelengths, grid and averages over it stay as they are; the tables come in full precision and are then rounded.
     let wanted =
         TablesConfig { basis: Basis::Taylor, storage: Some(Storage::Float), count: None, ..config.tables.clone() };
-    let (taylor, refused) = match build::build(&fields, &specimen.optics, &wanted, &|_| ()) {
+    let (taylor, refused) = match build::build(&BuildInput::new(&fields, &optics, &wanted), &|_| ()) {
         Ok((set, _)) => (Some(at_equal_error(as_on_gpu(set), atlas_errors, errors)), None),
         Err(error @ Error::Limit { .. }) => (None, Some(error.to_string())),
         Err(error) => return Err(error),

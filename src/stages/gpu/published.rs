@@ -19,7 +19,7 @@ use diffraction_brdf::shader::{LAYERS_MAX, SIDE_MAX, table_image};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
-use diffraction_build::tables::plan::lobe_width;
+use diffraction_build::tables::resolution::lobe_width;
 use diffraction_render::render::gpu_tables::{shade, upload};
 use diffraction_render::render::png_image::write_png;
 use diffraction_render::scene::model::Scene;

@@ -195,7 +195,7 @@ impl FrameComparison {
     }
 
     /// One line for the screen.
-    pub fn in_words(&self) -> String {
+    pub(crate) fn in_words(&self) -> String {
         let one = |frame: &MethodFrame| format!("{} tables {:.3} ms", frame.time.tables, frame.time.median_ms);
         let side = self.atlas.time.size_px;
         let published = match (&self.taylor, self.ratio()) {

@@ -7,9 +7,9 @@ use super::frame_time;
 use super::published::{beyond_limits, check_files};
 use super::results::{FrameComparison, GpuResult, GpuRow};
 use crate::stages::config::{FrameTiming, GpuCheck, RunConfig, SpecimenConfig};
+use crate::stages::coverage::asked;
 use crate::stages::log::Log;
 use crate::stages::pictures::sharing::specimens_of;
-use crate::stages::serve;
 use crate::stages::stage::Stage;
 use diffraction_brdf::error::Result;
 use diffraction_build::tables::model::Basis;
@@ -18,7 +18,7 @@ use diffraction_render::scene::model::Scene;
 
 /// A GPU, or why there is none.
 #[derive(Debug)]
-pub enum Opened {
+pub(crate) enum Opened {
     /// Ready.
     Ready(GpuDevice),
     /// Not wanted, not there or not usable; what the results say of it.
@@ -35,7 +35,7 @@ impl Opened {
     }
 
     /// What the results say, given what was found out on it.
-    pub fn into_result(self, rows: Vec<GpuRow>, frames: Option<FrameComparison>) -> GpuResult {
+    pub(crate) fn into_result(self, rows: Vec<GpuRow>, frames: Option<FrameComparison>) -> GpuResult {
         match self {
             Self::Ready(device) => {
                 let (gpu, frames) = (Box::new(device.info().clone()), frames.map(Box::new));
@@ -98,9 +98,9 @@ pub fn check(
         return Ok(Checked::Beyond(format!("not checked on the GPU: {why}")));
     }
     // Shares of a scene have no picture of their own.
-    let pictured = serve::pictured_scenes(config, name);
+    let pictured = asked::pictured_scenes(config, name);
     let scenes: Vec<&Scene> = pictured.iter().filter(|scene| specimens_of(scene).is_empty()).collect();
-    let tables = serve::tables_for(config, name);
+    let tables = asked::tables_for(config, name);
     let checked = log.timed(Stage::CheckOnGpu, name, 0, || {
         check_files(device, &folder, name, &scenes, &tables, config.report.reference)
     });

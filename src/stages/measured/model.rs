@@ -9,8 +9,10 @@ use diffraction_brdf::direction::{Vec3, from_angles_deg, wave_vector_change};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::OpticsConfig;
-use diffraction_build::optics::lines::{Buffers, Part, Point};
+use diffraction_build::optics::factors::PairFactors;
+use diffraction_build::optics::lines::Buffers;
 use diffraction_build::optics::spectra::{self, Spectra, SpectraConfig};
+use diffraction_build::optics::spectral::brdf_of_window;
 use diffraction_build::optics::window::placements;
 use diffraction_render::scene::light::{direction_to, sunflower};
 use diffraction_render::scene::model::Light;
@@ -97,18 +99,8 @@ fn scatter(spectra: &Spectra, optics: &OpticsConfig, row: &RowSamples) -> f64 {
     let mut buffers = Buffers::default();
     let mut sum = 0.0;
     for &wo in &row.wo {
-        let front = optics.front_factor().diffuse(row.wi, wo) * wo[2];
-        if front == 0.0 {
-            continue;
-        }
-        let q = wave_vector_change(row.wi, wo);
-        let point = |j: usize| {
-            let nm = row.wavelengths_nm[j];
-            Point { frequency: [q[0] / nm, q[1] / nm], s: TAU / nm * q[2].abs() }
-        };
-        spectra.powers(Part::Total, row.wavelengths_nm.len(), point, &mut buffers, |j, power| {
-            sum += front * power / (row.wavelengths_nm[j] * q[2]).powi(2);
-        });
+        let Some(factors) = PairFactors::of(optics, row.wi, wo) else { continue };
+        brdf_of_window(spectra, &factors, &row.wavelengths_nm, &mut buffers, |_, brdf| sum += brdf * wo[2]);
     }
     sum / (row.wo.len() * row.wavelengths_nm.len()) as f64
 }
@@ -165,12 +157,17 @@ fn triangle_quantile(share: f64) -> f64 {
 
 /// Transforms that hold every sample.
 fn spectra_config(rows: &[RowSamples], memory_bytes: u64) -> SpectraConfig {
-    let mut config = SpectraConfig { s: [0.0; 2], frequency: [[0.0; 2]; 2], tolerance: DEPTH_TOLERANCE, memory_bytes };
+    let mut config = SpectraConfig {
+        phase_scale_per_nm: [0.0; 2],
+        frequency: [[0.0; 2]; 2],
+        tolerance: DEPTH_TOLERANCE,
+        memory_bytes,
+    };
     for row in rows {
         let shortest_nm = row.wavelengths_nm.iter().copied().fold(f64::MAX, f64::min);
         for &wo in &row.wo {
             let q = wave_vector_change(row.wi, wo);
-            config.s[1] = config.s[1].max(TAU * q[2].abs() / shortest_nm);
+            config.phase_scale_per_nm[1] = config.phase_scale_per_nm[1].max(TAU * q[2].abs() / shortest_nm);
             for (range, component) in config.frequency.iter_mut().zip(q) {
                 let reach = component.abs() / shortest_nm;
                 *range = [range[0].min(-reach), range[1].max(reach)];

@@ -58,7 +58,7 @@ const KINDS: [(&str, Kind); 7] = [
 
 impl Kind {
     /// Whether a factor between model and measurement is fitted.
-    pub fn is_relative(self) -> bool {
+    pub(crate) fn is_relative(self) -> bool {
         matches!(self, Self::RelativeRadiance | Self::RelativePower)
     }
 

@@ -20,7 +20,7 @@ use diffraction_build::ground::metrics;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::{Pigment, Surface, pigment_xyz};
 use diffraction_build::tables::model::TableSet;
-use diffraction_build::tables::plan::lobe_width;
+use diffraction_build::tables::resolution::lobe_width;
 use diffraction_render::render::cpu;
 use diffraction_render::render::png_image::{encode_animation, heat_map, side_by_side, write_png};
 use diffraction_render::scene::animation;
@@ -48,8 +48,8 @@ pub struct SceneWork {
     image: Array3<f32>,
     exposure: f32,
     seconds: f64,
-    /// Pixels that look up what the tables do not serve.
-    unserved: usize,
+    /// Pixels that look up what the tables do not cover.
+    uncovered: usize,
     /// Every `stride`-th pixel is compared.
     stride: usize,
     subset: ShadingSamples,
@@ -65,12 +65,12 @@ pub fn render_tables(scene: &Scene, surface: Surface) -> Result<SceneWork> {
     let started = Instant::now();
     let image = cpu::render(scene, &|wi, wo| surface.xyz(Interpolation::Bilinear, wi, wo))?;
     let seconds = started.elapsed().as_secs_f64();
-    let unserved = image.rows().into_iter().filter(|xyz| xyz.iter().any(|value| value.is_nan())).count();
+    let uncovered = image.rows().into_iter().filter(|xyz| xyz.iter().any(|value| value.is_nan())).count();
     let stride = reference_stride(scene);
     let subset = reference_samples(scene)?;
     let exposure = exposure_factor(scene.exposure, &image);
     let pigment = surface.pigment.copied();
-    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, unserved, stride, subset, pigment })
+    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, uncovered, stride, subset, pigment })
 }
 
 /// The samples of a scene's reference picture.
@@ -82,19 +82,19 @@ pub fn reference_samples(scene: &Scene) -> Result<ShadingSamples> {
 }
 
 /// The pairs of directions of samples, in order.
-pub fn pairs_of(samples: &ShadingSamples) -> impl Iterator<Item = (Vec3, Vec3)> + '_ {
+pub(crate) fn pairs_of(samples: &ShadingSamples) -> impl Iterator<Item = (Vec3, Vec3)> + '_ {
     samples.wi.iter().zip(&samples.wo).map(|(wi, wo)| (wi.map(f64::from), wo.map(f64::from)))
 }
 
 /// Of how many pixels in each direction one has a reference.
-pub fn reference_stride(scene: &Scene) -> usize {
+pub(crate) fn reference_stride(scene: &Scene) -> usize {
     let per_pixel = samples_per_pixel(scene).max(1);
     let side = ((REFERENCE_SAMPLES_MAX / per_pixel) as f64).sqrt().max(1.0);
     (scene.size_px as f64 / side).ceil().max(1.0) as usize
 }
 
-/// The directions of scenes to draw from, each with a floor of its own: for tables that serve no others.
-pub fn candidates_of(set: &TableSet, scenes: &[SceneWork]) -> Vec<Candidates> {
+/// The directions of scenes to draw from, each with a floor of its own: for tables restricted to them.
+pub(crate) fn candidates_of(set: &TableSet, scenes: &[SceneWork]) -> Vec<Candidates> {
     let of_scene = |scene: &SceneWork| {
         let step = scene.pair_count().div_ceil(DRAWN).max(1);
         Candidates::of_scene(set, scene.name(), scene.pairs().step_by(step).collect())
@@ -114,12 +114,12 @@ impl SceneWork {
     }
 
     /// Number of pairs.
-    pub fn pair_count(&self) -> usize {
+    pub(crate) fn pair_count(&self) -> usize {
         self.subset.wi.len()
     }
 
     /// Whether the scene moves.
-    pub fn is_animated(&self) -> bool {
+    pub(crate) fn is_animated(&self) -> bool {
         self.scene.animation.is_some()
     }
 
@@ -127,7 +127,7 @@ impl SceneWork {
     /// specimen's folder.
     ///
     /// # Errors
-    /// The disk's; `Error::Limit` for a frame that asks for directions which the tables do not serve.
+    /// The disk's; `Error::Limit` for a frame that asks for directions that the tables do not cover.
     pub fn animate(&self, surface: Surface, folder: &Path) -> Result<()> {
         let Some(animation) = &self.scene.animation else {
             return Ok(());
@@ -138,7 +138,7 @@ impl SceneWork {
             if image.iter().any(|value| value.is_nan()) {
                 return Err(Error::limit(
                     format!(
-                        "frame {index} of scene \"{}\" asks for directions that the tables do not serve",
+                        "frame {index} of scene \"{}\" asks for directions that the tables do not cover",
                         scene.name
                     ),
                     "set tables.serve = \"all\"",
@@ -151,7 +151,7 @@ impl SceneWork {
     }
 
     /// Whether this is one specimen's share of a scene that several appear in.
-    pub fn is_share(&self) -> bool {
+    pub(crate) fn is_share(&self) -> bool {
         matches!(&self.scene.shape, Shape::Mesh(mesh) if mesh.shown.is_some())
     }
 
@@ -170,7 +170,7 @@ impl SceneWork {
     pub fn plus(mut self, other: &Self) -> Self {
         self.image += &other.image;
         self.seconds += other.seconds;
-        self.unserved += other.unserved;
+        self.uncovered += other.uncovered;
         self
     }
 
@@ -210,7 +210,7 @@ impl SceneWork {
             exposure: f64::from(self.exposure),
             seconds: self.seconds,
             error: None,
-            unserved_pixels: self.unserved,
+            unserved_pixels: self.uncovered,
             table_png: file(".png"),
             side_by_side_png: None,
             difference_png: None,
@@ -310,7 +310,7 @@ pub fn inputs(config: &RunConfig) -> Vec<InputRecord> {
 }
 
 /// The word the manifest uses for a shape.
-pub fn shape_name(shape: &Shape) -> &'static str {
+pub(crate) fn shape_name(shape: &Shape) -> &'static str {
     match shape {
         Shape::Hemisphere => "hemisphere",
         Shape::Sphere => "sphere",

@@ -21,7 +21,7 @@ use diffraction_render::scene::model::{Scene, Shape};
 pub const FOLDER: &str = "scenes";
 
 /// A specimen's share of a picture, from the tables and from the reference.
-pub struct Share {
+pub(crate) struct Share {
     work: SceneWork,
     expected: Option<Array3<f32>>,
 }
@@ -34,7 +34,7 @@ struct Sum {
 }
 
 /// The shares of every scene so far.
-pub struct SharedScenes(Vec<Sum>);
+pub(crate) struct SharedScenes(Vec<Sum>);
 
 /// The files that scenes are made of, each once, with paths relative to `base` where they are below it.
 pub fn inputs(scenes: &[Scene], base: &Path) -> Vec<InputRecord> {

@@ -3,7 +3,7 @@
 use diffraction_render::scene::model::{Scene, Shape, share_of};
 
 /// Names of the specimens that share a scene; none where each has its own picture.
-pub fn specimens_of(scene: &Scene) -> &[String] {
+pub(crate) fn specimens_of(scene: &Scene) -> &[String] {
     match &scene.shape {
         Shape::Mesh(mesh) => &mesh.specimens,
         _ => &[],
@@ -11,7 +11,7 @@ pub fn specimens_of(scene: &Scene) -> &[String] {
 }
 
 /// What a specimen renders: its scenes, and its shares of others.
-pub fn scenes_for(scenes: &[Scene], specimen: &str) -> Vec<Scene> {
+pub(crate) fn scenes_for(scenes: &[Scene], specimen: &str) -> Vec<Scene> {
     let mut wanted = Vec::new();
     for scene in scenes {
         let sharing = specimens_of(scene);

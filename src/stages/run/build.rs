@@ -2,19 +2,22 @@
 
 use super::clock::{Clock, Step};
 use super::job::Job;
+use crate::stages::built::Built;
+use crate::stages::cache::known::Known;
 use crate::stages::config::Serve;
+use crate::stages::coverage::{asked, savings};
 use crate::stages::ingest::{Scans, ingest as read_scans};
-use crate::stages::known::{Built, Known};
 use crate::stages::measured::{self, Measurement};
-use crate::stages::serve::{self, Cost, Source};
 use crate::stages::stage::Stage;
 use diffraction_brdf::files;
 use diffraction_brdf::storage::{StoredTables, read_tables};
 use diffraction_build::optics::pigment::{Pigment, Surface, pigment};
-use diffraction_build::tables::build::{self, BuildPlan};
-use diffraction_build::tables::domain::Domain;
+use diffraction_build::tables::coverage::budget::Cost;
+use diffraction_build::tables::coverage::ranges::Coverage;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{BuildRecord, TableSet, TablesConfig};
-use diffraction_build::tables::plan::lobe_radius;
+use diffraction_build::tables::plan::{BuildPlan, plan_for};
+use diffraction_build::tables::resolution::lobe_radius;
 use diffraction_build::tables::rounding;
 use diffraction_render::scene::model::Scene;
 
@@ -30,9 +33,9 @@ pub(super) struct Ingested {
 
 /// What is going to be computed.
 pub(super) struct Planned<'a> {
-    pub(super) source: Source<'a>,
+    pub(super) input: BuildInput<'a>,
     /// What the tables are restricted to; `None` for every direction.
-    pub(super) coverage: Option<Domain>,
+    pub(super) coverage: Option<Coverage>,
     pub(super) plan: BuildPlan,
     pub(super) known: Known<'a>,
 }
@@ -75,40 +78,40 @@ pub(super) fn ingest(job: &Job, clock: &mut Clock) -> Step<Ingested> {
         Some(config) => Some(clock.stage(Stage::ReadMeasured, || measured::read(config))?),
         None => None,
     };
-    let tables = serve::tables_for(config, &specimen.name);
-    Ok(Ingested { scans, measurement, tables, scenes: serve::pictured_scenes(config, &specimen.name) })
+    let tables = asked::tables_for(config, &specimen.name);
+    Ok(Ingested { scans, measurement, tables, scenes: asked::pictured_scenes(config, &specimen.name) })
 }
 
 /// Plans the tables, for the scenes alone where they are restricted to them.
 pub(super) fn plan<'a>(job: &Job<'a>, ingested: &'a Ingested, clock: &mut Clock) -> Step<Planned<'a>> {
-    let optics = &job.specimen.optics;
+    let optics = &ingested.scans.optics;
     let fields = &ingested.scans.fields;
-    let source = Source { fields, optics, tables: &ingested.tables };
+    let input = BuildInput::new(fields, optics, &ingested.tables);
     let coverage = match job.config.serve {
         Serve::All => None,
         Serve::Scenes | Serve::Named(_) => {
             let scenes: Vec<&Scene> = ingested.scenes.iter().collect();
-            Some(clock.stage(Stage::FindCoverage, || serve::domain_of(&source, &scenes))?)
+            Some(clock.stage(Stage::FindCoverage, || savings::cover(&input, &scenes))?)
         }
     };
-    let plan = clock.stage(Stage::Plan, || build::plan_for(fields, optics, &ingested.tables, coverage.clone()))?;
-    Ok(Planned { source, coverage, plan, known: Known::new(job.cache, fields) })
+    let plan = clock.stage(Stage::Plan, || plan_for(&input, coverage.clone()))?;
+    Ok(Planned { input, coverage, plan, known: Known::new(job.cache, fields) })
 }
 
 /// Builds the tables, or finds them in the cache.
 pub(super) fn build(planned: &Planned, clock: &mut Clock) -> Step<Built> {
-    let Planned { source, plan, known, .. } = planned;
-    let wavelengths = plan.rings.iter().map(|ring| ring.quadrature.wavelengths_nm.len()).sum::<usize>();
+    let Planned { input, plan, known, .. } = planned;
+    let wavelengths = plan.rings.iter().map(|ring| ring.wavelengths()).sum::<usize>();
     let progress = clock.log.progress();
     clock.stage_of(Stage::BuildTables, (wavelengths * plan.windows.len()) as u64, || {
-        known.tables(source, plan, &|n| progress.advance(n))
+        known.tables(input, plan, &|n| progress.advance(n))
     })
 }
 
 /// Stores the tables and reads them back: from here on they are what a reader gets.
 pub(super) fn store(job: &Job, planned: &Planned, built: Built, clock: &mut Clock) -> Step<Stored> {
-    let optics = &job.specimen.optics;
-    let tables = planned.source.tables;
+    let optics = planned.input.optics;
+    let tables = planned.input.tables;
     let chosen = clock.stage(Stage::Round, || {
         Ok(rounding::choose(&built.set, tables.storage, tables.tolerance, lobe_radius(optics)))
     })?;
@@ -119,7 +122,7 @@ pub(super) fn store(job: &Job, planned: &Planned, built: Built, clock: &mut Cloc
         Ok((set, pigment, files::bytes_of(&job.folder, "exr")?))
     })?;
     let took = Took {
-        cost: Cost::measured(&built, stored_bytes as f64),
+        cost: savings::cost_of(&built, stored_bytes as f64),
         processor_s: built.processor_s,
         memory_bytes: built.memory_bytes,
         stored_bytes,

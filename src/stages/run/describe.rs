@@ -11,19 +11,20 @@ use super::job::Job;
 use super::measure::Measured;
 use super::warnings::{scan_warnings, table_warnings};
 use crate::stages::archive::specimen_file::{self, SpecimenFile};
-use crate::stages::cache::CacheUse;
+use crate::stages::cache::store::CacheUse;
 use crate::stages::config::SpecimenConfig;
+use crate::stages::coverage::savings;
+use crate::stages::pictures::covered::covered_picture;
 use crate::stages::pictures::preview::write_preview;
 use crate::stages::pictures::scenes;
 use crate::stages::pictures::shared_scenes::{self, Share};
-use crate::stages::reached::reached_picture;
 use crate::stages::results::{BuildResult, HeightMapFile, LobeResult, SceneResult, SpecimenResult, SpectrumFile};
-use crate::stages::serve::{self, Budget, Cost};
 use crate::stages::stage::Stage;
 use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::accuracy::rows;
 use diffraction_build::optics::pigment::Surface;
+use diffraction_build::tables::coverage::budget::{Budget, Cost};
 use diffraction_build::tables::forecast::forecast_of;
 use diffraction_build::tables::model::Basis;
 use diffraction_render::render::png_image::write_png;
@@ -55,7 +56,7 @@ pub(super) fn describe(
     mut measured: Measured,
     clock: &mut Clock,
 ) -> Step<Described> {
-    let warnings = warnings(job, ingested, planned, &measured);
+    let warnings = warnings(ingested, planned, &measured);
     let pictures = std::mem::take(&mut measured.pictures);
     let (shares, own): (Vec<_>, Vec<_>) = pictures.into_iter().partition(|(work, _)| work.is_share());
     let shares = shares.into_iter().map(|(work, reference)| {
@@ -73,10 +74,10 @@ pub(super) fn describe(
     })?;
     let budget = match &planned.coverage {
         None => None,
-        Some(coverage) => Some(clock.stage(Stage::AccountSavings, || {
+        Some(covered) => Some(clock.stage(Stage::AccountSavings, || {
             let scenes: Vec<&Scene> = ingested.scenes.iter().collect();
             let (whole, cost) = (&job.config.tables, measured.stored.took.cost);
-            serve::account(&planned.source, &scenes, coverage, whole, cost, job.config.report.savings)
+            savings::account(&planned.input, &scenes, covered, whole, cost, job.config.report.savings)
         })?),
     };
     Ok(Described {
@@ -88,8 +89,8 @@ pub(super) fn describe(
 }
 
 /// What a user must know: of tables, scans, pictures, errors.
-fn warnings(job: &Job, ingested: &Ingested, planned: &Planned, measured: &Measured) -> Vec<String> {
-    let optics = &job.specimen.optics;
+fn warnings(ingested: &Ingested, planned: &Planned, measured: &Measured) -> Vec<String> {
+    let optics = &ingested.scans.optics;
     let Stored { set, files, .. } = &measured.stored;
     let scenes: Vec<&Scene> = ingested.scenes.iter().collect();
     let mut warnings = table_warnings(set, files, &ingested.tables, planned.plan.texels.grid.texel());
@@ -102,7 +103,7 @@ fn warnings(job: &Job, ingested: &Ingested, planned: &Planned, measured: &Measur
 /// All pictures but those of `scenes`, which are written already.
 fn write_pictures(job: &Job, ingested: &Ingested, surface: Surface, scenes: Vec<SceneResult>) -> Result<Pictures> {
     let (folder, name) = (&job.folder, &job.specimen.name);
-    let coverage = reached_picture(surface.tables);
+    let coverage = covered_picture(surface.tables);
     let preview_png = match &coverage {
         None => {
             write_preview(surface, folder)?;
@@ -143,7 +144,7 @@ fn specimen_json(
         provenance: to_value(&ingested.scans.provenance),
         preparation: json!({ "settings": specimen.prepare, "done": ingested.scans.preparation }),
         statistics: to_value(&ingested.scans.statistics),
-        optics: specimen.optics.clone(),
+        optics: ingested.scans.optics.clone(),
         pigment: *pigment,
         build: record.clone(),
         tables: files.clone(),
@@ -183,7 +184,7 @@ fn result(
         pitch_nm: field.pitch_nm,
         extent_um: [width_nm * 1e-3, height_nm * 1e-3],
         statistics: ingested.scans.statistics.first().cloned(),
-        optics: Some(specimen.optics.clone()),
+        optics: Some(ingested.scans.optics.clone()),
         pigment: measured.stored.pigment,
         build: Some(build_result(ingested, planned, &measured.stored)),
         lobe: measured.stored.set.lobe.as_ref().map(|lobe| LobeResult {
@@ -206,11 +207,11 @@ fn result(
 }
 
 fn build_result(ingested: &Ingested, planned: &Planned, stored: &Stored) -> BuildResult {
-    let Planned { source, plan, .. } = planned;
+    let Planned { input, plan, .. } = planned;
     // The published series is built another way, which no forecast knows.
-    let predicted = (source.tables.basis == Basis::Chebyshev).then(|| {
+    let predicted = (input.tables.basis == Basis::Chebyshev).then(|| {
         let threads = rayon::current_num_threads();
-        Cost::predicted(&forecast_of(source.fields, source.optics, source.tables, plan, threads))
+        Cost::predicted(&forecast_of(input, plan, threads))
     });
     BuildResult {
         basis: stored.set.basis,

@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::stages::cache::Cache;
+use crate::stages::cache::store::Cache;
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::results::{HeightMapFile, SpectrumFile, Statistics};
 use diffraction_brdf::error::Result;
 use diffraction_build::height::HeightField;
 
 /// Draws a specimen's heights and their spectrum into its folder; given by the floor that knows how.
-pub type Illustrate<'a> =
+pub(crate) type Illustrate<'a> =
     &'a (dyn Fn(&HeightField, &Statistics, &Path, &str) -> Result<(HeightMapFile, SpectrumFile)> + Sync);
 
 /// One specimen of a run.

@@ -47,14 +47,14 @@ pub(super) fn measure(
         None => None,
         Some(exact) => Some(clock.stage(Stage::EvaluateReference, || {
             let pictures = works.iter().flat_map(SceneWork::pairs);
-            planned.known.reference(&planned.source, &planned.plan, exact.tables.len(), directions, pictures)
+            planned.known.reference(&planned.input, &planned.plan, exact.tables.len(), directions, pictures)
         })?),
     };
     let (errors, (power_sums, lobe_share)) = clock.stage(Stage::MeasureErrors, || {
         let errors = match (&reference, &exact) {
             (Some(reference), Some(exact)) => {
                 let mut errors = error_rows(reference, &stored.set, exact);
-                errors.push(planned.known.direct_row(&planned.source, reference)?);
+                errors.push(planned.known.direct_row(&planned.input, reference)?);
                 errors
             }
             _ => Vec::new(),
@@ -66,7 +66,7 @@ pub(super) fn measure(
         Some(measurement) => Some(clock.stage(Stage::CompareMeasured, || {
             let file = job.config.relative_name(&measurement.config.file);
             let memory_bytes = planned.plan.spectra.memory_bytes;
-            measured::compare(&ingested.scans.fields, &job.specimen.optics, measurement, file, memory_bytes)
+            measured::compare(&ingested.scans.fields, &ingested.scans.optics, measurement, file, memory_bytes)
         })?),
     };
     let pictures = with_reference(works, reference.as_ref(), counted.len());

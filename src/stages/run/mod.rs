@@ -11,5 +11,6 @@ mod describe;
 pub(crate) mod job;
 mod measure;
 pub mod pipeline;
+pub mod reference_forecast;
 mod specimen;
 mod warnings;

@@ -12,15 +12,15 @@ use super::job::{Illustrate, Job};
 use super::specimen::run_specimen;
 use crate::stages::archive::format_md::write_format;
 use crate::stages::archive::publish::{self, Published};
-use crate::stages::cache::{Cache, CacheUse};
+use crate::stages::cache::store::{Cache, CacheUse};
 use crate::stages::config::{RunConfig, SpecimenConfig};
+use crate::stages::coverage::asked;
 use crate::stages::gpu::results::GpuRow;
 use crate::stages::gpu::stage::{self as gpu_stage, Checked, Opened};
 use crate::stages::log::Log;
 use crate::stages::pictures::scenes;
 use crate::stages::pictures::shared_scenes::{self, SharedScenes};
 use crate::stages::results::{RESULTS_SCHEMA, RunResults, SpecimenResult};
-use crate::stages::serve;
 use crate::stages::stage::Stage;
 use diffraction_brdf::atlas::{AtlasIndex, InputRecord, SpecimenEntry};
 use diffraction_brdf::error::Result;
@@ -30,7 +30,7 @@ use diffraction_build::ground::memory;
 use diffraction_build::ground::progress::Progress;
 
 /// Writes the report of a run into its folder; given by the floor that knows how.
-pub type WriteReport<'a> = &'a (dyn Fn(&RunResults, &Path) -> Result<()> + Sync);
+pub(crate) type WriteReport<'a> = &'a (dyn Fn(&RunResults, &Path) -> Result<()> + Sync);
 
 /// What the floors above lend to the pipeline.
 #[derive(Clone, Copy)]
@@ -63,7 +63,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
     let staging = publish::begin(&config.atlas_root)?;
     let mut run = Run::begin(config, helpers, staging.path())?;
     let asked_for: Vec<&SpecimenConfig> =
-        config.specimens.iter().filter(|specimen| serve::is_asked_for(config, &specimen.name)).collect();
+        config.specimens.iter().filter(|specimen| asked::is_asked_for(config, &specimen.name)).collect();
     for (index, specimen) in asked_for.iter().enumerate() {
         run.specimen(specimen, &format!("[{}/{}] {}", index + 1, asked_for.len(), specimen.name))?;
     }
@@ -156,7 +156,7 @@ impl<'a> Run<'a> {
         self.helpers.progress.message(&done_line(label, &result, used, started.elapsed().as_secs_f64()));
         for scene in result.scenes.iter().filter(|scene| scene.unserved_pixels > 0) {
             let (name, pixels) = (&scene.name, scene.unserved_pixels);
-            let message = format!("{name}: {pixels} pixels ask for directions that the tables do not serve");
+            let message = format!("{name}: {pixels} pixels ask for directions that the tables do not cover");
             self.log.fail(Stage::RenderScenes, Some(&specimen.name), message);
         }
         if let Some(message) = rows::disagreement(&result.errors) {
@@ -196,7 +196,7 @@ impl<'a> Run<'a> {
             stages: self.log.stages,
             gpu: self.gpu.into_result(self.gpu_rows, frames),
             failures: self.log.failures,
-            left_out: serve::left_out(config),
+            left_out: asked::left_out(config),
             cache: self.cache.is_on().then_some(self.used),
             peak_memory_mib: memory::process_peak_bytes().map(|bytes| bytes as f64 / f64::from(1 << 20)),
             total_wall_s: started.elapsed().as_secs_f64(),

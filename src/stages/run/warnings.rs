@@ -3,8 +3,8 @@
 use crate::stages::ingest::Scans;
 use diffraction_brdf::storage::StoredTables;
 use diffraction_build::height::HeightField;
-use diffraction_build::height::statistics::seam_warning;
-use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
+use diffraction_build::height::statistics::{is_whole_grating, seam_warning};
+use diffraction_build::optics::config::{Edge, OpticsConfig, TILE_SIGMAS, Windows, ripple, smallest_side_nm};
 use diffraction_build::tables::model::{Basis, Rounding, Storage, TableSet, TablesConfig};
 
 /// Of stored tables; `texel` is their distance in u and v.
@@ -60,7 +60,8 @@ pub(super) fn scan_warnings(scans: &Scans, optics: &OpticsConfig) -> Vec<String>
     for (index, statistics) in scans.statistics.iter().enumerate().skip(1) {
         warnings.extend(statistics.warnings.iter().map(|warning| format!("{}: {warning}", name(index))));
     }
-    if optics.edge == Edge::Tile {
+    warnings.extend(repetition_warning(&scans.fields, optics));
+    if optics.edge != Edge::Fade {
         let seen = scans.fields.iter().enumerate().filter(|(_, field)| seams_are_seen(field, optics));
         for (index, field) in seen {
             let prefix = if several { format!("{}: ", name(index)) } else { String::new() };
@@ -73,6 +74,35 @@ pub(super) fn scan_warnings(scans: &Scans, optics: &OpticsConfig) -> Vec<String>
         warnings.extend(unlike(what, &values, &name));
     }
     warnings
+}
+
+/// Ripple between the lines of a repeated scan from which on it is warned of: what the eye sees in a smooth gradient.
+const RIPPLE_WARNED: f64 = 0.02;
+
+/// Of scans that are small beside the light's coherence: what their repetition shows, or what was taken in its place.
+fn repetition_warning(fields: &[HeightField], optics: &OpticsConfig) -> Option<String> {
+    let side_nm = smallest_side_nm(fields);
+    let (side_um, fits_um) = (side_nm * 1e-3, side_nm * 1e-3 / TILE_SIGMAS);
+    if let Some(light_nm) = optics.lobe_sigma_nm {
+        return Some(format!(
+            "the scan is {side_um:.3} µm wide, too small for a coherence of sigma = {:.3} µm: its diffuse light is shown as sharp \
+             as the scan can tell, with sigma = {:.3} µm, and orders are that much wider; the mirror-like lobe keeps the \
+             light's own width",
+            light_nm * 1e-3,
+            optics.sigma_nm * 1e-3
+        ));
+    }
+    let ripple = ripple(side_nm, optics.sigma_nm);
+    let invented = optics.edge == Edge::Tile && ripple > RIPPLE_WARNED && !fields.iter().all(is_whole_grating);
+    invented.then(|| {
+        format!(
+            "the scan is {side_um:.3} µm wide and repeated under a coherence of sigma = {:.3} µm: the repetition itself shows as a \
+             grating of {side_um:.3} µm, a ripple of {:.0} % in its light; coherence.edge = \"auto\" shows no more than \
+             the scan can tell, as does sigma_um <= {fits_um:.3}",
+            optics.sigma_nm * 1e-3,
+            100.0 * ripple
+        )
+    })
 }
 
 /// Whether a coherence window lies on the edges: one in the middle of a scan 8 sigma wide, as `fade` asks for, does not.

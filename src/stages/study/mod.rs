@@ -4,4 +4,4 @@ mod gpu_clock;
 mod scene_samples;
 
 pub use gpu_clock::FrameClock;
-pub use scene_samples::{DrawnScene, drawn};
+pub use scene_samples::drawn;

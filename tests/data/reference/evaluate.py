@@ -16,8 +16,12 @@ window. X, Y, Z weigh f by D65 and the 2 degree observer, over the illuminant's 
 
 import argparse
 import csv
+import os
 import pathlib
 import sys
+
+# Products of a few hundred rows: threads would only wait for each other.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 

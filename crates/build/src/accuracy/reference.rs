@@ -10,7 +10,7 @@ use crate::optics::config::OpticsConfig;
 use crate::optics::reference::{FULL_STEP, PICTURE_STEP, resolving_wavelengths};
 use crate::optics::spectra::{self, Spectra};
 use crate::optics::spectral;
-use crate::tables::build::BuildPlan;
+use crate::tables::plan::BuildPlan;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::{Vec3, Xyz, max_abs_w, wave_vector_change};
 use diffraction_brdf::error::Result;
@@ -90,16 +90,16 @@ fn diffuse_shares(
         uv,
         &[w],
     )[0][1];
-    let rho = uv[0].hypot(uv[1]);
-    let Some(ring) = plan.rings.iter().find(|r| rho >= r.rho[0] && rho < r.rho[1]) else {
+    let radius = uv[0].hypot(uv[1]);
+    let Some(ring) = plan.ring_at(radius) else {
         return Ok([exact; 3]);
     };
-    let [low, high] = match &plan.domain {
-        None => ring.w,
-        Some(domain) => domain.w_near(uv).unwrap_or(ring.w),
+    let [low, high] = match &plan.coverage {
+        None => ring.abs_w,
+        Some(coverage) => coverage.abs_w_near(uv).unwrap_or(ring.abs_w),
     };
     let mut points = chebyshev::gauss_nodes(nodes, low, high);
-    let weights = chebyshev::interpolation_weights(nodes, low, high, w.min(max_abs_w(rho)));
+    let weights = chebyshev::interpolation_weights(nodes, low, high, w.min(max_abs_w(radius)));
     points.push(w);
     let values = spectral::diffuse_power(spectra, &ring.quadrature, uv, &points);
     let interpolated = values.iter().zip(&weights).map(|(value, weight)| value[1] * weight).sum();

@@ -2,6 +2,7 @@
 
 mod autocorrelation;
 mod periods;
+mod repetition;
 mod seams;
 mod slopes;
 
@@ -12,6 +13,7 @@ use super::prepare::range_nm;
 use crate::height::HeightField;
 
 pub use periods::Period;
+pub use repetition::is_whole_grating;
 pub use seams::seam_warning;
 pub use slopes::STEEP_SLOPE;
 

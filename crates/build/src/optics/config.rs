@@ -5,11 +5,15 @@ use diffraction_brdf::front_factor::FrontFactor;
 pub use diffraction_brdf::material::Material;
 
 use crate::ground::spectrum::Illuminant;
+use crate::height::HeightField;
 
 /// What lies beyond the scan's edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Edge {
+    /// The scan repeats, and the diffuse part is blurred by as much as the scan's size asks for, so that the repetition does
+    /// not show; the coherent lobe, whose form is known, keeps the light's own width.
+    Auto,
     /// The scan repeats periodically.
     Tile,
     /// The coherence window lives inside one scan, which must be at least 8 sigma wide.
@@ -33,8 +37,12 @@ pub struct OpticsConfig {
     pub illuminant: Illuminant,
     /// First and last wavelength in nm; ignored for laser lines.
     pub wavelength_nm: [f64; 2],
-    /// Standard deviation of the coherence window's amplitude in nm.
+    /// Standard deviation of the coherence window's amplitude in nm: of the light's, or with `Edge::Auto` of as much of it as
+    /// the scan resolves.
     pub sigma_nm: f64,
+    /// That of the light, where the scan resolves less: it shapes the coherent lobe alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lobe_sigma_nm: Option<f64>,
     /// What lies beyond the scan's edge.
     pub edge: Edge,
     /// Which window positions are averaged.
@@ -48,7 +56,45 @@ pub struct OpticsConfig {
     pub factor: Factor,
 }
 
+/// Sides of a repeated scan in standard deviations of the window, from which on its repetition does not show.
+///
+/// The mean power of a scan of side `L` that repeats is lines `1/L` apart, each a Gaussian of the deviation `1/(2√2 πσ)`. The
+/// first harmonic of their sum is [`ripple`]: 3.7 % at four deviations.
+pub const TILE_SIGMAS: f64 = 4.0;
+
+/// Amplitude of the ripple between the lines of a repeated scan, relative to their mean power: `2 exp(-L²/4σ²)`, by Poisson's
+/// sum over the Gaussians of [`TILE_SIGMAS`].
+pub fn ripple(side_nm: f64, sigma_nm: f64) -> f64 {
+    2.0 * (-0.25 * (side_nm / sigma_nm).powi(2)).exp()
+}
+
+/// The shortest side of all scans in nm, not counting axes of one sample, along which a surface has no structure.
+pub fn smallest_side_nm(fields: &[HeightField]) -> f64 {
+    let sides = fields.iter().flat_map(|field| {
+        field.size().into_iter().zip(field.extent_nm()).filter(|(count, _)| *count > 1).map(|(_, side_nm)| side_nm)
+    });
+    sides.fold(f64::INFINITY, f64::min)
+}
+
 impl OpticsConfig {
+    /// Standard deviation in nm of the light's coherence window.
+    pub fn lobe_sigma_nm(&self) -> f64 {
+        self.lobe_sigma_nm.unwrap_or(self.sigma_nm)
+    }
+
+    /// The same for these scans: with `Edge::Auto` the diffuse part takes no more of the coherence than the smallest of them
+    /// resolves, [`TILE_SIGMAS`] standard deviations a side. Every line of the repeated scan is then blurred into its neighbours, and
+    /// what is left of the gaps between lines is [`ripple`].
+    pub fn for_scans(&self, fields: &[HeightField]) -> Self {
+        let mut optics = self.clone();
+        if self.edge == Edge::Auto {
+            let light_nm = self.lobe_sigma_nm();
+            optics.sigma_nm = light_nm.min(smallest_side_nm(fields) / TILE_SIGMAS);
+            optics.lobe_sigma_nm = (optics.sigma_nm < light_nm).then_some(light_nm);
+        }
+        optics
+    }
+
     /// What stands in front of the window's power for a pair of directions.
     pub fn front_factor(&self) -> FrontFactor {
         FrontFactor { material: self.material, shadowing: self.shadowing, factor: self.factor }

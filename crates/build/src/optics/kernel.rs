@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, SQRT_2};
 
 /// Oversampling of the frequency grid for windows inside a scan.
-pub const OVERSAMPLING: f64 = 1.5;
+pub(crate) const OVERSAMPLING: f64 = 1.5;
 
 /// Width of the interpolation kernel for windows inside a scan, in grid lines. The aliasing error of
 /// this kernel is about `exp(-π w sqrt(1 - 1/oversampling))` = 3e-6 of the local amplitude (Barnett,
@@ -58,7 +58,7 @@ fn semicircle(z_lines: f64) -> f64 {
 
 /// What samples at `position_nm` are divided by so that the semicircle kernel on lines `step` (1/nm)
 /// apart gives their transform: the kernel's own transform there, by the midpoint rule.
-pub fn semicircle_transform(position_nm: f64, step: f64) -> f64 {
+pub(crate) fn semicircle_transform(position_nm: f64, step: f64) -> f64 {
     const NODES: usize = 200;
     let width = SEMICIRCLE_TAPS as f64 / NODES as f64;
     (0..NODES)
@@ -71,7 +71,7 @@ pub fn semicircle_transform(position_nm: f64, step: f64) -> f64 {
 
 impl Kernel {
     /// Half width in 1/nm on lines `step` apart, with the frequencies averaged over a box.
-    pub fn half_width(&self, step: f64, box_width: f64) -> f64 {
+    pub(crate) fn half_width(&self, step: f64, box_width: f64) -> f64 {
         match *self {
             Self::Semicircle => 0.5 * SEMICIRCLE_TAPS as f64 * step,
             Self::GaussianAmplitude { sigma_nm } => GAUSSIAN_REACH / (2.0 * PI * sigma_nm),

@@ -20,17 +20,27 @@ const SHARED_MOST: f64 = 2.0;
 pub struct Point {
     /// Frequency in 1/nm along x and y.
     pub frequency: [f64; 2],
-    /// `s = k |w|` in 1/nm.
+    /// Phase scale `s = k |w|` in 1/nm.
     pub s: f64,
 }
 
 /// Which part of a window's power.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// `|P|² / A` in nm², the coherent part included.
+    /// `|P|² / A` in nm², the coherent part apart.
     Total,
     /// `|E|² / A` in nm⁴: without the coherent part, divided by `s²`.
     Diffuse,
+}
+
+/// A window's power at a point, without cancellation however small `s` is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WindowPower {
+    /// `|c G̃|² / A`; 0 where only the diffuse part is asked for.
+    pub coherent: f64,
+    /// What is left of `|P|² / A`: the diffuse part and its cross term with the coherent one; `|E|² / A` where only the diffuse
+    /// part is asked for.
+    pub rest: f64,
 }
 
 /// What an evaluation needs besides the transforms; one for each thread spares allocations.
@@ -73,7 +83,7 @@ impl Spectra {
         count: usize,
         point: impl Fn(usize) -> Point,
         buffers: &mut Buffers,
-        mut found: impl FnMut(usize, f64),
+        mut found: impl FnMut(usize, WindowPower),
     ) {
         for first in (0..count).step_by(FOUR) {
             let points: [Point; FOUR] = std::array::from_fn(|i| point((first + i).min(count - 1)));
@@ -102,9 +112,9 @@ impl Spectra {
     }
 
     #[inline(always)]
-    fn powers_of<const L: usize>(&self, part: Part, points: &[Point; L], weights: &mut Weights<L>) -> [f64; L] {
+    fn powers_of<const L: usize>(&self, part: Part, points: &[Point; L], weights: &mut Weights<L>) -> [WindowPower; L] {
         let s = points.map(|point| point.s);
-        self.depth.weights_of(s, &mut weights.nodes);
+        self.over_phase.weights_of(s, &mut weights.nodes);
         let frequency = [0, 1].map(|axis| points.map(|point| point.frequency[axis]));
         let coherent = match part {
             Part::Diffuse => [Complex::default(); L],
@@ -121,10 +131,17 @@ impl Spectra {
         if self.mean_power {
             let [power] = self
                 .sums_over_lines(frequency, weights, |re, im| [std::array::from_fn(|i| re[i] * re[i] + im[i] * im[i])]);
-            std::array::from_fn(|i| coherent[i].norm_sqr() + scale[i] * scale[i] * power[i])
+            std::array::from_fn(|i| WindowPower {
+                coherent: coherent[i].norm_sqr(),
+                rest: scale[i] * scale[i] * power[i],
+            })
         } else {
             let [re, im] = self.sums_over_lines(frequency, weights, |re, im| [re, im]);
-            std::array::from_fn(|i| (coherent[i] + Complex::new(re[i], im[i]) * scale[i]).norm_sqr())
+            std::array::from_fn(|i| {
+                let rest = Complex::new(re[i], im[i]) * scale[i];
+                let cross = 2.0 * (coherent[i].conj() * rest).re;
+                WindowPower { coherent: coherent[i].norm_sqr(), rest: cross + rest.norm_sqr() }
+            })
         }
     }
 
@@ -155,7 +172,7 @@ impl Spectra {
             let lines = &self.data[start..start + along_x.len() * self.nodes];
             let mut row_sums = [[0.0; L]; N];
             for (line, line_weights) in lines.chunks_exact(self.nodes).zip(&*along_x) {
-                let [re, im] = at_depths(line, node_weights);
+                let [re, im] = at_phase_scales(line, node_weights);
                 add_products(&mut row_sums, &numbers(re, im), line_weights);
             }
             add_products(&mut sums, &row_sums, row_weights);
@@ -175,9 +192,9 @@ impl Spectra {
     }
 }
 
-/// `E` of one line at the depths that weights of its nodes stand for: real and imaginary parts.
+/// `E` of one line at the phase scales that weights of its nodes stand for: real and imaginary parts.
 #[inline(always)]
-fn at_depths<const L: usize>(line: &[Complex<f32>], node_weights: &[[f64; L]]) -> [[f64; L]; 2] {
+fn at_phase_scales<const L: usize>(line: &[Complex<f32>], node_weights: &[[f64; L]]) -> [[f64; L]; 2] {
     let mut sums = [[0.0; L]; 2];
     for (e, weights) in line.iter().zip(node_weights) {
         let [re, im] = [f64::from(e.re), f64::from(e.im)];
@@ -218,20 +235,25 @@ mod tests {
             illuminant: Illuminant::E,
             wavelength_nm: [380.0, 780.0],
             sigma_nm: SIGMA_NM,
+            lobe_sigma_nm: None,
             edge: Edge::Tile,
             windows: Windows::Grid,
             material: Material::Ideal,
             shadowing: false,
             factor: Factor::Scalar,
         };
-        let config =
-            SpectraConfig { s: [0.0, 0.033], frequency: [[-2e-3, 2e-3]; 2], tolerance: 1e-6, memory_bytes: 1 << 24 };
+        let config = SpectraConfig {
+            phase_scale_per_nm: [0.0, 0.033],
+            frequency: [[-2e-3, 2e-3]; 2],
+            tolerance: 1e-6,
+            memory_bytes: 1 << 24,
+        };
         transform(&field, placement, &optics, &config).unwrap()
     }
 
     /// The power as its formula says: one point, line after line, each weight by itself.
     fn plain(spectra: &Spectra, part: Part, point: Point) -> f64 {
-        let node_weights = spectra.depth.weights(point.s);
+        let node_weights = spectra.over_phase.weights(point.s);
         let mut sum = Complex::new(0.0, 0.0);
         let mut power = 0.0;
         let [reads_x, reads_y] = [0, 1].map(|axis| {
@@ -274,9 +296,9 @@ mod tests {
         let inside = Placement::Inside { centre_nm: [40.0, -70.0] };
         for placement in [Placement::TileMean, Placement::TileCentre, inside] {
             let spectra = spectra(placement);
-            let node = Point { frequency: [2e-4, -1e-4], s: spectra.depth.nodes()[2] };
+            let node = Point { frequency: [2e-4, -1e-4], s: spectra.over_phase.nodes()[2] };
             let cases = [
-                // Close together and a number that four does not divide; two for each of many depths.
+                // Close together and a number that four does not divide; two for each of many phase scales.
                 (true, ray(11, 1e-5, [1.0, -0.6])),
                 (true, (0..6).map(|i| Point { frequency: [-3e-4, 4e-4], s: 0.005 * f64::from(i) }).collect()),
                 // Far apart, and one alone.
@@ -303,7 +325,7 @@ mod tests {
                         &mut buffers,
                         |index, power| {
                             assert_eq!(index, found.len());
-                            found.push(power);
+                            found.push(power.coherent + power.rest);
                         },
                     );
                     let expected: Vec<f64> = points.iter().map(|&point| plain(&spectra, part, point)).collect();

@@ -1,6 +1,7 @@
 //! Optics floor: a pigment below, coherence windows, the transforms of `exp(i s h)`, the reference.
 
 pub mod config;
+pub mod factors;
 pub mod kernel;
 pub mod lines;
 pub mod pigment;

@@ -125,6 +125,7 @@ mod tests {
             illuminant,
             wavelength_nm: [380.0, 780.0],
             sigma_nm: 4000.0,
+            lobe_sigma_nm: None,
             edge: Edge::Tile,
             windows: Windows::Grid,
             material,

@@ -100,7 +100,7 @@ pub fn transform_powers(
 }
 
 /// Coefficients of `|Σ D_n x^n|²` up to the number of terms that `D` has: `Σ_n Re(D_n D*_{p-n})`.
-pub fn square_series(amplitude: &[f64], out: &mut [f64]) {
+pub(crate) fn square_series(amplitude: &[f64], out: &mut [f64]) {
     let term = |n: usize, m: usize| amplitude[2 * n] * amplitude[2 * m] + amplitude[2 * n + 1] * amplitude[2 * m + 1];
     for (p, slot) in out.iter_mut().enumerate() {
         let pairs: f64 = (0..p.div_ceil(2)).map(|n| term(n, p - n)).sum();

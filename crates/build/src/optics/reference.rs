@@ -1,4 +1,4 @@
-//! The yardstick: Eq. 1 of Dhillon et al. 2014 summed directly over every sample, in double precision.
+//! The reference: Eq. 1 of Dhillon et al. 2014 summed directly over every sample, in double precision.
 //!
 //! No Fourier transform, no table, no interpolation in `s`: for one pair of directions and every
 //! wavelength, `P = ΣΣ g exp(i k w h) exp(2πi(ξx + ηy))` over the scan. Slow and obvious on purpose; the
@@ -11,15 +11,16 @@ use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
 use super::config::OpticsConfig;
+use super::factors::PairFactors;
 use super::kernel::Kernel;
-use super::spectra::bandwidth_nm;
+use super::spectra::half_height_range_nm;
 use super::window::{Placement, WindowAxis, placements, window_axis};
 use crate::ground::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers};
 use crate::height::HeightField;
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
 
-/// How closely the reference takes wavenumbers.
+/// The step of the reference in wavenumber.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WavenumberStep {
     /// Largest step, in units of the window's frequency width divided by `|(u, v)|`: 1.41 standard deviations of what one
@@ -60,8 +61,11 @@ pub fn resolving_wavelengths(
 pub fn resolving_count(optics: &OpticsConfig, q: Vec3, half_range_nm: f64, step: WavenumberStep) -> usize {
     let [low_nm, high_nm] = optics.wavelength_nm;
     let span = 1.0 / low_nm - 1.0 / high_nm;
-    let rho = q[0].hypot(q[1]);
-    let needed = span * TAU * (rho * optics.sigma_nm).hypot(q[2] * half_range_nm) / step.of_width;
+    let radius = q[0].hypot(q[1]);
+    // In the lobe it is the light's own window that shapes the pulses.
+    let in_lobe = TAU * optics.lobe_sigma_nm() * radius / high_nm < LOBE_REACH;
+    let sigma_nm = if in_lobe { optics.lobe_sigma_nm() } else { optics.sigma_nm };
+    let needed = span * TAU * (radius * sigma_nm).hypot(q[2] * half_range_nm) / step.of_width;
     let fewest = match optics.illuminant {
         // Spiky or arbitrary spectra: weights integrate them exactly, but times polynomials through the wavelengths, which
         // then have to follow the surface's spectrum at each spike by itself.
@@ -77,7 +81,7 @@ pub fn resolving_count(optics: &OpticsConfig, q: Vec3, half_range_nm: f64, step:
 /// # Errors
 /// A scan too small for the window, or an invisible light.
 pub fn brdf_xyz(fields: &[HeightField], optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> Result<Xyz> {
-    let half_range_nm = fields.iter().map(bandwidth_nm).fold(0.0, f64::max);
+    let half_range_nm = fields.iter().map(half_height_range_nm).fold(0.0, f64::max);
     let quadrature = resolving_wavelengths(optics, wave_vector_change(wi, wo), half_range_nm, FULL_STEP)?;
     let spectrum = brdf_spectrum(fields, optics, wi, wo, &quadrature.wavelengths_nm)?;
     let mut xyz = [0.0; 3];
@@ -108,28 +112,60 @@ pub fn brdf_spectrum(
     wo: Vec3,
     wavelengths_nm: &[f64],
 ) -> Result<Vec<f64>> {
-    let front = optics.front_factor().diffuse(wi, wo);
     let mut sum = vec![0.0; wavelengths_nm.len()];
-    if front == 0.0 {
-        return Ok(sum);
-    }
-    let q = wave_vector_change(wi, wo);
+    let Some(factors) = PairFactors::of(optics, wi, wo) else { return Ok(sum) };
     let windows = fields.iter().map(|field| placements(field, optics)).collect::<Result<Vec<_>>>()?;
     // Every window counts the same, on whatever scan it lies.
     let share = 1.0 / windows.iter().map(Vec::len).sum::<usize>() as f64;
     for (field, windows) in fields.iter().zip(windows) {
         for placement in windows {
-            let power = window_power(field, placement, optics.sigma_nm, q, wavelengths_nm);
-            for ((sum, power), nm) in sum.iter_mut().zip(power).zip(wavelengths_nm) {
-                *sum += share * front * power / (nm * nm * q[2] * q[2]);
+            let powers = window_powers(field, placement, optics, &factors, wavelengths_nm);
+            for ((sum, [rest_nm2, coherent_nm2]), nm) in sum.iter_mut().zip(powers).zip(wavelengths_nm) {
+                *sum += share * factors.brdf(*nm, rest_nm2, coherent_nm2);
             }
         }
     }
     Ok(sum)
 }
 
-/// `|P|² / A` in nm² at each wavelength for one window.
-fn window_power(field: &HeightField, placement: Placement, sigma_nm: f64, q: Vec3, wavelengths_nm: &[f64]) -> Vec<f64> {
+/// `(|P|² - |c G̃|²) / A` and `|c|² |G̃|² / A` in nm² at each wavelength for one window, the lobe's image in the horizon among
+/// the second.
+fn window_powers(
+    field: &HeightField,
+    placement: Placement,
+    optics: &OpticsConfig,
+    factors: &PairFactors,
+    wavelengths_nm: &[f64],
+) -> Vec<[f64; 2]> {
+    let lobe = Lobe::new(field, placement, optics);
+    let rest_and_lines = line_powers(field, placement, optics.sigma_nm, factors.q, wavelengths_nm);
+    let phasors2 = lobe.mean_phasors2(field, factors, wavelengths_nm);
+    let parts = rest_and_lines.into_iter().zip(phasors2).zip(wavelengths_nm);
+    parts
+        .map(|((lines, phasor2), nm)| {
+            let coherent = phasor2 * lobe.power_nm2([factors.q[0] / nm, factors.q[1] / nm]);
+            // The mean over all positions adds powers: the line in the middle is the coherent part, whatever blurs it.
+            let rest = if placement == Placement::TileMean { lines.others } else { lines.all - coherent };
+            let image = factors.image_radius.map_or(0.0, |radius| phasor2 * lobe.closed_form_nm2(radius / nm));
+            [rest, coherent + image]
+        })
+        .collect()
+}
+
+/// Powers of a window's lines in nm²: all together, and all but the one of frequency 0.
+struct LinePowers {
+    all: f64,
+    others: f64,
+}
+
+/// The powers at each wavelength for one window.
+fn line_powers(
+    field: &HeightField,
+    placement: Placement,
+    sigma_nm: f64,
+    q: Vec3,
+    wavelengths_nm: &[f64],
+) -> Vec<LinePowers> {
     let size = field.size();
     let axes: [WindowAxis; 2] =
         std::array::from_fn(|axis| window_axis(placement, axis, size[axis], field.pitch_nm[axis], sigma_nm));
@@ -138,18 +174,76 @@ fn window_power(field: &HeightField, placement: Placement, sigma_nm: f64, q: Vec
         wavelengths_nm.iter().map(|nm| axis_weights(placement, &along, q[axis] / nm)).collect()
     });
     let amplitudes = phasor_sums(field, &axes, &weights, q[2], wavelengths_nm);
-    amplitudes
-        .iter()
-        .zip(weights[0].iter().zip(&weights[1]))
-        .map(|(lines, (x, y))| {
-            let powers = lines
-                .iter()
-                .enumerate()
-                .map(|(i, amplitude)| x.power[i % x.power.len()] * y.power[i / x.power.len()] * amplitude.norm_sqr());
-            powers.sum()
-        })
-        .collect()
+    let of_lines = |lines: &Vec<Complex<f64>>, x: &AxisWeights, y: &AxisWeights| {
+        let mut powers = LinePowers { all: 0.0, others: 0.0 };
+        for (i, amplitude) in lines.iter().enumerate() {
+            let (column, row) = (i % x.power.len(), i / x.power.len());
+            let power = x.power[column] * y.power[row] * amplitude.norm_sqr();
+            powers.all += power;
+            powers.others += if x.middle == Some(column) && y.middle == Some(row) { 0.0 } else { power };
+        }
+        powers
+    };
+    amplitudes.iter().zip(weights[0].iter().zip(&weights[1])).map(|(lines, (x, y))| of_lines(lines, x, y)).collect()
 }
+
+/// The coherent lobe of one window: its mean phasor, and its form.
+struct Lobe {
+    axes: [WindowAxis; 2],
+    /// The light's standard deviation in nm where the form is its Gaussian; `None` for the samples of a window inside the scan.
+    gaussian_nm: Option<f64>,
+    sigma_nm: f64,
+}
+
+impl Lobe {
+    fn new(field: &HeightField, placement: Placement, optics: &OpticsConfig) -> Self {
+        let sigma_nm = optics.lobe_sigma_nm();
+        let axes = [0, 1].map(|axis| window_axis(placement, axis, field.size()[axis], field.pitch_nm[axis], sigma_nm));
+        let inside = matches!(placement, Placement::Inside { .. });
+        Self { axes, gaussian_nm: (!inside).then_some(sigma_nm), sigma_nm }
+    }
+
+    /// `|c|²` at each wavelength, 0 where neither the lobe nor its image reaches the direction.
+    fn mean_phasors2(&self, field: &HeightField, factors: &PairFactors, wavelengths_nm: &[f64]) -> Vec<f64> {
+        let [u, v, w] = factors.q;
+        let reach = |nm: f64| (-(TAU * self.sigma_nm * u.hypot(v) / nm).powi(2)).exp() > LOBE_LEAST;
+        let [x, y] = &self.axes;
+        let of = |nm: &f64| {
+            if !reach(*nm) {
+                return 0.0;
+            }
+            let (mut sum, mut norm) = (Complex::default(), 0.0);
+            for (row, gy) in field.heights_nm.outer_iter().skip(y.first).zip(&y.amplitude) {
+                for (h, gx) in row.iter().skip(x.first).zip(&x.amplitude) {
+                    sum += Complex::from_polar(gx * gy, TAU * w / nm * h);
+                    norm += gx * gy;
+                }
+            }
+            (sum / norm).norm_sqr()
+        };
+        wavelengths_nm.iter().map(of).collect()
+    }
+
+    /// `|G̃|² / A` in nm² at a frequency in 1/nm.
+    fn power_nm2(&self, frequency: [f64; 2]) -> f64 {
+        match self.gaussian_nm {
+            Some(_) => self.closed_form_nm2(frequency[0].hypot(frequency[1])),
+            None => (0..2).map(|axis| self.axes[axis].transforms([frequency[axis]])[0].powi(2)).product(),
+        }
+    }
+
+    /// `(∬ g)²/A exp(-(2πσκ)²)` in nm² at a distance `κ` from the mirror direction in 1/nm.
+    fn closed_form_nm2(&self, distance_per_nm: f64) -> f64 {
+        let peak: f64 = self.axes.iter().map(|axis| axis.integral_nm.powi(2) / axis.norm_nm).product();
+        peak * (-(TAU * self.sigma_nm * distance_per_nm).powi(2)).exp()
+    }
+}
+
+/// Where the lobe's power is `exp(-5.5²)` of its peak, as a multiple of `λ/2πσ`.
+const LOBE_REACH: f64 = 5.5;
+
+/// Share of its peak at which the lobe ends: the kernels of the transforms end at `exp(-5.5²)` of it.
+const LOBE_LEAST: f64 = 7e-14;
 
 struct Along<'a> {
     axis: &'a WindowAxis,
@@ -164,68 +258,84 @@ struct AxisWeights {
     re: Vec<Vec<f64>>,
     im: Vec<Vec<f64>>,
     power: Vec<f64>,
+    /// Which of the lines has the frequency 0.
+    middle: Option<usize>,
+}
+
+impl AxisWeights {
+    fn new(lines: Vec<(Vec<Complex<f64>>, f64)>) -> Self {
+        let part =
+            |of: fn(&Complex<f64>) -> f64| lines.iter().map(move |(samples, _)| samples.iter().map(of).collect());
+        Self {
+            re: part(|sample| sample.re).collect(),
+            im: part(|sample| sample.im).collect(),
+            power: lines.iter().map(|(_, power)| *power).collect(),
+            middle: None,
+        }
+    }
 }
 
 fn axis_weights(placement: Placement, along: &Along, frequency: f64) -> AxisWeights {
-    let mut weights = AxisWeights { re: Vec::new(), im: Vec::new(), power: Vec::new() };
     let positions = &along.axis.position_nm;
+    let nothing = || vec![(vec![Complex::default(); positions.len()], 0.0)];
     // Past the sampling's own limit the surface is unknown; its alias would be a wrong answer.
     if frequency.abs() * along.pitch_nm > 0.5 && along.count > 1 {
-        return AxisWeights {
-            re: vec![vec![0.0; positions.len()]],
-            im: vec![vec![0.0; positions.len()]],
-            power: vec![0.0],
-        };
+        return AxisWeights::new(nothing());
     }
-    let mut push = |samples: Vec<Complex<f64>>, power: f64| {
-        weights.re.push(samples.iter().map(|s| s.re).collect());
-        weights.im.push(samples.iter().map(|s| s.im).collect());
-        weights.power.push(power);
-    };
-    let period = along.count as f64 * along.pitch_nm;
-    match placement {
+    let weights = AxisWeights::new(match placement {
         Placement::Inside { .. } => {
             let samples = positions.iter().zip(&along.axis.amplitude);
             let scale = along.pitch_nm / along.axis.norm_nm.sqrt();
-            push(samples.map(|(x, g)| Complex::from_polar(scale * g, TAU * frequency * x)).collect(), 1.0);
+            vec![(samples.map(|(x, g)| Complex::from_polar(scale * g, TAU * frequency * x)).collect(), 1.0)]
         }
-        Placement::TileCentre => {
-            let reach = (8.0 * along.sigma_nm / period).ceil() as i64 + 1;
-            let scale = along.pitch_nm / (PI.sqrt() * along.sigma_nm).sqrt();
-            let samples = positions.iter().map(|x| {
-                let images = (-reach..=reach).map(|j| {
-                    let x = x + j as f64 * period;
-                    let g = (-0.5 * (x / along.sigma_nm).powi(2)).exp();
-                    Complex::from_polar(scale * g, TAU * frequency * x)
-                });
-                images.sum()
-            });
-            push(samples.collect(), 1.0);
-        }
+        Placement::TileCentre => vec![(tile_centre_weights(along, frequency), 1.0)],
         Placement::TileMean => {
-            let kernel = Kernel::GaussianPower { sigma_nm: along.sigma_nm };
-            let half = kernel.half_width(1.0 / period, 0.0) * period;
-            let centre = frequency * period;
-            for line in (centre - half).ceil() as i64..=(centre + half).floor() as i64 {
-                // A single sample is a surface without structure along this axis: its other lines are aliases.
-                if along.count == 1 && line != 0 {
-                    continue;
-                }
-                let at = line as f64 / period;
-                let scale = 1.0 / along.count as f64;
-                let samples = positions.iter().map(|x| Complex::from_polar(scale, TAU * at * x)).collect();
-                push(samples, kernel.value(frequency - at, 1.0 / period, 0.0));
-            }
-            if weights.power.is_empty() {
-                weights = AxisWeights {
-                    re: vec![vec![0.0; positions.len()]],
-                    im: vec![vec![0.0; positions.len()]],
-                    power: vec![0.0],
-                };
-            }
+            let lines = tile_mean_weights(along, frequency);
+            if lines.is_empty() { nothing() } else { lines }
         }
-    }
-    weights
+    });
+    let middle = (placement == Placement::TileMean).then(|| tile_lines(along, frequency).position(|line| line == 0));
+    AxisWeights { middle: middle.flatten(), ..weights }
+}
+
+/// The lines of a repeated scan that its window's power reaches.
+fn tile_lines(along: &Along, frequency: f64) -> impl Iterator<Item = i64> {
+    let period = along.count as f64 * along.pitch_nm;
+    let half = Kernel::GaussianPower { sigma_nm: along.sigma_nm }.half_width(1.0 / period, 0.0) * period;
+    let centre = frequency * period;
+    let lines = (centre - half).ceil() as i64..=(centre + half).floor() as i64;
+    // A single sample is a surface without structure along this axis: its other lines are aliases.
+    let single = along.count == 1;
+    lines.filter(move |&line| !single || line == 0)
+}
+
+/// One window on the repeated scan: a sample counts with all its images.
+fn tile_centre_weights(along: &Along, frequency: f64) -> Vec<Complex<f64>> {
+    let period = along.count as f64 * along.pitch_nm;
+    let reach = (8.0 * along.sigma_nm / period).ceil() as i64 + 1;
+    let scale = along.pitch_nm / (PI.sqrt() * along.sigma_nm).sqrt();
+    let of_sample = |x: &f64| {
+        let images = (-reach..=reach).map(|j| {
+            let x = x + j as f64 * period;
+            let g = (-0.5 * (x / along.sigma_nm).powi(2)).exp();
+            Complex::from_polar(scale * g, TAU * frequency * x)
+        });
+        images.sum()
+    };
+    along.axis.position_nm.iter().map(of_sample).collect()
+}
+
+/// The mean over all windows: the lines of the repeated scan that the window's power reaches, each with its share.
+fn tile_mean_weights(along: &Along, frequency: f64) -> Vec<(Vec<Complex<f64>>, f64)> {
+    let period = along.count as f64 * along.pitch_nm;
+    let kernel = Kernel::GaussianPower { sigma_nm: along.sigma_nm };
+    let of_line = |line: i64| {
+        let at = line as f64 / period;
+        let scale = 1.0 / along.count as f64;
+        let samples = along.axis.position_nm.iter().map(|x| Complex::from_polar(scale, TAU * at * x)).collect();
+        (samples, kernel.value(frequency - at, 1.0 / period, 0.0))
+    };
+    tile_lines(along, frequency).map(of_line).collect()
 }
 
 /// Rows handled together: their phasors stay in cache while all wavelengths pass.
@@ -331,9 +441,9 @@ mod tests {
 
     /// Relative errors of the luminance of one line, wherever in the spectrum it shows, ascending; places darker than a
     /// hundredth of the brightest are left out.
-    fn errors(optics: &OpticsConfig, rho: f64, count: usize) -> Vec<f64> {
+    fn errors(optics: &OpticsConfig, radius: f64, count: usize) -> Vec<f64> {
         let [low_nm, high_nm] = optics.wavelength_nm;
-        let deviation = 1.0 / (TAU * SQRT_2 * rho * optics.sigma_nm);
+        let deviation = 1.0 / (TAU * SQRT_2 * radius * optics.sigma_nm);
         let exact = uniform_wavelengths(&optics.illuminant, optics.wavelength_nm, 0.005).unwrap();
         let coarse = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count).unwrap();
         let luminance = |quadrature: &SpectralQuadrature, centre: f64| -> f64 {
@@ -360,6 +470,7 @@ mod tests {
                 illuminant,
                 wavelength_nm: [380.0, 780.0],
                 sigma_nm: 8_000.0,
+                lobe_sigma_nm: None,
                 edge: Edge::Tile,
                 windows: Windows::Grid,
                 material: Material::Ideal,
@@ -369,16 +480,19 @@ mod tests {
             // The kinks of a lamp are sharper than daylight's.
             let in_pictures = if optics.illuminant == Illuminant::D65 { 1e-4 } else { 4e-4 };
             for (step, most) in [(FULL_STEP, 2e-6), (PICTURE_STEP, in_pictures)] {
-                for rho in [0.1, 0.4, 0.8, 1.2, 1.9] {
-                    let count = resolving_count(&optics, [rho, 0.0, -0.5], 0.0, step);
+                for radius in [0.1, 0.4, 0.8, 1.2, 1.9] {
+                    let count = resolving_count(&optics, [radius, 0.0, -0.5], 0.0, step);
                     let [found, with_fewer] = [count, count / 2].map(|count| {
-                        let errors = errors(&optics, rho, count);
+                        let errors = errors(&optics, radius, count);
                         errors[errors.len() * 95 / 100]
                     });
-                    assert!(found < most, "{:?} {step:?} {rho}: {count}: {found:e}", optics.illuminant);
+                    assert!(found < most, "{:?} {step:?} {radius}: {count}: {found:e}", optics.illuminant);
                     // Where the window decides.
-                    let is_fewest = rho < 1.9 || optics.illuminant == Illuminant::F(11);
-                    assert!(is_fewest || with_fewer > 2.0 * most, "{step:?} {rho}: {with_fewer:e} with half as many");
+                    let is_fewest = radius < 1.9 || optics.illuminant == Illuminant::F(11);
+                    assert!(
+                        is_fewest || with_fewer > 2.0 * most,
+                        "{step:?} {radius}: {with_fewer:e} with half as many"
+                    );
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! Transforms of `exp(-i s h)` at a few nodes of `s = k |w|`, from which every wavelength and every
+//! Transforms of `exp(-i s h)` at a few nodes of the phase scale `s = k |w|`, from which every wavelength and every
 //! `w` follow.
 //!
 //! For a fixed frequency `(ξ, η)` the transform `P` is an entire function of `s` of bandwidth
@@ -24,8 +24,8 @@ use diffraction_brdf::error::{Error, Result};
 /// What decides size and accuracy of the transforms.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpectraConfig {
-    /// Smallest and largest `s` in 1/nm: 0 and `2 · 2π / λ_min` for the whole hemisphere.
-    pub s: [f64; 2],
+    /// Smallest and largest phase scale `s` in 1/nm: 0 and `2 · 2π / λ_min` for the whole hemisphere.
+    pub phase_scale_per_nm: [f64; 2],
     /// Smallest and largest frequency wanted in 1/nm, along x and y.
     pub frequency: [[f64; 2]; 2],
     /// Amplitude error of the interpolation in `s`, relative to the window's whole amplitude.
@@ -47,10 +47,8 @@ impl SpectraConfig {
 pub struct Spectra {
     /// Number of nodes in `s`.
     pub nodes: usize,
-    /// Smallest and largest `s` in 1/nm.
-    pub s: [f64; 2],
     /// The nodes in 1/nm, and how values between them follow.
-    pub depth: Interpolant,
+    pub over_phase: Interpolant,
     /// `E / sqrt(A)` in nm² (nm for the tile's lines) at each node; layout `[η line][ξ line][node]`.
     pub data: Vec<Complex<f32>>,
     /// Index of the first stored line along ξ and η.
@@ -65,6 +63,8 @@ pub struct Spectra {
     pub mean_phasor: Vec<Complex<f64>>,
     /// `(∬ g)² / A` in nm²: the lobe's peak for `c = 1`.
     pub lobe_peak_nm2: f64,
+    /// Standard deviation in nm of the light's coherence, which shapes the lobe.
+    pub lobe_sigma_nm: f64,
     /// Half the range of the scan's heights in nm.
     pub half_range_nm: f64,
     /// Whether the lines' powers are averaged over all window positions.
@@ -73,8 +73,11 @@ pub struct Spectra {
     pub axes: [WindowAxis; 2],
 }
 
-/// Half the peak-to-valley range of the heights in nm: the bandwidth in `s` after centring.
-pub fn bandwidth_nm(field: &HeightField) -> f64 {
+/// Share of its peak at which the lobe ends: where its table does.
+const LOBE_LEAST: f64 = 1e-9;
+
+/// Half the peak-to-valley range of the heights in nm: the bandwidth in the phase scale, measured from mid-range.
+pub fn half_height_range_nm(field: &HeightField) -> f64 {
     let [low, high] = range_nm(field);
     0.5 * (high - low).max(0.0)
 }
@@ -171,7 +174,7 @@ pub fn line_counts(field: &HeightField, placement: Placement, sigma_nm: f64, fre
 }
 
 /// Smallest number of at least `size` with prime factors 2, 3 and 5 only: fast for the FFT.
-pub fn smooth_size(size: usize) -> usize {
+pub(crate) fn smooth_size(size: usize) -> usize {
     (size..)
         .find(|&n| {
             let mut rest = n;
@@ -186,15 +189,19 @@ pub fn smooth_size(size: usize) -> usize {
 }
 
 /// Number of nodes in `s` that a field takes.
-pub fn nodes_for(field: &HeightField, config: &SpectraConfig) -> usize {
-    chebyshev::nodes_for_exponential(bandwidth_nm(field), config.s[1] - config.s[0], config.tolerance)
+pub(crate) fn nodes_for(field: &HeightField, config: &SpectraConfig) -> usize {
+    chebyshev::nodes_for_exponential(
+        half_height_range_nm(field),
+        config.phase_scale_per_nm[1] - config.phase_scale_per_nm[0],
+        config.tolerance,
+    )
 }
 
 /// Refuses what [`transform`] would refuse.
 ///
 /// # Errors
 /// `Error::Limit` if the transforms would need more memory than allowed.
-pub fn check_memory(
+pub(crate) fn check_memory(
     field: &HeightField,
     placement: Placement,
     optics: &OpticsConfig,
@@ -213,14 +220,25 @@ fn checked_values(plans: &[AxisPlan; 2], nodes: usize, memory_bytes: u64) -> Res
     }
     Err(Error::limit(
         format!(
-            "the transforms need {} MiB ({nodes} depth nodes on {} x {} frequencies) and {} MiB are allowed",
+            "the transforms need {} MiB ({nodes} nodes in phase scale on {} x {} frequencies) and {} MiB are allowed",
             bytes >> 20,
             plans[0].lines,
             plans[1].lines,
             memory_bytes >> 20
         ),
-        "raise tables.memory_mib, clip outliers with despike (depth sets the nodes), or lower tables.tolerance's demand",
+        "raise tables.memory_mib, clip outliers with despike (the range of heights sets the nodes), or lower tables.tolerance's demand",
     ))
+}
+
+/// `(∬ g)² / A` in nm² of the window that shapes the lobe: the light's own where the lines' powers are averaged over all
+/// positions, whatever blurs the lines; else the one on the scan.
+fn lobe_peak_nm2(placement: Placement, plans: &[AxisPlan; 2], optics: &OpticsConfig) -> f64 {
+    let own = |plan: &AxisPlan| plan.window.integral_nm.powi(2) / plan.window.norm_nm;
+    let light = |plan: &AxisPlan| {
+        let window = window_axis(placement, 0, plan.window.position_nm.len(), 1.0, optics.lobe_sigma_nm());
+        window.integral_nm.powi(2) / window.norm_nm
+    };
+    plans.iter().map(|plan| if placement == Placement::TileMean { light(plan) } else { own(plan) }).product()
 }
 
 /// Transforms one window of a prepared height field.
@@ -234,27 +252,27 @@ pub fn transform(
     config: &SpectraConfig,
 ) -> Result<Spectra> {
     let (kernel, plans) = window_plan(field, placement, optics.sigma_nm, config.frequency);
-    let [s_min, s_max] = config.s;
+    let [s_min, s_max] = config.phase_scale_per_nm;
     let nodes = nodes_for(field, config);
     let values = checked_values(&plans, nodes, config.memory_bytes)?;
     let mut spectra = Spectra {
         nodes,
-        s: config.s,
-        depth: Interpolant::new(nodes, s_min, s_max),
+        over_phase: Interpolant::new(nodes, s_min, s_max),
         data: vec![Complex::default(); values],
         first: [plans[0].first, plans[1].first],
         lines: [plans[0].lines, plans[1].lines],
         step: [plans[0].step, plans[1].step],
         kernel,
         mean_phasor: Vec::with_capacity(nodes),
-        lobe_peak_nm2: plans.iter().map(|p| p.window.integral_nm.powi(2) / p.window.norm_nm).product(),
-        half_range_nm: bandwidth_nm(field),
+        lobe_peak_nm2: lobe_peak_nm2(placement, &plans, optics),
+        lobe_sigma_nm: optics.lobe_sigma_nm(),
+        half_range_nm: half_height_range_nm(field),
         mean_power: placement == Placement::TileMean,
         axes: [plans[0].window.clone(), plans[1].window.clone()],
     };
     let heights = window_heights(field, &plans);
     let mut engine = Engine::new(&plans);
-    for (node, s) in spectra.depth.nodes().to_vec().into_iter().enumerate() {
+    for (node, s) in spectra.over_phase.nodes().to_vec().into_iter().enumerate() {
         let phasor = Zip::from(&heights).par_map_collect(|h| Complex::cis(-s * h));
         let mean = mean_phasor(&phasor, &plans);
         spectra.mean_phasor.push(mean);
@@ -387,18 +405,24 @@ fn pick(line: &[Complex<f64>], plan: &AxisPlan, phase: &[Complex<f64>], out: &mu
 
 impl Spectra {
     /// Weights that interpolate the nodes to `s` (1/nm).
-    pub fn node_weights(&self, s: f64) -> Vec<f64> {
-        self.depth.weights(s)
+    pub(crate) fn node_weights(&self, s: f64) -> Vec<f64> {
+        self.over_phase.weights(s)
     }
 
     /// The mean phasor `c(s)`.
-    pub fn mean_phasor_at(&self, s: f64) -> Complex<f64> {
+    pub(crate) fn mean_phasor_at(&self, s: f64) -> Complex<f64> {
         combined(&self.mean_phasor, &self.node_weights(s))
+    }
+
+    /// `|c G̃|² / A` in nm² of the light's own window in closed form, at a distance from the mirror direction in 1/nm.
+    pub(crate) fn lobe_power_nm2(&self, distance_per_nm: f64, s: f64) -> f64 {
+        let shape = (-(TAU * self.lobe_sigma_nm * distance_per_nm).powi(2)).exp();
+        if shape < LOBE_LEAST { 0.0 } else { shape * self.lobe_peak_nm2 * self.mean_phasor_at(s).norm_sqr() }
     }
 
     /// Transform of the window along one axis at a frequency (1/nm), divided by the root of the axis'
     /// norm: `G̃ / sqrt(A)` is the product of both axes.
-    pub fn window_transform(&self, axis: usize, frequency: f64) -> f64 {
+    pub(crate) fn window_transform(&self, axis: usize, frequency: f64) -> f64 {
         let [value] = self.window_transforms(axis, [frequency]);
         value
     }
@@ -407,8 +431,9 @@ impl Spectra {
     pub(super) fn window_transforms<const L: usize>(&self, axis: usize, frequency: [f64; L]) -> [f64; L] {
         match self.kernel {
             Kernel::Semicircle => self.axes[axis].transforms(frequency),
-            Kernel::GaussianAmplitude { sigma_nm } | Kernel::GaussianPower { sigma_nm } => {
-                frequency.map(|frequency| Kernel::GaussianAmplitude { sigma_nm }.value(frequency, 1.0, 0.0))
+            Kernel::GaussianAmplitude { .. } | Kernel::GaussianPower { .. } => {
+                let light = Kernel::GaussianAmplitude { sigma_nm: self.lobe_sigma_nm };
+                frequency.map(|frequency| light.value(frequency, 1.0, 0.0))
             }
         }
     }

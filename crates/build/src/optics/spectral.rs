@@ -1,7 +1,7 @@
-//! The BRDF straight from the transforms, at full spectral resolution: the fast yardstick.
+//! The BRDF straight from the transforms, at full spectral resolution: the fast reference.
 //!
 //! Between the direct sum (`reference`), a thousand times slower, and the tables: no grid in (u, v), no
-//! expansion in `w`, no coarse wavelengths; only the interpolation in depth and frequency is shared with
+//! expansion in `w`, no coarse wavelengths; only the interpolation in phase scale and frequency is shared with
 //! the tables. It is itself held against the direct sum.
 
 use std::collections::BTreeMap;
@@ -10,13 +10,14 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 
 use super::config::OpticsConfig;
+use super::factors::PairFactors;
 use super::lines::{Buffers, Part, Point};
 use super::reference::{FULL_STEP, WavenumberStep, resolving_count};
 use super::spectra::{self, Spectra, SpectraConfig};
 use super::window::placements;
 use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
 use crate::height::HeightField;
-use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
+use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::Result;
 
 /// XYZ of the BRDF in 1/sr for many pairs of directions, averaged over scans and windows.
@@ -54,33 +55,37 @@ pub fn add_window(
     sums: &mut [Xyz],
 ) -> Result<()> {
     // Directions with equally many wavelengths share them; one set is held at a time.
-    let mut by_count: BTreeMap<usize, Vec<(&mut Xyz, f64, Vec3)>> = BTreeMap::new();
+    let mut by_count: BTreeMap<usize, Vec<(&mut Xyz, PairFactors)>> = BTreeMap::new();
     for (sum, &(wi, wo)) in sums.iter_mut().zip(pairs) {
-        let (front, q) = (optics.front_factor().diffuse(wi, wo), wave_vector_change(wi, wo));
-        if front != 0.0 {
-            by_count.entry(resolving_count(optics, q, spectra.half_range_nm, step)).or_default().push((sum, front, q));
-        }
+        let Some(factors) = PairFactors::of(optics, wi, wo) else { continue };
+        let count = resolving_count(optics, factors.q, spectra.half_range_nm, step);
+        by_count.entry(count).or_default().push((sum, factors));
     }
     for (count, group) in by_count {
         let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
-        group.into_par_iter().for_each_init(Buffers::default, |buffers, (sum, front, q)| {
-            let power = window_power(spectra, &quadrature, q, buffers);
-            sum.iter_mut().zip(power).for_each(|(sum, power)| *sum += front * power);
+        let SpectralQuadrature { wavelengths_nm, weights } = &quadrature;
+        group.into_par_iter().for_each_init(Buffers::default, |buffers, (sum, factors)| {
+            brdf_of_window(spectra, &factors, wavelengths_nm, buffers, |j, brdf| add(sum, weights[j], brdf));
         });
     }
     Ok(())
 }
 
-/// `∫ S x̄ |P|² / (λ² A w²) dλ` of one window at `q`, the coherent part included.
-fn window_power(spectra: &Spectra, quadrature: &SpectralQuadrature, q: Vec3, buffers: &mut Buffers) -> Xyz {
-    let SpectralQuadrature { wavelengths_nm, weights } = quadrature;
-    let w = q[2].abs();
-    let point = |j: usize| point([q[0], q[1]], w, wavelengths_nm[j]);
-    let mut sum = [0.0; 3];
-    spectra.powers(Part::Total, wavelengths_nm.len(), point, buffers, |j, power| {
-        add(&mut sum, weights[j], power / (wavelengths_nm[j] * w).powi(2));
+/// Calls `found` with the index of each wavelength and the BRDF of one window there in 1/sr.
+pub fn brdf_of_window(
+    spectra: &Spectra,
+    factors: &PairFactors,
+    wavelengths_nm: &[f64],
+    buffers: &mut Buffers,
+    mut found: impl FnMut(usize, f64),
+) {
+    let [u, v, w] = factors.q;
+    let at = |j: usize| point([u, v], w.abs(), wavelengths_nm[j]);
+    spectra.powers(Part::Total, wavelengths_nm.len(), at, buffers, |j, power| {
+        let nm = wavelengths_nm[j];
+        let image = factors.image_radius.map_or(0.0, |radius| spectra.lobe_power_nm2(radius / nm, at(j).s));
+        found(j, factors.brdf(nm, power.rest, power.coherent + image));
     });
-    sum
 }
 
 /// `∫ S x̄ k² |E|² / (λ² A) dλ` of one window: the diffuse part alone, for several values of `w`.
@@ -92,7 +97,7 @@ pub fn diffuse_power(spectra: &Spectra, quadrature: &SpectralQuadrature, uv: [f6
     let count = wavelengths_nm.len() * w.len();
     spectra.powers(Part::Diffuse, count, point, &mut Buffers::default(), |index, power| {
         let (j, which) = places(index);
-        add(&mut sums[which], weights[j], (TAU / wavelengths_nm[j].powi(2)).powi(2) * power);
+        add(&mut sums[which], weights[j], (TAU / wavelengths_nm[j].powi(2)).powi(2) * power.rest);
     });
     sums
 }
@@ -110,6 +115,7 @@ mod tests {
     use super::*;
     use crate::ground::spectrum::Illuminant;
     use crate::optics::config::{Edge, Material, Windows};
+    use diffraction_brdf::direction::wave_vector_change;
     use diffraction_brdf::front_factor::Factor;
     use ndarray::Array2;
 
@@ -131,6 +137,7 @@ mod tests {
                 illuminant: Illuminant::D65,
                 wavelength_nm: [380.0, 780.0],
                 sigma_nm,
+                lobe_sigma_nm: None,
                 edge,
                 windows,
                 material: Material::Ideal,
@@ -143,7 +150,7 @@ mod tests {
                 [a.min(b), a.max(b)]
             };
             let wide = SpectraConfig {
-                s: [0.0, 2.0 * TAU / low_nm],
+                phase_scale_per_nm: [0.0, 2.0 * TAU / low_nm],
                 frequency: [[-2.0 / low_nm, 2.0 / low_nm]; 2],
                 tolerance: 1e-6,
                 memory_bytes: 1 << 30,

@@ -42,7 +42,13 @@ pub enum Placement {
 /// [`PITCH_SIGMAS_MAX`].
 pub fn placements(field: &HeightField, optics: &OpticsConfig) -> Result<Vec<Placement>> {
     check_pitch(field, optics.sigma_nm)?;
-    if optics.edge == Edge::Tile {
+    if optics.edge == Edge::Auto && optics.windows == Windows::Centre {
+        return Err(Error::limit(
+            "edge = \"auto\" is a mean over all positions of the window, and windows = \"centre\" asks for one",
+            "leave windows at \"grid\", or use coherence.edge = \"tile\" or \"fade\"",
+        ));
+    }
+    if optics.edge != Edge::Fade {
         return Ok(vec![match optics.windows {
             Windows::Grid => Placement::TileMean,
             Windows::Centre => Placement::TileCentre,
@@ -117,7 +123,7 @@ fn check_pitch(field: &HeightField, sigma_nm: f64) -> Result<()> {
 }
 
 /// Root mean square of the heights about their mean in nm, each sample weighted by its share `g²` of the window's power.
-pub fn rms_within_nm(field: &HeightField, placement: Placement, sigma_nm: f64) -> f64 {
+pub(crate) fn rms_within_nm(field: &HeightField, placement: Placement, sigma_nm: f64) -> f64 {
     let size = field.size();
     let [x, y] = [0, 1].map(|axis| window_axis(placement, axis, size[axis], field.pitch_nm[axis], sigma_nm));
     let mut sums = [0.0; 3];
@@ -175,7 +181,7 @@ fn parts<const L: usize>(pairs: [(f64, f64); L]) -> [[f64; L]; 2] {
 }
 
 /// The axis of a window over `count` samples of spacing `pitch_nm`; `axis` 0 is x, 1 is y (row 0 at +y).
-pub fn window_axis(placement: Placement, axis: usize, count: usize, pitch_nm: f64, sigma_nm: f64) -> WindowAxis {
+pub(crate) fn window_axis(placement: Placement, axis: usize, count: usize, pitch_nm: f64, sigma_nm: f64) -> WindowAxis {
     let middle = 0.5 * (count - 1) as f64;
     let sign = if axis == 0 { 1.0 } else { -1.0 };
     let position = |i: usize, centre: f64| sign * (i as f64 - middle) * pitch_nm - centre;
@@ -231,6 +237,7 @@ mod tests {
             illuminant: Illuminant::E,
             wavelength_nm: [380.0, 780.0],
             sigma_nm,
+            lobe_sigma_nm: None,
             edge: Edge::Fade,
             windows,
             material: Material::Ideal,

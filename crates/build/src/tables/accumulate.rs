@@ -1,6 +1,6 @@
 //! The inner loops: spectra of one wavelength interpolated to every texel, squared, summed into XYZ.
 //!
-//! For a few wavelengths at a time: (A) for every line of η, the depth nodes are combined into a few values of `w`
+//! For a few wavelengths at a time: (A) for every line of η, the nodes in phase scale are combined into a few values of `w`
 //! and interpolated along ξ to the texel columns; (B) for every texel row, those rows are interpolated along
 //! η, squared and added. Both are loops over lanes of four `w` values; A and B run in parallel over rows
 //! that nobody else writes, wavelengths follow one another: the sums never depend on the threads.
@@ -12,30 +12,31 @@ use glam::Vec4;
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
-use super::domain::{Texels, inner_columns};
-use super::plan::{Grid, Ring};
+use super::grid::Grid;
+use super::rings::Ring;
+use super::texels::{Texels, inner_columns};
 use crate::optics::kernel::{Kernel, Taps};
 use crate::optics::spectra::Spectra;
 
-/// Four values of `w`, which a processor handles as one.
+/// Values of `w` in a lane, which a processor handles as one: sums are kept at multiples of so many nodes.
+pub(super) const SIMD_WIDTH: usize = 4;
+
+/// One lane of values.
 type Lane = Vec4;
 
-/// Sums are kept in groups of so many nodes: more cost nothing before the next group.
-pub(super) const GROUP: usize = 4;
+/// Most lanes handled in one pass; more nodes take further passes.
+pub(super) const LANES_PER_PASS: usize = 4;
 
-/// Most lanes handled in one sweep; more nodes take further sweeps.
-pub(super) const LANES_MAX: usize = 4;
+/// Wavelengths summed in one pass: the sums, far larger than any cache, are read and written once for all of them.
+pub(super) const WAVELENGTHS_PER_PASS: usize = 4;
 
-/// Wavelengths summed in one sweep: the sums, far larger than any cache, are read and written once for all of them.
-pub(super) const WAVES: usize = 4;
-
-/// Columns of a row that a sweep takes together.
+/// Columns of a row that a pass takes together.
 const BLOCK: usize = 16;
 
 /// Sums of XYZ at the nodes of `w`: layout `[row][column][channel][node]` over the texels' window.
 #[derive(Debug, Clone)]
 pub struct PowerSums {
-    /// Nodes of `w` per texel, a multiple of four.
+    /// Nodes of `w` per texel, a multiple of [`SIMD_WIDTH`].
     pub nodes: usize,
     /// The sums in 1/sr (before geometry and reflectance).
     pub data: Vec<f32>,
@@ -44,7 +45,7 @@ pub struct PowerSums {
 impl PowerSums {
     /// Zero everywhere.
     pub fn new(texels: &Texels, nodes: usize) -> Self {
-        let nodes = nodes.next_multiple_of(GROUP);
+        let nodes = nodes.next_multiple_of(SIMD_WIDTH);
         Self { nodes, data: vec![0.0; texels.window_texels() * 3 * nodes] }
     }
 }
@@ -85,26 +86,27 @@ pub struct RingSum<'a> {
 /// Adds one window's contribution over a ring, for the values of `w` in `w_nodes`.
 pub fn add_ring(spectra: &Spectra, what: RingSum, w_nodes: &[f64], sums: &mut PowerSums) {
     let quadrature = &what.ring.quadrature;
-    let Some(part) = RingTexels::new(what.texels, what.ring.rho) else { return };
-    let mut scratch = vec![Vec::new(); WAVES];
-    let bands = quadrature.wavelengths_nm.chunks(WAVES).zip(quadrature.weights.chunks(WAVES));
+    let Some(part) = RingTexels::new(what.texels, what.ring.radius) else { return };
+    let mut scratch = vec![Vec::new(); WAVELENGTHS_PER_PASS];
+    let bands =
+        quadrature.wavelengths_nm.chunks(WAVELENGTHS_PER_PASS).zip(quadrature.weights.chunks(WAVELENGTHS_PER_PASS));
     for (wavelengths_nm, weights) in bands {
         let wave = |(&wavelength_nm, weights): (&f64, &[f64; 3])| {
             let scale = what.share / (wavelength_nm * wavelength_nm);
             Wave::new(spectra, what, &part, wavelength_nm, weights.map(|weight| (weight * scale) as f32))
         };
         let waves: Vec<Wave> = wavelengths_nm.iter().zip(weights).map(wave).collect();
-        for group in (0..w_nodes.len()).step_by(4 * LANES_MAX) {
-            let nodes = &w_nodes[group..w_nodes.len().min(group + 4 * LANES_MAX)];
-            match (nodes.len().div_ceil(4), spectra.mean_power) {
-                (1, true) => sweep::<1, 1>(&waves, nodes, group, &mut scratch, sums),
-                (2, true) => sweep::<2, 2>(&waves, nodes, group, &mut scratch, sums),
-                (3, true) => sweep::<3, 3>(&waves, nodes, group, &mut scratch, sums),
-                (_, true) => sweep::<4, 4>(&waves, nodes, group, &mut scratch, sums),
-                (1, false) => sweep::<1, 2>(&waves, nodes, group, &mut scratch, sums),
-                (2, false) => sweep::<2, 4>(&waves, nodes, group, &mut scratch, sums),
-                (3, false) => sweep::<3, 6>(&waves, nodes, group, &mut scratch, sums),
-                (_, false) => sweep::<4, 8>(&waves, nodes, group, &mut scratch, sums),
+        for first_node in (0..w_nodes.len()).step_by(SIMD_WIDTH * LANES_PER_PASS) {
+            let nodes = &w_nodes[first_node..w_nodes.len().min(first_node + SIMD_WIDTH * LANES_PER_PASS)];
+            match (nodes.len().div_ceil(SIMD_WIDTH), spectra.mean_power) {
+                (1, true) => pass::<1, 1>(&waves, nodes, first_node, &mut scratch, sums),
+                (2, true) => pass::<2, 2>(&waves, nodes, first_node, &mut scratch, sums),
+                (3, true) => pass::<3, 3>(&waves, nodes, first_node, &mut scratch, sums),
+                (_, true) => pass::<4, 4>(&waves, nodes, first_node, &mut scratch, sums),
+                (1, false) => pass::<1, 2>(&waves, nodes, first_node, &mut scratch, sums),
+                (2, false) => pass::<2, 4>(&waves, nodes, first_node, &mut scratch, sums),
+                (3, false) => pass::<3, 6>(&waves, nodes, first_node, &mut scratch, sums),
+                (_, false) => pass::<4, 8>(&waves, nodes, first_node, &mut scratch, sums),
             }
         }
     }
@@ -146,11 +148,11 @@ impl Targets {
 }
 
 /// Adds a few wavelengths. `B` lanes of `w`; `N` lanes in flight: twice as many for amplitudes (real, then imaginary).
-/// `scratch` is kept from sweep to sweep.
-fn sweep<const B: usize, const N: usize>(
+/// `scratch` is kept from pass to pass.
+fn pass<const B: usize, const N: usize>(
     waves: &[Wave],
     nodes: &[f64],
-    group: usize,
+    first_node: usize,
     scratch: &mut [Vec<Lane>],
     sums: &mut PowerSums,
 ) {
@@ -171,7 +173,7 @@ fn sweep<const B: usize, const N: usize>(
             let first = (block.start - texels.columns.start) * 3 * per_texel;
             let channels = out[first..first + block.len() * 3 * per_texel].chunks_exact_mut(per_texel);
             for (channel, added) in channels.zip(added.as_flattened()) {
-                let lanes = channel[group..].as_chunks_mut::<4>().0.iter_mut().zip(added);
+                let lanes = channel[first_node..].as_chunks_mut::<SIMD_WIDTH>().0.iter_mut().zip(added);
                 lanes.for_each(|(slot, added)| *slot = (Lane::from_array(*slot) + *added).to_array());
             }
         }
@@ -254,10 +256,11 @@ impl<'a> Wave<'a> {
         let mut phasor = [[Lane::ZERO; B]; 2];
         for (j, w) in nodes.iter().enumerate() {
             for (row, weight) in weights.iter_mut().zip(self.spectra.node_weights(k * w)) {
-                row[j / 4][j % 4] = (k * weight) as f32;
+                row[j / SIMD_WIDTH][j % SIMD_WIDTH] = (k * weight) as f32;
             }
             let mean = self.spectra.mean_phasor_at(k * w);
-            (phasor[0][j / 4][j % 4], phasor[1][j / 4][j % 4]) = (mean.re as f32, mean.im as f32);
+            (phasor[0][j / SIMD_WIDTH][j % SIMD_WIDTH], phasor[1][j / SIMD_WIDTH][j % SIMD_WIDTH]) =
+                (mean.re as f32, mean.im as f32);
         }
         let (first_row, rows) = self.interpolated_rows::<B, N>(&weights, scratch);
         Filled { wave: self, rows, first_row, phasor }
@@ -316,7 +319,7 @@ impl<'a> Wave<'a> {
         // Half a texel more for the box samples around a texel's centre.
         let slack = reach * self.wavelength_nm + grid.texel();
         let (nearest, farthest) = ((v - slack).max(0.0), v + slack);
-        let [inner, outer] = self.ring.rho;
+        let [inner, outer] = self.ring.radius;
         let outer = grid.columns_within((outer * outer - nearest * nearest).max(0.0).sqrt());
         let hole = inner_columns(grid, inner, farthest);
         let own = &self.part.columns;
@@ -325,7 +328,7 @@ impl<'a> Wave<'a> {
         runs.into_iter().map(clipped).filter(|run| !run.is_empty()).collect()
     }
 
-    /// One run of targets on one line: combines the depth nodes, then interpolates along ξ.
+    /// One run of targets on one line: combines the nodes in phase scale, then interpolates along ξ.
     #[inline(always)]
     fn fill_segment<const B: usize, const N: usize>(
         &self,
@@ -428,10 +431,10 @@ pub(super) struct RingTexels {
 
 impl RingTexels {
     /// `None` where the ring has no texel that counts.
-    pub(super) fn new(texels: &Texels, rho: [f64; 2]) -> Option<Self> {
-        let reached = texels.grid.columns_within(rho[1]);
+    pub(super) fn new(texels: &Texels, radius: [f64; 2]) -> Option<Self> {
+        let reached = texels.grid.columns_within(radius[1]);
         let rows = reached.start.max(texels.rows.start)..reached.end.min(texels.rows.end);
-        let mut runs: Vec<Vec<Range<usize>>> = rows.clone().map(|row| texels.runs_in(row, rho)).collect();
+        let mut runs: Vec<Vec<Range<usize>>> = rows.clone().map(|row| texels.runs_in(row, radius)).collect();
         let first = runs.iter().position(|runs| !runs.is_empty())?;
         let last = runs.iter().rposition(|runs| !runs.is_empty())?;
         runs.truncate(last + 1);
@@ -474,7 +477,7 @@ fn merge(runs: &mut Vec<Range<usize>>) {
     });
 }
 
-/// Depth nodes to values of `w`: amplitudes (real lanes, then imaginary), or their powers if `N == B`.
+/// Nodes in phase scale to values of `w`: amplitudes (real lanes, then imaginary), or their powers if `N == B`.
 #[inline(always)]
 fn combine<const B: usize, const N: usize>(nodes: &[Complex<f32>], weights: &[[Lane; B]]) -> [Lane; N] {
     let (mut re, mut im) = ([Lane::ZERO; B], [Lane::ZERO; B]);

@@ -6,8 +6,11 @@ use std::ops::Range;
 use ndarray::{Array3, Axis};
 use rayon::prelude::*;
 
-use super::plan::{Grid, lobe_width};
-use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
+use super::grid::Grid;
+use super::input::BuildInput;
+use super::resolution::lobe_width;
+use super::rings::quadrature;
+use crate::ground::spectrum::SpectralQuadrature;
 use crate::optics::config::OpticsConfig;
 use crate::optics::spectra::Spectra;
 use diffraction_brdf::direction::max_abs_w;
@@ -20,7 +23,7 @@ const TEXELS_PER_WIDTH: [f64; 2] = [12.0, 4.0];
 /// Fewest wavelengths over which the lobe is integrated: it is a smooth function of `1/λ`...
 const WAVELENGTHS: usize = 200;
 
-/// ...but for deep surfaces. `|c|²` consists of waves in `1/λ` at lags `|w| Δh` of height differences, whose standard
+/// ...but for surfaces with a high relief. `|c|²` consists of waves in `1/λ` at lags `|w| Δh` of height differences, whose standard
 /// deviation is `√2 |w|` times the rms height: nodes 0.57 deviations apart, as for the reference.
 fn wavelengths_needed(optics: &OpticsConfig, rms_nm: f64) -> usize {
     let [low_nm, high_nm] = optics.wavelength_nm;
@@ -32,9 +35,9 @@ fn wavelengths_needed(optics: &OpticsConfig, rms_nm: f64) -> usize {
 /// `3/128 0.05⁴` = 1.5e-7 of that wave.
 const PHASE_STEP: f64 = 0.05;
 
-/// `|c(s)|² (∬g)² / A` in nm², averaged over windows: the lobe without the window's shape.
+/// `|c(s)|² (∬g)² / A` in nm² as a function of the phase scale `s`, averaged over windows: the lobe without the window's shape.
 #[derive(Debug, Clone)]
-pub struct PhasorPower {
+pub(super) struct PhasorPower {
     s_min: f64,
     step: f64,
     /// Values at `s_min`, `s_min + step`, and so on; at least four.
@@ -57,7 +60,7 @@ impl PhasorPower {
         });
     }
 
-    /// The value at `s`. Where transforms stop short of the whole hemisphere, no direction that is served asks for more:
+    /// The value at `s`. Where transforms stop short of the whole hemisphere, no direction that is covered asks for more:
     /// what lies beyond takes the value at their end.
     fn at(&self, s: f64) -> f64 {
         if self.step <= 0.0 {
@@ -92,16 +95,16 @@ struct Layout {
     quadrature: SpectralQuadrature,
 }
 
-/// Rows that look-ups from `depths[0]` to `depths[1]` of `t` read, among those that a tolerance asks for.
-fn layout(optics: &OpticsConfig, radius_max: f64, depths: [f64; 2], [rms_nm, tolerance]: [f64; 2]) -> Result<Layout> {
-    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
-    let rows = rows_needed(rms_nm, low_nm, tolerance);
-    let [first, last] = depths.map(|t| t * (rows - 1) as f64);
+/// Rows that look-ups from `t[0]` to `t[1]` read, among those that the tolerance asks for.
+fn layout(input: &BuildInput, radius_max: f64, t: [f64; 2]) -> Result<Layout> {
+    let BuildInput { optics, rms_nm, wavelength_range_nm: [low_nm, _], .. } = *input;
+    let rows = rows_needed(rms_nm, low_nm, input.tables.tolerance);
+    let [first, last] = t.map(|t| t * (rows - 1) as f64);
     Ok(Layout {
         rows,
-        columns: (radius_max / lobe_width(optics.sigma_nm, low_nm) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1,
+        columns: (radius_max / lobe_width(optics.lobe_sigma_nm(), low_nm) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1,
         read: (first as usize).saturating_sub(ROWS_MARGIN)..(last.ceil() as usize + ROWS_MARGIN + 1).min(rows),
-        quadrature: uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, wavelengths_needed(optics, rms_nm))?,
+        quadrature: quadrature(input, wavelengths_needed(optics, rms_nm))?,
     })
 }
 
@@ -109,25 +112,17 @@ fn layout(optics: &OpticsConfig, radius_max: f64, depths: [f64; 2], [rms_nm, tol
 ///
 /// # Errors
 /// `Error::Call` for an invisible light.
-pub fn samples(optics: &OpticsConfig, radius_max: f64, depths: [f64; 2], rms_nm: f64, tolerance: f64) -> Result<f64> {
-    let Layout { columns, read, quadrature, .. } = layout(optics, radius_max, depths, [rms_nm, tolerance])?;
+pub(super) fn samples(input: &BuildInput, radius_max: f64, t: [f64; 2]) -> Result<f64> {
+    let Layout { columns, read, quadrature, .. } = layout(input, radius_max, t)?;
     Ok((read.len() * columns * quadrature.wavelengths_nm.len()) as f64)
 }
 
-/// The coherent table, shape `[t, radius, 3]`: rows that look-ups from `depths[0]` to
-/// `depths[1]` of `t` read, zero elsewhere.
+/// The coherent table, shape `[t, radius, 3]`: rows that look-ups from `t[0]` to `t[1]` read, zero elsewhere.
 ///
 /// # Errors
 /// `Error::Call` for an invisible light.
-pub fn coherent(
-    power: &PhasorPower,
-    optics: &OpticsConfig,
-    radius_max: f64,
-    depths: [f64; 2],
-    rms_nm: f64,
-    tolerance: f64,
-) -> Result<Array3<f32>> {
-    let Layout { rows, columns, read, quadrature } = layout(optics, radius_max, depths, [rms_nm, tolerance])?;
+pub(super) fn coherent(power: &PhasorPower, input: &BuildInput, radius_max: f64, t: [f64; 2]) -> Result<Array3<f32>> {
+    let Layout { rows, columns, read, quadrature } = layout(input, radius_max, t)?;
     let mut table = Array3::<f32>::zeros((rows, columns, 3));
     let mut lines = table.slice_axis_mut(Axis(0), read.clone().into());
     lines.axis_iter_mut(Axis(0)).into_par_iter().zip(read).for_each(|(mut line, row)| {
@@ -136,7 +131,7 @@ pub fn coherent(
             let radius = radius_max * column as f64 / (columns - 1) as f64;
             let mut sum = [0.0; 3];
             for (nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
-                let shape = (-(TAU * optics.sigma_nm * radius / nm).powi(2)).exp();
+                let shape = (-(TAU * input.optics.lobe_sigma_nm() * radius / nm).powi(2)).exp();
                 let s = TAU / nm * t * max_abs_w(radius);
                 let power = power.at(s);
                 for c in 0..3 {
@@ -150,8 +145,8 @@ pub fn coherent(
 }
 
 /// The grid of the cross-term patch.
-pub fn patch_grid(optics: &OpticsConfig, radius_max: f64) -> Grid {
+pub(super) fn patch_grid(optics: &OpticsConfig, radius_max: f64) -> Grid {
     let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
-    let half = (radius_max / lobe_width(optics.sigma_nm, low_nm) * TEXELS_PER_WIDTH[1]).ceil() as usize;
+    let half = (radius_max / lobe_width(optics.lobe_sigma_nm(), low_nm) * TEXELS_PER_WIDTH[1]).ceil() as usize;
     Grid { size: 2 * half + 1, half_width: radius_max }
 }

@@ -1,13 +1,21 @@
-//! Tables floor: bases, building, storage, evaluation.
+//! Tables floor: planning, building, restricting to scenes, storage.
 
 pub mod accumulate;
 pub mod build;
-pub mod domain;
+mod coefficients;
+pub mod coverage;
 pub mod forecast;
-pub mod lobe;
+pub mod grid;
+pub mod input;
+mod lobe;
 pub mod model;
-pub mod pilot;
+mod nodes;
+mod order;
 pub mod plan;
+pub mod resolution;
+pub mod rings;
 pub mod rounding;
-pub mod sums;
+mod sums;
 pub mod taylor;
+pub mod texels;
+mod work;

@@ -54,3 +54,6 @@ pub struct BuildRecord {
     /// Smallest and largest wavelength step in nm.
     pub wavelength_step_nm: [f64; 2],
 }
+
+/// Receives progress: wavelengths times windows done.
+pub type Advance<'a> = &'a (dyn Fn(u64) + Sync);

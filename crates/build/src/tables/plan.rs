@@ -1,236 +1,321 @@
-//! What a table set needs for a tolerance: its grid, the wavelengths each ring of (u, v) asks for.
+//! What a build will do: everything that can be known without transforming.
 
-use std::f64::consts::{SQRT_2, TAU};
-
-use super::domain::Domain;
-use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers, wavenumbers_for_pulses};
-use crate::optics::config::OpticsConfig;
-use diffraction_brdf::chebyshev::nodes_for_exponential;
+use super::accumulate::{BoxFilter, SIMD_WIDTH};
+use super::coverage::ranges::{Coverage, Hull};
+use super::coverage::restrict::{Restricted, Whole, restrict};
+use super::grid::Grid;
+use super::input::BuildInput;
+use super::model::{Basis, BuildRecord, Prefilter};
+use super::resolution::{box_samples, lobe_radius, lobe_width, nodes_bound_over, resolving_size};
+use super::rings::{Ring, quadrature, rings, wavelengths_of};
+use super::texels::Texels;
+use super::work::window_works;
+use crate::ground::spectrum::SpectralQuadrature;
+use crate::height::HeightField;
+use crate::optics::spectra::{self, SpectraConfig, half_height_range_nm};
+use crate::optics::window::{Placement, placements, rms_within_nm};
 use diffraction_brdf::direction::max_abs_w;
-use diffraction_brdf::error::Result;
+use diffraction_brdf::error::{Error, Result};
+use rayon::prelude::*;
+
+/// Largest table chosen without being asked for.
+pub const AUTOMATIC_SIZE_MAX: usize = 1001;
 
 /// Texels beyond the rim of the disc that are filled, so that interpolation at the rim sees no zeros.
 pub(super) const RIM_TEXELS: f64 = 3.0;
 
-/// Texel positions over [-2, 2] in u and v.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Grid {
-    /// Texels along each axis; odd, so that one lies at (0, 0).
-    pub size: usize,
-    /// Half width of the square: 2 for a whole table, the lobe's radius for its patch.
-    pub half_width: f64,
+/// Share of the tolerance that the interpolation in phase scale may take, as an amplitude of the window's whole: weak
+/// orders must keep their digits too.
+const PHASE_SHARE: f64 = 1e-3;
+
+/// Share of the tolerance that is left to nodes by which others are judged.
+const FINE_SHARE: f64 = 0.1;
+
+/// What a build will do.
+#[derive(Debug, Clone)]
+pub struct BuildPlan {
+    /// Texels of the tables.
+    pub texels: Texels,
+    /// What the tables are restricted to; `None` for all texels over their whole `|w|`.
+    pub coverage: Option<Coverage>,
+    /// Average over (u, v) of a texel.
+    pub filter: BoxFilter,
+    /// Rings with their wavelengths, from the outside in.
+    pub rings: Vec<Ring>,
+    /// Wavelengths that the rim of the disc needs.
+    pub rim: SpectralQuadrature,
+    /// Windows to average, by scan.
+    pub windows: Vec<(usize, Placement)>,
+    /// How to transform.
+    pub spectra: SpectraConfig,
+    /// Upper bound of the numbers of nodes in `w`.
+    pub nodes_bound: usize,
+    /// The `|w|` that transforms hold: those of the coverage, widened to multiples of a power of two.
+    pub abs_w: [f64; 2],
+    /// Largest half range of the heights in nm.
+    pub half_height_range_nm: f64,
+    /// Shortest wavelength in nm.
+    pub wavelength_min_nm: f64,
+    /// Error left to nodes that others are judged by.
+    pub fine_tolerance: f64,
+    /// Radius of the coherent lobe in (u, v).
+    pub lobe_radius: f64,
+    /// Whether some direction asked for lies within it.
+    pub lobe_seen: bool,
+    /// Whether it has a cross term, which vanishes in the mean over all positions of a window.
+    pub crosses: bool,
 }
 
-impl Grid {
-    /// Distance between texels.
-    pub fn texel(&self) -> f64 {
-        2.0 * self.half_width / (self.size - 1) as f64
-    }
-
-    /// `u` of a column.
-    pub fn u(&self, column: usize) -> f64 {
-        -self.half_width + column as f64 * self.texel()
-    }
-
-    /// `v` of a row: row 0 is the +v edge.
-    pub fn v(&self, row: usize) -> f64 {
-        -self.u(row)
-    }
-
-    /// Index, row by row, of the texel nearest to `(u, v)`; `None` outside of the grid.
-    pub fn nearest(&self, [u, v]: [f64; 2]) -> Option<usize> {
-        let at = |x: f64| ((x + self.half_width) / self.texel()).round();
-        let inside = |at: f64| at >= 0.0 && at < self.size as f64;
-        let (row, column) = (at(-v), at(u));
-        (inside(row) && inside(column)).then(|| row as usize * self.size + column as usize)
-    }
-
-    /// Columns with `|u| <= reach`, as a half-open range.
-    pub fn columns_within(&self, reach: f64) -> std::ops::Range<usize> {
-        let middle = (self.size - 1) / 2;
-        if reach < 0.0 {
-            return middle..middle;
-        }
-        let steps = ((reach / self.texel()) as usize).min(middle);
-        middle - steps..middle + steps + 1
-    }
+/// What tables are restricted to. By default everything that it leaves out is left out.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Scope {
+    /// The directions; `None` for all.
+    pub coverage: Option<Coverage>,
+    /// Whether every ring has the wavelengths of the rim, as if no radius needed fewer.
+    pub rim_wavelengths: bool,
+    /// Whether the coherent lobe is there even where no direction lies in it.
+    pub keeps_lobe: bool,
 }
 
-/// A ring of (u, v) whose texels share their wavelengths.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Ring {
-    /// Inner (included) and outer radius.
-    pub rho: [f64; 2],
-    /// Lowest and highest `|w|` that its texels are asked for.
-    pub w: [f64; 2],
-    /// Wavelengths with XYZ weights.
-    pub quadrature: SpectralQuadrature,
-}
-
-/// Fewest wavelengths of a continuous spectrum over what the eye sees: enough for whatever is smooth in it.
-const WAVELENGTHS_MIN: usize = 24;
-
-/// Share of the tolerance that the wavelength step may take.
-const STEP_SHARE: f64 = 0.5;
-
-/// How many wavelengths directions at the radius `rho` need for a tolerance, whose `|w|` is at most `w`.
-///
-/// Along a direction, `|P|²` as a function of `1/λ` is a sum over pairs of surface points of waves at the lag
-/// `ρ Δx + |w| Δh`. The window weights `Δx` by `exp(-Δx²/4σ²)`: whatever the surface, its spectrum is made of Gaussian
-/// pulses with the standard deviation `1/(2√2 π σ ρ)`, one for each line of a periodic surface. A grating shows a direction
-/// one of them, where no errors average out, and so each is integrated to the tolerance:
-/// [`wavenumbers_for_pulses`] derives how many wavelengths that takes. Depth modulates pulses by lags up to
-/// `L = 2 |w|` times the half range of the heights. These have at most the variance `L²`; that of waves, of which the
-/// outermost heights meet the outermost seldom, is `L²/4`, and variances of lags add: the pulses are taken to be
-/// narrower by as much.
-pub fn wavelengths_needed(optics: &OpticsConfig, bandwidth_nm: f64, rho: f64, w: f64, tolerance: f64) -> usize {
-    let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
-    // Deviations of lag times 2π.
-    let (window, depth) = (SQRT_2 * TAU * optics.sigma_nm * rho, TAU * bandwidth_nm * w);
-    // A range wider than the eye's spreads the same nodes thinner over what it sees.
-    let widening = ((1.0 / low_nm - 1.0 / high_nm) / (1.0 / 380.0 - 1.0 / 780.0)).max(1.0);
-    let fewest = (widening * WAVELENGTHS_MIN as f64) as usize;
-    let deviation = 1.0 / window.hypot(depth);
-    wavenumbers_for_pulses(&optics.illuminant, optics.wavelength_nm, deviation, STEP_SHARE * tolerance, fewest)
-}
-
-/// Rings from the outside in, each narrower by the root of two, until the fewest wavelengths suffice.
+/// Plans tables for every direction.
 ///
 /// # Errors
-/// `Error::Call` for an invisible light.
-pub fn rings(
-    optics: &OpticsConfig,
-    bandwidth_nm: f64,
-    rho_max: f64,
-    tolerance: f64,
-    step_nm: Option<f64>,
-) -> Result<Vec<Ring>> {
-    let mut rings = Vec::new();
-    let mut outer = rho_max;
-    let fewest = wavelengths_of(optics, bandwidth_nm, [0.0; 2], tolerance, step_nm);
-    loop {
-        let inner = outer / SQRT_2;
-        let count = wavelengths_of(optics, bandwidth_nm, [inner, outer], tolerance, step_nm).max(fewest);
-        let settled = count == fewest;
-        // The interpolation in `w` profits from a small reach even where the wavelengths do not.
-        let last = settled && max_abs_w(inner) > 0.9 * max_abs_w(0.0) || inner < 0.02;
-        let inner_edge = if last { 0.0 } else { inner };
-        rings.push(Ring {
-            rho: [inner_edge, outer],
-            // The whole reach of the texels nearest to the middle.
-            w: [0.0, max_abs_w(inner_edge)],
-            quadrature: uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?,
-        });
-        if last {
-            return Ok(rings);
-        }
-        outer = inner;
-    }
+/// A scan too small for the window, heights that are no relief, an invisible light, or sums beyond the allowed memory.
+pub fn plan(input: &BuildInput) -> Result<BuildPlan> {
+    plan_within(input, Scope::default())
 }
 
-/// Where `t` is nearly the same everywhere, `|w|` is not: rings are cut so that `max_abs_w` changes by no more than this,
-/// nor their radii by more than this ratio, and with them the nodes of a ring stay few...
-const FINE_STEP: f64 = 0.25;
-const FINE_RATIO: f64 = 1.19;
-/// ...but no narrower than this many widths of what blurs a line, since every ring interpolates all lines whose blur
-/// reaches into it.
-const FINE_LOBES: f64 = 20.0;
-
-/// Rings for tables that serve scenes: finer than [`rings`], each with the `|w|` that one light and one camera can have in
-/// it. They know nothing of the scenes, so that what a texel holds does not depend on which others are asked for.
+/// Plans tables for the directions of a coverage on [`grid`], or for all where there is none.
 ///
 /// # Errors
-/// `Error::Call` for an invisible light.
-pub fn fine_rings(
-    optics: &OpticsConfig,
-    bandwidth_nm: f64,
-    rho_max: f64,
-    tolerance: f64,
-    step_nm: Option<f64>,
-) -> Result<Vec<Ring>> {
-    let narrowest = FINE_LOBES * lobe_width(optics.sigma_nm, optics.illuminant.reach_nm(optics.wavelength_nm)[0]);
-    let mut rings = Vec::new();
-    let mut outer = rho_max;
-    while outer > 0.0 {
-        let by_reach = (4.0 - (max_abs_w(outer) + FINE_STEP).powi(2)).max(0.0).sqrt();
-        let inner = by_reach.max(outer / FINE_RATIO).min(outer - narrowest).max(0.0);
-        let inner = if inner < narrowest { 0.0 } else { inner };
-        let count = wavelengths_of(optics, bandwidth_nm, [inner, outer], tolerance, step_nm);
-        let quadrature = uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?;
-        rings.push(Ring { rho: [inner, outer], w: [max_abs_w(outer), max_abs_w(inner)], quadrature });
-        outer = inner;
+/// As [`plan()`]; a coverage of nothing.
+pub fn plan_for(input: &BuildInput, coverage: Option<Coverage>) -> Result<BuildPlan> {
+    plan_within(input, Scope { coverage, ..Scope::default() })
+}
+
+/// Plans tables.
+///
+/// # Errors
+/// As [`plan()`]; a coverage of nothing.
+pub(super) fn plan_within(input: &BuildInput, scope: Scope) -> Result<BuildPlan> {
+    check_heights(input.fields)?;
+    let windows = windows(input)?;
+    let grid = grid(input);
+    let filter = box_filter(input, &grid);
+    let radius_max = 2.0 + RIM_TEXELS * grid.texel();
+    let rim = quadrature(input, wavelengths_of(input, [radius_max; 2]))?;
+    let lobe_radius = lobe_radius(input.optics);
+    let fine_tolerance = FINE_SHARE * input.tables.tolerance;
+    let [wavelength_min_nm, _] = input.wavelength_range_nm;
+    let half_height_range_nm = input.half_height_range_nm;
+    let nodes_over =
+        |[low, high]: [f64; 2]| nodes_bound_over(half_height_range_nm, wavelength_min_nm, fine_tolerance, high - low);
+    let hull = Hull::whole(radius_max);
+    let whole = Whole {
+        texels: &Texels::whole(grid),
+        hull,
+        nodes_bound: nodes_over(hull.abs_w),
+        lobe_radius,
+        crosses: windows.iter().any(|(_, placement)| *placement != Placement::TileMean),
+    };
+    let part = match &scope.coverage {
+        None => everything(input, &whole)?,
+        Some(coverage) => {
+            let spectra = spectra_config(input, &hull, filter.width);
+            let work = window_works(input, &windows, &spectra, filter.samples);
+            restrict(input, coverage, &whole, &work)?
+        }
+    };
+    let with_wavelengths = |ring: Ring| match scope.rim_wavelengths {
+        false => ring,
+        true => Ring { quadrature: rim.clone(), ..ring },
+    };
+    let plan = BuildPlan {
+        rings: part.rings.into_iter().map(with_wavelengths).collect(),
+        texels: scope.coverage.as_ref().map_or_else(|| whole.texels.clone(), Coverage::texels),
+        spectra: spectra_config(input, &part.transformed, filter.width),
+        nodes_bound: nodes_over(part.covered.abs_w),
+        abs_w: part.transformed.abs_w,
+        lobe_seen: part.lobe_seen || scope.keeps_lobe,
+        crosses: part.crosses,
+        coverage: scope.coverage,
+        filter,
+        rim,
+        windows,
+        half_height_range_nm,
+        wavelength_min_nm,
+        fine_tolerance,
+        lobe_radius,
+    };
+    plan.check_memory(input)?;
+    Ok(plan)
+}
+
+/// All that there is to plan.
+fn everything(input: &BuildInput, whole: &Whole) -> Result<Restricted> {
+    let rings = rings(input, whole.hull.radius[1])?;
+    Ok(Restricted { rings, transformed: whole.hull, covered: whole.hull, lobe_seen: true, crosses: whole.crosses })
+}
+
+impl BuildPlan {
+    /// The ring of a direction at this distance from the centre of (u, v).
+    pub fn ring_at(&self, radius: f64) -> Option<&Ring> {
+        self.rings.iter().find(|ring| ring.holds(radius))
     }
-    Ok(rings)
-}
 
-/// The rings in which a domain has texels, with the `|w|` that these are asked for.
-pub(super) fn reached_rings(rings: Vec<Ring>, domain: &Domain) -> Vec<Ring> {
-    let outermost = rings.first().map(|ring| ring.rho[1]);
-    let radii: Vec<f64> = outermost.into_iter().chain(rings.iter().map(|ring| ring.rho[0])).collect();
-    let reached = rings.into_iter().zip(domain.w_of_rings(&radii));
-    reached.filter_map(|(ring, w)| Some(Ring { w: w?, ..ring })).collect()
-}
+    /// The `|w|` that transforms hold and directions in a ring can have.
+    pub(super) fn abs_w_within(&self, ring: &Ring) -> [f64; 2] {
+        [self.abs_w[0], self.abs_w[1].min(max_abs_w(ring.radius[0]))]
+    }
 
-/// An interval widened to whole multiples of a step, within limits that hold it.
-pub(super) fn widened([low, high]: [f64; 2], step: f64, limits: [f64; 2]) -> [f64; 2] {
-    [((low / step).floor() * step).max(limits[0]), ((high / step).ceil() * step).min(limits[1])]
-}
+    /// Most nodes that an interval of `|w|` can need.
+    pub(super) fn nodes_over(&self, [low, high]: [f64; 2]) -> usize {
+        nodes_bound_over(self.half_height_range_nm, self.wavelength_min_nm, self.fine_tolerance, high - low)
+    }
 
-/// Wavelengths for a ring of these radii: as many as the tolerance asks for, or those of a given step.
-pub(super) fn wavelengths_of(
-    optics: &OpticsConfig,
-    bandwidth_nm: f64,
-    [inner, outer]: [f64; 2],
-    tolerance: f64,
-    step_nm: Option<f64>,
-) -> usize {
-    let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
-    match step_nm {
-        Some(step) => ((high_nm - low_nm) / step).ceil() as usize + 1,
-        None => wavelengths_needed(optics, bandwidth_nm, outer, max_abs_w(inner), tolerance),
+    /// The `t` that directions within the lobe have.
+    pub(super) fn t_in_lobe(&self) -> [f64; 2] {
+        self.coverage.as_ref().and_then(|coverage| coverage.t_inside(self.lobe_radius)).unwrap_or([0.0, 1.0])
+    }
+
+    /// Texels times wavelengths of each ring.
+    pub(super) fn ring_samples(&self) -> Vec<f64> {
+        let samples = |ring: &Ring| self.texels.count_within(ring.radius) as f64 * ring.wavelengths() as f64;
+        self.rings.iter().map(samples).collect()
+    }
+
+    /// Counts for reports.
+    pub(super) fn record(&self) -> BuildRecord {
+        let steps = self.rings.iter().flat_map(|ring| ring.quadrature.wavelengths_nm.windows(2));
+        let steps = steps.map(|pair| (pair[0] - pair[1]).abs());
+        let [least, most] = steps.fold([f64::MAX, 0.0], |[least, most], step| [least.min(step), most.max(step)]);
+        BuildRecord {
+            windows: self.windows.len(),
+            wavelengths_max: self.rings.iter().map(Ring::wavelengths).max().unwrap_or(0),
+            samples: self.ring_samples().iter().sum::<f64>() as u64,
+            wavelength_step_nm: [least.min(most), most],
+            ..BuildRecord::default()
+        }
+    }
+
+    /// Refuses what is known to exceed the memory allowed.
+    fn check_memory(&self, input: &BuildInput) -> Result<()> {
+        // As few nodes as there can be; how many it will be is known later.
+        self.check_sums(input.tables.count.unwrap_or(SIMD_WIDTH), 0)?;
+        if input.tables.basis == Basis::Chebyshev {
+            // Windows of one scan are alike.
+            for (scan, field) in input.fields.iter().enumerate() {
+                if let Some((_, placement)) = self.windows.iter().find(|window| window.0 == scan) {
+                    spectra::check_memory(field, *placement, input.optics, &self.spectra)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses sums over so many nodes, and tables beside them, that exceed the memory allowed.
+    pub(super) fn check_sums(&self, nodes: usize, tables: usize) -> Result<()> {
+        let memory_bytes = self.spectra.memory_bytes;
+        let numbers = 3 * (nodes.next_multiple_of(SIMD_WIDTH) + tables) as u64;
+        let bytes = self.texels.window_texels() as u64 * size_of::<f32>() as u64 * numbers;
+        if bytes <= memory_bytes {
+            return Ok(());
+        }
+        let besides = if tables > 0 { format!(" and {tables} tables") } else { String::new() };
+        Err(Error::limit(
+            format!(
+                "sums over {} x {} texels{besides} need {} MiB, {} MiB are allowed",
+                self.texels.columns.len(),
+                self.texels.rows.len(),
+                bytes >> 20,
+                memory_bytes >> 20
+            ),
+            "lower tables.size, fix tables.count, or raise tables.memory_mib",
+        ))
     }
 }
 
-/// Standard deviation in (u, v) of a coherence lobe at a wavelength: `λ σ_f / √2`, `σ_f = 1/(2πσ)`.
-pub fn lobe_width(sigma_nm: f64, wavelength_nm: f64) -> f64 {
-    wavelength_nm / (TAU * sigma_nm * SQRT_2)
+/// The grid that tables have.
+pub fn grid(input: &BuildInput) -> Grid {
+    let resolving = resolving_size(input.optics, input.tables.tolerance);
+    Grid { size: input.tables.size.unwrap_or(resolving.min(AUTOMATIC_SIZE_MAX)), half_width: 2.0 }
 }
 
-/// Radius beyond which the coherent lobe is below 1e-9 of its peak at the longest wavelength.
-pub fn lobe_radius(optics: &OpticsConfig) -> f64 {
-    let high_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[1];
-    // exp(-r²/2) = 1e-9 at r = 6.44 standard deviations.
-    (6.44 * lobe_width(optics.sigma_nm, high_nm)).min(2.0)
+/// What a texel averages over.
+fn box_filter(input: &BuildInput, grid: &Grid) -> BoxFilter {
+    let width = match input.tables.prefilter {
+        Prefilter::None => 0.0,
+        Prefilter::Width(width) => width,
+        Prefilter::Auto if grid.texel() > lobe_width(input.optics.sigma_nm, input.wavelength_range_nm[0]) => {
+            grid.texel()
+        }
+        Prefilter::Auto => 0.0,
+    };
+    BoxFilter { width, samples: box_samples(input.optics, width) }
 }
 
-/// Side of the table whose interpolation by cubics resolves the lobe of the shortest wavelength to the
-/// tolerance: the local cubic errs by `3/128 (Δ/w)⁴` times a fourth derivative of at most 3.
-pub fn resolving_size(optics: &OpticsConfig, tolerance: f64) -> usize {
-    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
-    let texel = lobe_width(optics.sigma_nm, low_nm) * (tolerance * 128.0 / 9.0).powf(0.25);
-    2 * (2.0 / texel).ceil().min(1e6) as usize + 1
+/// The windows of all scans, the one with the highest relief first: the order estimator looks at that one alone, and none
+/// asks for more nodes.
+fn windows(input: &BuildInput) -> Result<Vec<(usize, Placement)>> {
+    let mut windows = Vec::new();
+    for (scan, field) in input.fields.iter().enumerate() {
+        windows.extend(placements(field, input.optics)?.into_iter().map(|placement| (scan, placement)));
+    }
+    if windows.len() < 2 {
+        return Ok(windows);
+    }
+    let rms_nm: Vec<f64> = windows
+        .par_iter()
+        .map(|&(scan, placement)| rms_within_nm(&input.fields[scan], placement, input.optics.sigma_nm))
+        .collect();
+    // Of equal ones the first.
+    let roughest = (0..windows.len()).rev().max_by(|&a, &b| rms_nm[a].total_cmp(&rms_nm[b])).unwrap_or(0);
+    windows[..=roughest].rotate_right(1);
+    Ok(windows)
 }
 
-/// Radius of the (u, v) disc for which the scan's sampling holds every frequency at every wavelength.
-pub fn usable_radius(optics: &OpticsConfig, pitch_nm: [f64; 2]) -> f64 {
-    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
-    (0.5 * low_nm / pitch_nm[0].max(pitch_nm[1])).min(2.0)
+/// Phase scales and frequencies that an extent of directions asks for at the light's wavelengths.
+fn spectra_config(input: &BuildInput, hull: &Hull, width: f64) -> SpectraConfig {
+    let [low_nm, high_nm] = input.wavelength_range_nm;
+    let tau = std::f64::consts::TAU;
+    // The farther end of an interval is reached by the shortest wavelength.
+    let frequencies = |[low, high]: [f64; 2]| {
+        let (low, high) = (low - 0.5 * width, high + 0.5 * width);
+        [low / if low < 0.0 { low_nm } else { high_nm }, high / if high > 0.0 { low_nm } else { high_nm }]
+    };
+    SpectraConfig {
+        phase_scale_per_nm: [tau / high_nm * hull.abs_w[0], tau / low_nm * hull.abs_w[1]],
+        frequency: [frequencies(hull.u), frequencies(hull.v)],
+        tolerance: PHASE_SHARE * input.tables.tolerance,
+        memory_bytes: (input.tables.memory_mib as u64) << 20,
+    }
 }
 
-/// Samples per texel and axis that average a box of this width over a lobe of the shortest wavelength:
-/// spaced 1.2 standard deviations, the midpoint rule errs by `2 exp(-2π²/1.2²)` = 2e-6.
-pub fn box_samples(optics: &OpticsConfig, width: f64) -> usize {
-    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
-    ((width / (1.2 * lobe_width(optics.sigma_nm, low_nm))).ceil() as usize).max(1)
-}
+/// Half range of the heights beyond which no surface is meant: phases of 3000 rad at the shortest visible
+/// wavelength. Counting the nodes alone would take for ever long before the memory's limit is reached.
+const HALF_HEIGHT_RANGE_MAX_NM: f64 = 1e5;
 
-/// Numbers of nodes in `w` that a surface can at most need: Chebyshev terms of a function of bandwidth
-/// `2 max|h|` in `k w` over the whole reach.
-pub fn nodes_bound(bandwidth_nm: f64, wavelength_min_nm: f64, tolerance: f64) -> usize {
-    nodes_bound_over(bandwidth_nm, wavelength_min_nm, tolerance, max_abs_w(0.0))
-}
-
-/// The same over an interval of this length in `w`.
-pub fn nodes_bound_over(bandwidth_nm: f64, wavelength_min_nm: f64, tolerance: f64, w_length: f64) -> usize {
-    nodes_for_exponential(2.0 * bandwidth_nm, w_length * TAU / wavelength_min_nm, tolerance)
+/// Refuses heights that are not numbers, or that cannot be a relief that diffracts.
+fn check_heights(fields: &[HeightField]) -> Result<()> {
+    for (scan, field) in fields.iter().enumerate() {
+        if let Some(((row, column), height)) = field.heights_nm.indexed_iter().find(|(_, h)| !h.is_finite()) {
+            return Err(Error::limit(
+                format!("scan {} holds a height of {height} nm at row {row}, column {column}", scan + 1),
+                "fill or cut out missing samples before tables are built",
+            ));
+        }
+        let half_range = half_height_range_nm(field);
+        if half_range > HALF_HEIGHT_RANGE_MAX_NM {
+            return Err(Error::limit(
+                format!(
+                    "scan {} is {:.3e} nm from valley to peak, {:.0e} nm are the most",
+                    scan + 1,
+                    2.0 * half_range,
+                    2.0 * HALF_HEIGHT_RANGE_MAX_NM
+                ),
+                "check the unit of height, or clip outliers with despike",
+            ));
+        }
+    }
+    Ok(())
 }

@@ -9,27 +9,28 @@ use std::path::Path;
 use ndarray::Array3;
 use rayon::prelude::*;
 
+use super::grid::Grid;
 use super::model::{Basis, Rounding, Storage, TableSet};
-use super::pilot::{LIT, PLACES_TESTED, quantile, spread_texels};
-use super::plan::{Grid, RIM_TEXELS};
+use super::order::{LIT, PLACES_TESTED, quantile, spread_texels};
+use super::plan::RIM_TEXELS;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::{Xyz, max_abs_w};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{Interpolation, window_power};
 use diffraction_brdf::storage::{StoredTables, round_to_half, write_tables};
 
-/// Share of the tolerance that the bits left out may take at any depth of a texel, all tables together and in the worst
+/// Share of the tolerance that the bits left out may take at any `|w|` of a texel, all tables together and in the worst
 /// case. One place in twenty errs by 0.15 of the tolerance or more, beside the 0.7 of [`STORED_SHARE`] next to nothing.
-pub const ROUNDED_SHARE: f64 = 0.25;
+pub(crate) const ROUNDED_SHARE: f64 = 0.25;
 
 /// Share of the tolerance that storing as a whole may take in 95 % of places: what basis and wavelength step, with a
 /// half each, leave of it where independent errors add as squares, `sqrt(1 - 2/4)`.
-pub const STORED_SHARE: f64 = 0.7;
+pub(crate) const STORED_SHARE: f64 = 0.7;
 
 /// Least that halves change one number in twenty by, relatively, and values about as much. Rounded to nearest,
 /// `e = 2^-11 U / m` with `U` even over [0, 1] and the significand `m` over [1, 2) with the density `1 / (m ln 2)`; hence
 /// `P(e > 2^-11 y) = (y - 1 - ln y) / ln 2` for `y > 1/2`, which is 0.05 at y = 0.757.
-pub const HALF_P95: f64 = 0.757 / 2048.0;
+pub(crate) const HALF_P95: f64 = 0.757 / 2048.0;
 
 /// Places at which a texel's least value is looked for: two for each polynomial, and no more than these.
 const PLACES: [usize; 2] = [8, 32];
@@ -94,8 +95,8 @@ fn to_halves(set: &TableSet) -> TableSet {
 
 /// The set with every number of its tables rounded to a multiple of a power of two, as coarse as the tolerance allows.
 ///
-/// At a texel and depth, tables `a_n` rounded by `e_n` shift the value `Σ a_n b_n` by at most `Σ |e_n b_n|`. This is
-/// kept below [`ROUNDED_SHARE`] of the tolerance times the value at every depth of the texel: Y times Y itself, X and Z
+/// At a texel and `t`, tables `a_n` rounded by `e_n` shift the value `Σ a_n b_n` by at most `Σ |e_n b_n|`. This is
+/// kept below [`ROUNDED_SHARE`] of the tolerance times the value at every `t` of the texel: Y times Y itself, X and Z
 /// times X + Y + Z, for it is their share in the sum that a colour shows. Chebyshev polynomials are at most 1, so all of
 /// a texel's tables have one step; the powers of `w` have steps that grow as powers fall, each so that it costs the same
 /// share where it hurts most. Linear look-ups between texels keep the bound, being means. The lobe stays as it is: its
@@ -180,8 +181,8 @@ impl Steps {
         if self.basis == Basis::Chebyshev {
             return;
         }
-        let rho = self.grid.u(column).hypot(self.grid.v(row));
-        let reach = max_abs_w((rho - RIM_TEXELS * self.grid.texel()).max(0.0));
+        let radius = self.grid.u(column).hypot(self.grid.v(row));
+        let reach = max_abs_w((radius - RIM_TEXELS * self.grid.texel()).max(0.0));
         scratch.powers.iter_mut().enumerate().for_each(|(n, power)| *power = reach.powi(n as i32));
         let powers = &scratch.powers;
         scratch.magnitudes.clear();
@@ -304,12 +305,12 @@ impl Places {
             return Self { groups: [const { Vec::new() }; 3], floor_per_sr: 0.0 };
         };
         let first = set.served.as_ref().map_or([0; 2], |served| served.first);
-        let serves =
+        let covers =
             |[row, column]: [usize; 2]| set.served.as_ref().is_none_or(|served| served.range[[row, column, 2]] != 0.0);
-        let rho = |[row, column]: [usize; 2]| grid.u(column + first[1]).hypot(grid.v(row + first[0]));
+        let distance = |[row, column]: [usize; 2]| grid.u(column + first[1]).hypot(grid.v(row + first[0]));
         let inside: Vec<[usize; 2]> = (0..rows * columns)
             .map(|index| [index / columns, index % columns])
-            .filter(|&at| rho(at) < 2.0 && serves(at))
+            .filter(|&at| distance(at) < 2.0 && covers(at))
             .collect();
         let middle_place = PLACES_TESTED[PLACES_TESTED.len() / 2];
         let luminance: Vec<f64> = inside.par_iter().map(|&at| value(set, at, middle_place)[1]).collect();
@@ -317,7 +318,7 @@ impl Places {
         let floor = FLOOR_PER_SR.max(LIT * luminance.iter().copied().fold(0.0, f64::max));
         let lit = inside.iter().zip(&luminance).filter(|(_, y)| **y > floor).map(|(at, _)| *at).collect();
         let near = 0.5 * lobe_radius;
-        let middle = inside.iter().copied().filter(|&at| rho(at) < near).collect();
+        let middle = inside.iter().copied().filter(|&at| distance(at) < near).collect();
         let at = |[u, v]: [f64; 2]| -> Option<[usize; 2]> {
             let of = |x: f64, first: usize, count: usize| {
                 let index = ((x + 2.0) / grid.texel()).round() - first as f64;
@@ -325,7 +326,7 @@ impl Places {
             };
             Some([of(-v, first[0], rows)?, of(u, first[1], columns)?])
         };
-        let spread = spread_texels(TEXELS).into_iter().filter_map(at).filter(|&at| rho(at) < 2.0 && serves(at));
+        let spread = spread_texels(TEXELS).into_iter().filter_map(at).filter(|&at| distance(at) < 2.0 && covers(at));
         Self { groups: [spread.collect(), drawn(lit), drawn(middle)], floor_per_sr: floor }
     }
 

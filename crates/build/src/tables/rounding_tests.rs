@@ -29,18 +29,19 @@ fn set(basis: Basis) -> TableSet {
     }
 }
 
-/// Largest change of a set's values over all texels in the disc and a hundred depths, as a share of what is allowed.
+/// Largest change of a set's values over all texels in the disc and a hundred values of `t`, as a share of what is allowed.
 fn worst_share(exact: &TableSet, other: &TableSet, allowed: f64) -> f64 {
     let grid = Grid { size: SIZE, half_width: 2.0 };
     let texels = (0..SIZE * SIZE).map(|index| [index / SIZE, index % SIZE]);
     let inside = texels.filter(|at| grid.u(at[1]).hypot(grid.v(at[0])) < 2.0);
-    let depths = |at| (2..=100).map(move |k| (at, f64::from(k) / 100.0));
-    let changes = inside.flat_map(depths).filter_map(|(at, t)| change(value(exact, at, t), value(other, at, t), 0.0));
+    let at_each_t = |at| (2..=100).map(move |k| (at, f64::from(k) / 100.0));
+    let changes =
+        inside.flat_map(at_each_t).filter_map(|(at, t)| change(value(exact, at, t), value(other, at, t), 0.0));
     changes.flatten().fold(0.0, f64::max) / allowed
 }
 
 #[test]
-fn values_keep_their_share_of_the_tolerance_at_every_depth() {
+fn values_keep_their_share_of_the_tolerance_at_every_t() {
     for basis in [Basis::Chebyshev, Basis::Taylor] {
         let exact = set(basis);
         for tolerance in [3e-2, 1e-3, 1e-5] {
@@ -71,7 +72,7 @@ fn bits_below_the_tolerance_are_zero() {
 }
 
 #[test]
-fn what_vanishes_at_some_depth_keeps_all_its_digits() {
+fn what_vanishes_at_some_t_keeps_all_its_digits() {
     let mut exact = set(Basis::Chebyshev);
     // T_0 - T_1 - 1e-9 T_2 falls below zero towards t = 1.
     for (table, number) in exact.tables.iter_mut().zip([0.3, -0.3, -1e-9, 0.0, 0.0]) {
@@ -108,7 +109,7 @@ fn halves_are_chosen_where_they_keep_the_tolerance() {
 #[test]
 fn the_cross_term_counts() {
     let mut exact = set(Basis::Chebyshev);
-    // Patches that cancel each other but for a hundredth at one end of the depths.
+    // Patches that cancel each other but for a hundredth at one end of the range.
     let patch = |value: f32| {
         Array3::from_shape_fn((9, 9, 3), |(row, column, _)| value * (1.0 + 0.01 * (row * 9 + column) as f32))
     };

@@ -2,7 +2,7 @@
 //!
 //! `|P|² = Σ_p (k |w|)^p Σ_{n+m=p} Re(F_n F*_m)` with `F_n` the transform of `g (-i h)^n / n!`, so
 //! `table_p = ∫ S x̄ k^p Σ Re(F_n F*_m) / (λ² A) dλ`. The terms grow like `exp(k |w| |h - h'|)` before
-//! they cancel down to the result: the method's depth is limited by the digits of the storage.
+//! they cancel down to the result: the height of a relief that the method takes is limited by the digits of the storage.
 
 use std::f64::consts::TAU;
 
@@ -10,12 +10,12 @@ use ndarray::Array3;
 use rayon::prelude::*;
 
 use super::accumulate::{Targets, span};
-use super::build::{Advance, BuildPlan, plan, record};
-use super::domain::inner_columns;
-use super::model::{Basis, BuildRecord, Storage, TableSet, TablesConfig};
-use super::plan::{Ring, usable_radius};
+use super::input::BuildInput;
+use super::model::{Advance, Basis, BuildRecord, Storage, TableSet, TablesConfig};
+use super::plan::BuildPlan;
+use super::rings::Ring;
+use super::texels::inner_columns;
 use crate::height::HeightField;
-use crate::optics::config::OpticsConfig;
 use crate::optics::kernel::Kernel;
 use crate::optics::powers::{HeightPowers, PowersConfig, square_series, transform_powers};
 use diffraction_brdf::error::{Error, Result};
@@ -110,25 +110,23 @@ fn height_differences(field: &HeightField) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Builds the published method's tables; they contain the coherent lobe.
+/// Builds the published method's tables, for every direction; they contain the coherent lobe.
 ///
 /// # Errors
-/// Those of [`plan`], `Error::Limit` where the terms would cancel catastrophically in the wanted storage,
-/// and transforms or sums beyond the allowed memory.
-pub fn build_taylor(
-    fields: &[HeightField],
-    optics: &OpticsConfig,
-    config: &TablesConfig,
-    advance: Advance,
-) -> Result<(TableSet, BuildRecord)> {
-    let plan = plan(fields, optics, config)?;
-    let forecast = forecast(fields, plan.spectra.s[1], config.tolerance);
+/// `Error::Limit` where the terms would cancel catastrophically in the wanted storage, and transforms or sums beyond the
+/// allowed memory; `Error::Call` for a plan restricted to some directions.
+pub(crate) fn build_taylor(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Result<(TableSet, BuildRecord)> {
+    if plan.coverage.is_some() {
+        return Err(Error::Call("the published method's tables are for every direction".into()));
+    }
+    let BuildInput { fields, optics, tables: config, .. } = *input;
+    let forecast = forecast(fields, plan.spectra.phase_scale_per_nm[1], config.tolerance);
     refuse_catastrophe(&forecast, config.storage.unwrap_or(Storage::Float))?;
     let terms = config.count.unwrap_or(forecast.terms).max(1);
-    check_limits(&plan, terms, config)?;
+    check_limits(plan, terms, config)?;
     let powers = PowersConfig {
         orders: terms,
-        scale_nm: if plan.bandwidth_nm > 0.0 { plan.bandwidth_nm } else { 1.0 },
+        scale_nm: if plan.half_height_range_nm > 0.0 { plan.half_height_range_nm } else { 1.0 },
         frequency: plan.spectra.frequency,
         memory_bytes: plan.spectra.memory_bytes,
     };
@@ -140,12 +138,12 @@ pub fn build_taylor(
             for (&nm, weight) in ring.quadrature.wavelengths_nm.iter().zip(&ring.quadrature.weights) {
                 let x = TAU / nm * powers.scale_nm;
                 let factors: Vec<f64> = (0..terms).map(|p| share * x.powi(p as i32) / (nm * nm)).collect();
-                Wave::new(&series, &plan, ring, terms, nm).add(&factors, *weight, &mut sums);
+                Wave::new(&series, plan, ring, terms, nm).add(&factors, *weight, &mut sums);
             }
-            advance(ring.quadrature.wavelengths_nm.len() as u64);
+            advance(ring.wavelengths() as u64);
         }
     }
-    let record = BuildRecord { transforms: terms, windows: plan.windows.len(), ..record(&plan) };
+    let record = BuildRecord { transforms: terms, ..plan.record() };
     let size = plan.texels.grid.size;
     let table = |p: usize| {
         Array3::from_shape_fn((size, size, 3), |(row, column, channel)| {
@@ -159,7 +157,7 @@ pub fn build_taylor(
         prefilter_width: plan.filter.width,
         front_factor: optics.front_factor(),
         served: None,
-        usable_radius: fields.iter().map(|f| usable_radius(optics, f.pitch_nm)).fold(2.0, f64::min),
+        usable_radius: input.usable_radius(),
     };
     Ok((set, record))
 }
@@ -172,7 +170,7 @@ fn refuse_catastrophe(forecast: &SeriesForecast, storage: Storage) -> Result<()>
     let instead = if storage == Storage::Half && forecast.rounding(Storage::Float) <= CATASTROPHE {
         "use tables.storage = \"float\", or tables.basis = \"chebyshev\""
     } else {
-        "use tables.basis = \"chebyshev\", or clip outliers if they set the depth"
+        "use tables.basis = \"chebyshev\", or clip outliers if they set the range of heights"
     };
     Err(Error::limit(
         format!(
@@ -226,7 +224,7 @@ struct Wave<'a> {
 
 impl<'a> Wave<'a> {
     fn new(series: &'a HeightPowers, plan: &'a BuildPlan, ring: &'a Ring, terms: usize, wavelength_nm: f64) -> Self {
-        let columns = plan.texels.grid.columns_within(ring.rho[1]);
+        let columns = plan.texels.grid.columns_within(ring.radius[1]);
         let box_of = [columns.clone(), columns.clone()];
         let targets = Targets::new(&plan.texels.grid, box_of, plan.filter, series.kernel, series.step, wavelength_nm);
         let (first_row, last_row) = span(&targets.taps[1]);
@@ -257,8 +255,8 @@ impl<'a> Wave<'a> {
             || (vec![0.0; self.series.values], vec![0.0; self.terms]),
             |(values, power), (row, out)| {
                 let v = grid.v(row);
-                let outer = grid.columns_within((self.ring.rho[1].powi(2) - v * v).max(0.0).sqrt());
-                let inner = inner_columns(grid, self.ring.rho[0], v);
+                let outer = grid.columns_within((self.ring.radius[1].powi(2) - v * v).max(0.0).sqrt());
+                let inner = inner_columns(grid, self.ring.radius[0], v);
                 for column in outer.filter(|c| !inner.contains(c)) {
                     self.texel(row, column, values, power);
                     let texel = &mut out[column * per_texel..(column + 1) * per_texel];
@@ -311,8 +309,8 @@ mod tests {
     use super::*;
     use ndarray::Array2;
 
-    fn field(depth_nm: f64) -> HeightField {
-        let heights_nm = Array2::from_shape_fn((32, 64), |(_, x)| 0.5 * depth_nm * (x as f64 * TAU / 64.0).sin());
+    fn field(height_nm: f64) -> HeightField {
+        let heights_nm = Array2::from_shape_fn((32, 64), |(_, x)| 0.5 * height_nm * (x as f64 * TAU / 64.0).sin());
         HeightField { heights_nm, pitch_nm: [60.0, 60.0] }
     }
 
@@ -330,9 +328,9 @@ mod tests {
     }
 
     #[test]
-    fn terms_grow_with_depth_and_tolerance_and_a_flat_surface_needs_one() {
+    fn terms_grow_with_relief_and_tolerance_and_a_flat_surface_needs_one() {
         let s = 2.0 * TAU / 380.0;
-        let terms = |depth, tolerance| forecast(&[field(depth)], s, tolerance).terms;
+        let terms = |height_nm, tolerance| forecast(&[field(height_nm)], s, tolerance).terms;
         assert_eq!(terms(0.0, 1e-6), 1);
         assert!(terms(100.0, 1e-3) < terms(200.0, 1e-3) && terms(100.0, 1e-3) < terms(100.0, 1e-6));
         // Stirling: x^T / T! = 1e-4 at x = 6.6 (200 nm) for T = 24; the mean over pairs lies below the worst pair.

@@ -15,19 +15,10 @@ const BAND_SAMPLES: usize = 1 << 20;
 /// XYZ image `[rows, columns, 3]` of gathered samples: `Σ weight f(wi, wo)` in each pixel, summed
 /// in double precision in the samples' order.
 pub fn shade(samples: &ShadingSamples, brdf: &Brdf) -> Array3<f32> {
-    shade_subset(samples, brdf, 1)
-}
-
-/// [`shade`] of every `stride`-th pixel in both directions, for slow references: entry `(r, c)` is
-/// pixel `(r * stride, c * stride)`.
-pub fn shade_subset(samples: &ShadingSamples, brdf: &Brdf, stride: usize) -> Array3<f32> {
-    let stride = stride.max(1);
-    let rows = samples.rows.div_ceil(stride);
-    let columns = samples.columns.div_ceil(stride);
-    let mut image = Array3::zeros((rows, columns, 3));
+    let mut image = Array3::zeros((samples.rows, samples.columns, 3));
     image.axis_iter_mut(Axis(0)).into_par_iter().enumerate().for_each(|(r, mut row)| {
         for (c, mut pixel) in row.outer_iter_mut().enumerate() {
-            let xyz = shade_pixel(samples, brdf, r * stride, c * stride);
+            let xyz = shade_pixel(samples, brdf, r, c);
             for (channel, value) in pixel.iter_mut().zip(xyz) {
                 *channel = value as f32;
             }
@@ -51,21 +42,15 @@ fn shade_pixel(samples: &ShadingSamples, brdf: &Brdf, row: usize, column: usize)
 /// Picture of a scene, gathered and shaded band by band, so that memory stays bounded however
 /// many samples a pixel has. The same values as [`shade`] of all samples.
 pub fn render(scene: &Scene, brdf: &Brdf) -> Result<Array3<f32>> {
-    render_subset(scene, brdf, 1)
-}
-
-/// [`render`] of every `stride`-th pixel in both directions, as in [`shade_subset`].
-pub fn render_subset(scene: &Scene, brdf: &Brdf, stride: usize) -> Result<Array3<f32>> {
     check(scene)?;
-    let stride = stride.max(1);
-    let side = scene.size_px.div_ceil(stride);
+    let side = scene.size_px;
     let band_rows = (BAND_SAMPLES / (samples_per_pixel(scene) * side)).clamp(1, side);
     let mut image = Array3::zeros((side, side, 3));
     let bands = image.axis_chunks_iter_mut(Axis(0), band_rows);
     for (index, mut band) in bands.enumerate() {
-        let start = index * band_rows * stride;
-        let end = scene.size_px.min(start + band_rows * stride);
-        band.assign(&shade(&samples_of(scene, start..end, stride)?, brdf));
+        let start = index * band_rows;
+        let end = side.min(start + band_rows);
+        band.assign(&shade(&samples_of(scene, start..end, 1)?, brdf));
     }
     Ok(image)
 }

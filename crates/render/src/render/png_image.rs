@@ -137,13 +137,6 @@ pub fn heat_map(errors: &Array2<f32>, full_scale: f32) -> Array3<u8> {
     picture
 }
 
-/// The heat map's scale as a horizontal bar, 0 on the left and full scale on the right.
-pub fn heat_bar(width_px: usize, height_px: usize) -> Array3<u8> {
-    let last = width_px.saturating_sub(1).max(1) as f32;
-    let ramp = Array2::from_shape_fn((height_px, width_px), |(_, column)| column as f32 / last);
-    heat_map(&ramp, 1.0)
-}
-
 /// The scale's colour at a share of full scale.
 fn heat_colour(share: f32) -> [u8; 3] {
     if share.is_nan() {
@@ -256,7 +249,7 @@ mod tests {
 
     #[test]
     fn heat_scale_rises_in_luminance() {
-        let bar = heat_bar(257, 1);
+        let bar = heat_map(&Array2::from_shape_fn((1, 257), |(_, column)| column as f32 / 256.0), 1.0);
         let luminance = |column: usize| {
             let [r, g, b] = [0, 1, 2]
                 .map(|c| diffraction_build::ground::colour::srgb_decode(f64::from(bar[[0, column, c]]) / 255.0));

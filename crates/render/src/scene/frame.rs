@@ -13,9 +13,6 @@ pub struct Frame {
     pub normal: Vec3,
 }
 
-/// The frame whose axes are the world's.
-pub const WORLD: Frame = Frame { tangent: [1.0, 0.0, 0.0], bitangent: [0.0, 1.0, 0.0], normal: [0.0, 0.0, 1.0] };
-
 /// Vector product.
 pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
@@ -78,6 +75,9 @@ pub fn about(normal: Vec3) -> Frame {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    /// The frame whose axes are the world's.
+    const WORLD: Frame = Frame { tangent: [1.0, 0.0, 0.0], bitangent: [0.0, 1.0, 0.0], normal: [0.0, 0.0, 1.0] };
 
     /// Largest violation of orthonormality and right-handedness.
     fn defect(frame: &Frame) -> f64 {

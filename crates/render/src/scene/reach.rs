@@ -1,25 +1,22 @@
-//! What of (u, v, w) a scene's picture reaches: the texels and depths that its tables must hold.
+//! What a scene's pictures look up: directions pixel by pixel, for tables that are restricted to them.
 
-use rayon::prelude::*;
+use std::ops::Range;
 
 use super::animation;
-use super::model::{Light, Scene, Shape};
+use super::model::{Exposure, Light, Scene, Shape};
 use super::samples::{ShadingSamples, pixel_range, samples_of, samples_per_pixel};
 use diffraction_brdf::direction::normalised_abs_w;
 use diffraction_brdf::direction::{dot, wave_vector_change};
 use diffraction_brdf::error::Result;
-use diffraction_build::tables::domain::{Directions, Domain};
-use diffraction_build::tables::plan::Grid;
+use diffraction_build::tables::coverage::find::LookUps;
+use diffraction_build::tables::coverage::ranges::Directions;
 
 /// Texels by which the directions of neighbouring pixels may lie apart and still belong to one piece of surface: what
-/// lies between them is then reached too. Farther apart they are on two sides of an edge.
+/// lies between them is then looked up too. Farther apart they are on two sides of an edge.
 const JUMP_TEXELS: f64 = 16.0;
 
 /// Positions within each pixel that are looked at, if the picture has fewer.
 const PIXEL_SAMPLES: usize = 16;
-
-/// Texels beside everything seen that are reached as well.
-const MARGIN_TEXELS: f64 = 1.0;
 
 /// Share of what `|q|²` ranges over, by which a pixel's range is widened at both ends: sixteen points evenly over a
 /// light's disc leave its rim, and a thirty-second of its radius before it, to other renderers.
@@ -28,75 +25,104 @@ const MARGIN_Q_SQUARED: f64 = 1.0 / 16.0;
 /// Samples gathered at a time.
 const BAND_SAMPLES: usize = 1 << 18;
 
-/// Marks on a grid whatever a picture of the scene looks up, light by light.
+/// Whatever the pictures of a scene look up, light by light.
 ///
-/// Directions are those of the very samples that the picture is made of. To hold for other renderers too, which put
-/// their samples elsewhere within the same pixels and lights, more samples are spread over each pixel, everything between
-/// a pixel's samples of one light and between those of neighbouring pixels counts as reached, and so do the texels
-/// around all that.
-///
-/// At most `parts` copies of the grid are filled at once.
-///
-/// # Errors
-/// A scene that cannot be rendered.
-pub fn reach(scene: &Scene, grid: Grid, parts: usize) -> Result<Domain> {
-    let mut reached = reach_of_still(scene, grid, parts)?;
-    if let Some(animation) = &scene.animation {
-        for index in 0..animation.frames {
-            reached = reached.merge(&reach_of_still(&animation::frame(scene, animation, index), grid, parts)?);
+/// Directions are those of the very samples that a picture is made of. To hold for other renderers too, which put
+/// their samples elsewhere within the same pixels and lights, more samples are spread over each pixel, and everything
+/// between a pixel's samples of one light and between those of neighbouring pixels counts as looked up.
+pub struct SceneLookUps<'a> {
+    scene: &'a Scene,
+    /// Bands of rows of the still and of each frame, under one light each.
+    parts: Vec<(Lit, Range<usize>)>,
+}
+
+/// What a part shows.
+#[derive(Clone, Copy)]
+struct Lit {
+    /// The frame of the animation; `None` for the still.
+    frame: Option<usize>,
+    /// The light; `None` for what comes from all around.
+    light: Option<usize>,
+    /// Whether more samples are spread over each pixel than the picture has.
+    is_dense: bool,
+}
+
+impl<'a> SceneLookUps<'a> {
+    /// Of the still and all frames.
+    pub fn new(scene: &'a Scene) -> Self {
+        let frames = scene.animation.iter().flat_map(|animation| (0..animation.frames).map(Some));
+        let lights = match scene.shape {
+            Shape::Hemisphere | Shape::Screen { .. } => 1,
+            _ => scene.lights.len().max(1),
+        };
+        let around = scene.environment.is_some();
+        // Without any light a screen has its beam, and an environment lights alone.
+        let lights = (0..lights).filter(|&light| light < scene.lights.len() || !around).map(Some);
+        let lights: Vec<Option<usize>> = lights.chain(around.then_some(None)).collect();
+        let densities: &[bool] = if scene.pixel_samples < PIXEL_SAMPLES { &[false, true] } else { &[false] };
+        let mut parts = Vec::new();
+        for frame in [None].into_iter().chain(frames) {
+            for &light in &lights {
+                for &is_dense in densities {
+                    let lit = Lit { frame, light, is_dense };
+                    parts.extend(bands(&lit.scene(scene)).into_iter().map(|rows| (lit, rows)));
+                }
+            }
+        }
+        Self { scene, parts }
+    }
+}
+
+impl LookUps for SceneLookUps<'_> {
+    fn name(&self) -> &str {
+        &self.scene.name
+    }
+
+    fn is_exposed_by_content(&self) -> bool {
+        self.scene.exposure == Exposure::Auto
+    }
+
+    fn parts(&self) -> usize {
+        self.parts.len()
+    }
+
+    fn visit(&self, part: usize, texel: f64, mark: &mut dyn FnMut(&Directions)) -> Result<()> {
+        let (lit, rows) = &self.parts[part];
+        let samples = samples_of(&lit.scene(self.scene), rows.clone(), 1)?;
+        visit_pixels(&samples, JUMP_TEXELS * texel, mark);
+        Ok(())
+    }
+}
+
+impl Lit {
+    /// The part of a scene that it is.
+    fn scene(self, whole: &Scene) -> Scene {
+        let still = match (self.frame, &whole.animation) {
+            (Some(index), Some(animation)) => animation::frame(whole, animation, index),
+            _ => whole.clone(),
+        };
+        let lights: Vec<Light> = self.light.and_then(|light| still.lights.get(light)).copied().into_iter().collect();
+        Scene {
+            lights,
+            // Light from all around: everything between its directions is lit as well.
+            environment: still.environment.filter(|_| self.light.is_none()),
+            pixel_samples: if self.is_dense { PIXEL_SAMPLES } else { still.pixel_samples },
+            ..still
         }
     }
-    Ok(reached)
 }
 
-fn reach_of_still(scene: &Scene, grid: Grid, parts: usize) -> Result<Domain> {
-    let mut reached = Domain::new(grid);
-    let lights = match scene.shape {
-        Shape::Hemisphere | Shape::Screen { .. } => 1,
-        _ => scene.lights.len().max(1),
-    };
-    for light in 0..lights {
-        let lights: Vec<Light> = scene.lights.get(light).copied().into_iter().collect();
-        if lights.is_empty() && scene.environment.is_some() {
-            continue;
-        }
-        reached = reached.merge(&reach_of_light(&Scene { lights, environment: None, ..scene.clone() }, grid, parts)?);
-    }
-    if scene.environment.is_some() {
-        // Light from all around: everything between its directions is lit as well.
-        reached = reached.merge(&reach_of_light(&Scene { lights: Vec::new(), ..scene.clone() }, grid, parts)?);
-    }
-    Ok(reached)
-}
-
-fn reach_of_light(scene: &Scene, grid: Grid, parts: usize) -> Result<Domain> {
-    let reached = reach_of_samples(scene, grid, parts)?;
-    if scene.pixel_samples >= PIXEL_SAMPLES {
-        return Ok(reached);
-    }
-    Ok(reached.merge(&reach_of_samples(&Scene { pixel_samples: PIXEL_SAMPLES, ..scene.clone() }, grid, parts)?))
-}
-
-fn reach_of_samples(scene: &Scene, grid: Grid, parts: usize) -> Result<Domain> {
+/// Rows of a picture whose samples are gathered at a time.
+fn bands(scene: &Scene) -> Vec<Range<usize>> {
     let side = scene.size_px;
-    let band = (BAND_SAMPLES / (samples_per_pixel(scene) * side).max(1)).clamp(1, side);
-    let starts: Vec<usize> = (0..side).step_by(band).collect();
-    let of_part = |part: usize| {
-        let mut domain = Domain::new(grid);
-        // Bands in turn: what takes long in a picture lies together.
-        for start in starts.iter().skip(part).step_by(parts) {
-            // One row more, so that the last row has a neighbour.
-            let samples = samples_of(scene, *start..(start + band + 1).min(side), 1)?;
-            mark_pixels(&mut domain, &samples);
-        }
-        Ok(domain)
-    };
-    let marked = (0..parts.min(starts.len())).into_par_iter().map(of_part).collect::<Result<Vec<Domain>>>()?;
-    Ok(marked.into_iter().reduce(|a, b| a.merge(&b)).unwrap_or_else(|| Domain::new(grid)))
+    let band = (BAND_SAMPLES / (samples_per_pixel(scene) * side).max(1)).clamp(1, side.max(1));
+    // One row more, so that the last row has a neighbour. A picture without rows has one part, which is refused.
+    (0..side.max(1)).step_by(band).map(|start| start..(start + band + 1).min(side)).collect()
 }
 
-fn mark_pixels(domain: &mut Domain, samples: &ShadingSamples) {
-    let jump = JUMP_TEXELS * domain.grid.texel();
+/// Calls `mark` with the directions of every pixel, and of all between it and its neighbours but those that lie farther
+/// away than `jump` in (u, v).
+fn visit_pixels(samples: &ShadingSamples, jump: f64, mark: &mut dyn FnMut(&Directions)) {
     let pixels = 0..samples.rows * samples.columns;
     let seen: Vec<Option<Directions>> = pixels.map(|pixel| pixel_directions(samples, pixel)).collect();
     for row in 0..samples.rows {
@@ -114,7 +140,7 @@ fn mark_pixels(domain: &mut Domain, samples: &ShadingSamples) {
             let [low, high] = directions.q_squared;
             let margin = MARGIN_Q_SQUARED * (high - low);
             directions.q_squared = [low - margin, high + margin];
-            domain.mark(&directions, MARGIN_TEXELS);
+            mark(&directions);
         }
     }
 }

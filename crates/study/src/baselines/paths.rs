@@ -85,6 +85,7 @@ mod tests {
             illuminant: Illuminant::Lines(vec![Line { wavelength_nm: 532.0, power: 1.0 }]),
             wavelength_nm: [380.0, 780.0],
             sigma_nm: 2_000.0,
+            lobe_sigma_nm: None,
             edge: Edge::Fade,
             windows: Windows::Centre,
             material: Material::Ideal,

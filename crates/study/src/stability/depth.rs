@@ -4,15 +4,16 @@ use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
-use super::StabilityCase;
+use super::case::StabilityCase;
 use super::series;
 use super::support::{
     BOUND, Comparison, HALF_AS_MANY, TOLERANCE, case, config, laser, on_texels, optics, refused, relief, scaled, tables,
 };
 use diffraction_brdf::chebyshev::{Interpolant, nodes_for_exponential};
 use diffraction_build::tables::forecast;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, TablesConfig};
-use diffraction_build::tables::plan::nodes_bound;
+use diffraction_build::tables::resolution::nodes_bound;
 use diffraction_build::tables::taylor;
 
 /// Peak-to-valley depths in nm.
@@ -151,7 +152,8 @@ fn memory() -> StabilityCase {
     let (optics, config) = (optics(8_000.0), TablesConfig { memory_mib: 16, ..config(Basis::Chebyshev) });
     let accepted = tables(&field, &optics, &config).is_ok();
     let roomy = TablesConfig { memory_mib: 1 << 16, ..config };
-    let predicted = forecast::forecast(&[field], &optics, &roomy, 1).map_or(f64::NAN, |f| f.memory_bytes as f64);
+    let predicted =
+        forecast::forecast(&BuildInput::new(&[field], &optics, &roomy), 1).map_or(f64::NAN, |f| f.memory_bytes as f64);
     let share = predicted / (16 << 20) as f64;
     let note = "memory taken over memory allowed: none where it is refused";
     case("20 um within 16 MiB", note, if accepted { share } else { 0.0 }, 1.0).guarded("refusal", share)

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::StabilityCase;
+use super::case::StabilityCase;
 use super::support::{
     BOUND, Comparison, HALF_AS_MANY, Pair, case, config, on_texels, optics, pair_of, refused, relief, tables,
 };

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use ndarray::Array2;
 use rustfft::num_complex::Complex;
 
-use super::StabilityCase;
+use super::case::StabilityCase;
 use super::support::{BOUND, Comparison, case, config, laser, on_row, on_texels, refused, relief, tables};
 use diffraction_build::height::HeightField;
 use diffraction_build::tables::model::{Basis, TablesConfig};

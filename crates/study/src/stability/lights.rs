@@ -1,6 +1,6 @@
 //! Stability in the light: windows far smaller and far larger than the scan, lasers, gaps, wide spectra.
 
-use super::StabilityCase;
+use super::case::StabilityCase;
 use super::support::{TakenOut, compared, config, laser, optics, relief};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;

@@ -10,7 +10,7 @@ use super::support::{WAVE_SIGMA_NM, relief};
 use diffraction_build::ground::metrics::relative_error_quantiles;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::powers::{PowersConfig, transform_powers};
-use diffraction_build::optics::spectra::bandwidth_nm;
+use diffraction_build::optics::spectra::half_height_range_nm;
 use diffraction_build::optics::window::Placement;
 use diffraction_build::tables::taylor::forecast;
 
@@ -59,7 +59,7 @@ pub fn row(depth_nm: f64) -> SeriesRow {
     let terms = predicted.terms.min(TERMS_MAX);
     let config = PowersConfig {
         orders: terms,
-        scale_nm: bandwidth_nm(&field),
+        scale_nm: half_height_range_nm(&field),
         frequency: [[-1.0 / NM, 1.0 / NM]; 2],
         memory_bytes: 1 << 30,
     };

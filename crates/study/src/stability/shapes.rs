@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use ndarray::Array2;
 
-use super::StabilityCase;
+use super::case::StabilityCase;
 use super::support::{
     BOUND, Comparison, HALF_AS_MANY, TakenOut, case, compared, config, laser, on_row, optics, pair_of, refused, relief,
     scaled, tables,
@@ -14,10 +14,11 @@ use diffraction_brdf::evaluate::{Interpolation, window_power};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::kernel::Kernel;
 use diffraction_build::optics::reference;
-use diffraction_build::optics::spectra::bandwidth_nm;
-use diffraction_build::tables::build::grid;
+use diffraction_build::optics::spectra::half_height_range_nm;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, TableSet, TablesConfig};
-use diffraction_build::tables::plan::lobe_width;
+use diffraction_build::tables::plan::grid;
+use diffraction_build::tables::resolution::lobe_width;
 
 pub fn cases() -> Vec<StabilityCase> {
     let single =
@@ -114,7 +115,7 @@ fn unusable() -> Vec<StabilityCase> {
             let config = config(basis);
             let accepted = tables(&field, &optics(600.0), &config).is_ok();
             // Lines of the tile of 2 µm within 2/λ, times the nodes, times a complex float.
-            let nodes = 0.5 * bandwidth_nm(&field) * 2.0 * TAU / 380.0;
+            let nodes = 0.5 * half_height_range_nm(&field) * 2.0 * TAU / 380.0;
             let share = nodes * 16.0 * 16.0 * 8.0 / ((config.memory_mib as f64) * (1 << 20) as f64);
             let note = "memory taken over memory allowed: none where it is refused";
             cases.push(
@@ -243,7 +244,7 @@ fn smallest_table() -> StabilityCase {
     let Ok(set) = tables(&relief([32, 32], [125.0; 2], 200.0), &optics(800.0), &config) else { return refused(name) };
     let texels = set.tables.iter().flat_map(|table| table.lanes(ndarray::Axis(2)).into_iter().collect::<Vec<_>>());
     let not_finite = texels.filter(|xyz| xyz.iter().any(|value| !value.is_finite())).count();
-    let grid = grid(&optics(800.0), &config);
+    let grid = grid(&BuildInput::new(&[], &optics(800.0), &config));
     let reaches = (0..9).map(|index| (4.0 - grid.u(index % 3).powi(2) - grid.v(index / 3).powi(2)).sqrt());
     case(name, "texels that are no number", not_finite as f64, 0.0)
         .guarded("the reach of w ends at 0", reaches.filter(|reach| reach.is_nan()).count() as f64)

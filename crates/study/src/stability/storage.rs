@@ -1,6 +1,6 @@
 //! Stability in storage and in the order of sums.
 
-use super::StabilityCase;
+use super::case::StabilityCase;
 use super::support::{case, config, on_texels, optics, pair_of, refused, relief, tables};
 use crate::study::stored;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};

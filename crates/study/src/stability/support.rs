@@ -2,7 +2,7 @@
 
 use ndarray::Array2;
 
-use super::{Guard, StabilityCase};
+use super::case::{Guard, StabilityCase};
 pub use crate::study::pair_of;
 use crate::study::stored;
 use diffraction_brdf::chebyshev::{gauss_nodes, interpolation_weights, shifted_values};
@@ -18,6 +18,7 @@ use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::optics::reference::brdf_xyz_batch;
 use diffraction_build::tables::build::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
 
 /// Tolerance of every build of the suite.
@@ -70,6 +71,7 @@ pub fn optics(sigma_nm: f64) -> OpticsConfig {
         illuminant: Illuminant::D65,
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
+        lobe_sigma_nm: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Ideal,
@@ -94,7 +96,7 @@ pub fn config(basis: Basis) -> TablesConfig {
 
 /// Tables of one scan.
 pub fn tables(field: &HeightField, optics: &OpticsConfig, config: &TablesConfig) -> Result<TableSet> {
-    Ok(build(std::slice::from_ref(field), optics, config, &|_| ())?.0)
+    Ok(build(&BuildInput::new(std::slice::from_ref(field), optics, config), &|_| ())?.0)
 }
 
 /// Directions on texels, `t` between the two limits, so that no interpolation on the grid enters.

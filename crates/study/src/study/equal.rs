@@ -12,10 +12,11 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::batch::{PackedTables, Pair, stored};
+use super::config::{StudyConfig, StudySpecimen};
 use super::methods::Context;
+use super::rows::Refusal;
 use super::sample::{floor_per_sr, luminances};
 use super::texels::Texels;
-use super::{Refusal, StudyConfig, StudySpecimen};
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
@@ -24,7 +25,9 @@ use diffraction_brdf::storage::write_tables;
 use diffraction_build::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::tables::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+use diffraction_build::tables::plan;
 use diffraction_build::tables::rounding::to_tolerance;
 
 /// Errors at which the methods are compared.
@@ -242,7 +245,8 @@ struct Places {
 
 impl Places {
     fn of(specimen: &StudySpecimen, context: &Context, finest: &TableSet) -> Result<Self> {
-        let plan = build::plan(&specimen.fields, &specimen.optics, &config_of(context, Basis::Chebyshev, 1))?;
+        let config = config_of(context, Basis::Chebyshev, 1);
+        let plan = plan::plan(&BuildInput::new(&specimen.fields, &specimen.optics, &config))?;
         let drawn = direction_pairs(Region::Hemisphere, DRAWN);
         let steep_pairs: Vec<Pair> = drawn.iter().copied().filter(steep).collect();
         let bright = |(wi, wo): &Pair| brdf_xyz(finest, Interpolation::Cubic, *wi, *wo)[1];
@@ -271,7 +275,10 @@ fn config_of(context: &Context, basis: Basis, count: usize) -> TablesConfig {
 
 fn build_trials(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refusal>) -> Result<Trials> {
     let made = |basis, count| {
-        let built = build::build(&specimen.fields, &specimen.optics, &config_of(context, basis, count), &|_| ());
+        let built = build::build(
+            &BuildInput::new(&specimen.fields, &specimen.optics, &config_of(context, basis, count)),
+            &|_| (),
+        );
         context.progress.advance(1);
         built.map(|(set, _)| set)
     };

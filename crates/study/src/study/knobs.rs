@@ -1,9 +1,10 @@
 //! The share of each knob in the error: one is changed, the others stay at their finest.
 
 use super::batch::{Pair, stored};
+use super::config::StudyConfig;
 use super::methods::Context;
+use super::rows::KnobRow;
 use super::sample::luminances;
-use super::{KnobRow, StudyConfig};
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
@@ -11,8 +12,10 @@ use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{OpticsConfig, Windows};
 use diffraction_build::optics::spectral::brdf_xyz_batch;
 use diffraction_build::optics::window::FADE_SIGMAS;
-use diffraction_build::tables::build::{build, plan};
+use diffraction_build::tables::build::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
+use diffraction_build::tables::plan::plan;
 use ndarray::Array2;
 
 /// Windows along each axis whose mean is compared; the last that fits is what the others are held against.
@@ -68,7 +71,7 @@ pub fn rows(context: &Context) -> Result<Vec<KnobRow>> {
 }
 
 fn built(context: &Context, config: &TablesConfig) -> Result<TableSet> {
-    let set = build(context.fields, context.optics, config, &|_| ())?.0;
+    let set = build(&BuildInput::new(context.fields, context.optics, config), &|_| ())?.0;
     context.progress.advance(1);
     Ok(set)
 }
@@ -108,7 +111,7 @@ fn windows(context: &Context, pairs: &[Pair]) -> Result<Vec<(usize, Vec<f64>)>> 
     let mut means = Vec::new();
     for count in WINDOWS.into_iter().filter(|&count| side_nm(count, sigma_nm) < smallest) {
         let patches: Vec<HeightField> = context.fields.iter().map(|f| patch(f, side_nm(count, sigma_nm))).collect();
-        let spectra = plan(&patches, &optics, &coarse)?.spectra;
+        let spectra = plan(&BuildInput::new(&patches, &optics, &coarse))?.spectra;
         let xyz = brdf_xyz_batch(&patches, &optics, &spectra, pairs)?;
         means.push((count * count, xyz.iter().map(|xyz| xyz[1]).collect()));
     }

@@ -4,11 +4,12 @@ use std::f64::consts::TAU;
 use std::time::Instant;
 
 use super::batch::{Batch, PackedTables, Pair, stored};
+use super::config::StudyConfig;
 use super::lent::GpuClock;
 use super::pictures::Pictures;
+use super::rows::{MethodRow, Refusal, RegionErrors};
 use super::sample::Sample;
 use super::timing::Clock;
-use super::{MethodRow, Refusal, RegionErrors, StudyConfig, wave_methods};
 use crate::baselines::regular::RegularSurface;
 use crate::baselines::rough::RoughSurface;
 use crate::baselines::statistics::SurfaceStatistics;
@@ -25,7 +26,9 @@ use diffraction_build::optics::reference::FULL_STEP;
 use diffraction_build::optics::spectra::{Spectra, transform};
 use diffraction_build::optics::spectral::add_window;
 use diffraction_build::tables::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
+use diffraction_build::tables::plan;
 
 /// Radii and azimuths of the power sum.
 const POWER_GRID: [usize; 2] = [96, 128];
@@ -79,7 +82,7 @@ pub struct Context<'a> {
 
 /// Steps of progress.
 pub fn count(config: &StudyConfig) -> u64 {
-    (4 + config.chebyshev.len() + config.taylor.len() + config.harmonics.len() + wave_methods::count(config)) as u64
+    (4 + config.chebyshev.len() + config.taylor.len() + config.harmonics.len()) as u64
 }
 
 /// What all methods left.
@@ -111,7 +114,7 @@ pub struct Cost {
 }
 
 impl Context<'_> {
-    /// All rows; settings that are refused are listed apart.
+    /// All rows but those of the wave methods; settings that are refused are listed apart.
     pub fn rows(&self, statistics: &SurfaceStatistics, transforms: Cost) -> Result<Rows> {
         let mut rows = Rows { methods: self.references(transforms), refusals: Vec::new() };
         let mut finest = None;
@@ -139,7 +142,6 @@ impl Context<'_> {
             Some(finest) => rows.methods.extend(self.harmonic_rows(&finest)?),
             None => self.progress.advance(self.config.harmonics.len() as u64),
         }
-        rows.methods.extend(self.wave_rows()?);
         Ok(rows)
     }
 
@@ -193,7 +195,8 @@ impl Context<'_> {
     /// Tables of one basis and number, stored in both formats.
     fn table_rows(&self, basis: Basis, count: usize) -> Result<(TableSet, Vec<MethodRow>)> {
         let config = TablesConfig { count: Some(count), ..self.tables_config(basis) };
-        let (set, cost) = measured(|| Ok(build::build(self.fields, self.optics, &config, &|_| ())?.0))?;
+        let (set, cost) =
+            measured(|| Ok(build::build(&BuildInput::new(self.fields, self.optics, &config), &|_| ())?.0))?;
         let mut rows = Vec::new();
         for storage in [Storage::Float, Storage::Half] {
             let packed = PackedTables::new(&set, count, storage);
@@ -311,7 +314,7 @@ impl Context<'_> {
     /// warped radii, dense at the lobe.
     fn power_sum(&self, batch: Batch) -> f64 {
         let limits =
-            self.fields.iter().map(|f| diffraction_build::tables::plan::usable_radius(self.optics, f.pitch_nm));
+            self.fields.iter().map(|f| diffraction_build::tables::resolution::usable_radius(self.optics, f.pitch_nm));
         let rim = limits.fold(0.999, f64::min);
         let [radii, azimuths] = POWER_GRID;
         let (mut pairs, mut areas) = (Vec::new(), Vec::new());
@@ -352,7 +355,7 @@ pub fn tables_config(config: &StudyConfig, basis: Basis) -> TablesConfig {
 /// The transforms of all windows, and what they took.
 pub fn transforms(fields: &[HeightField], optics: &OpticsConfig, config: &StudyConfig) -> Result<(Vec<Spectra>, Cost)> {
     measured(|| {
-        let plan = build::plan(fields, optics, &tables_config(config, Basis::Chebyshev))?;
+        let plan = plan::plan(&BuildInput::new(fields, optics, &tables_config(config, Basis::Chebyshev)))?;
         let windows = plan.windows.iter();
         windows.map(|&(scan, place)| transform(&fields[scan], place, optics, &plan.spectra)).collect()
     })

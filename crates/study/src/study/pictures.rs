@@ -3,8 +3,9 @@
 use ndarray::Array3;
 
 use super::batch::{Batch, on_all_threads};
+use super::config::StudySpecimen;
 use super::lent::SceneSamples;
-use super::{Picture, SceneColour, StudySpecimen};
+use super::rows::{Picture, SceneColour};
 use diffraction_brdf::error::Result;
 use diffraction_build::ground::colour::to_srgb8;
 use diffraction_build::ground::metrics::ciede2000;

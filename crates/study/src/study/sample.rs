@@ -1,7 +1,7 @@
 //! The directions on which methods are compared, and what the direct sum says there.
 
-use super::RegionErrors;
 use super::batch::{Batch, Pair, on_all_threads};
+use super::rows::RegionErrors;
 use diffraction_brdf::direction::wave_vector_change;
 use diffraction_brdf::error::Result;
 pub use diffraction_build::accuracy::directions::floor_per_sr;
@@ -11,7 +11,7 @@ use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::reference::brdf_xyz_batch;
-use diffraction_build::tables::plan::usable_radius;
+use diffraction_build::tables::resolution::usable_radius;
 
 /// Directions summed between two words of progress.
 const PART: usize = 16;

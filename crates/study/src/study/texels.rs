@@ -11,9 +11,9 @@ use diffraction_build::optics::reference::FULL_STEP;
 use diffraction_build::optics::spectra::transform;
 use diffraction_build::optics::spectral::add_window;
 use diffraction_build::tables::accumulate::BoxFilter;
-use diffraction_build::tables::build::BuildPlan;
 use diffraction_build::tables::model::TableSet;
-use diffraction_build::tables::plan::lobe_width;
+use diffraction_build::tables::plan::BuildPlan;
+use diffraction_build::tables::resolution::lobe_width;
 
 /// Most texels.
 const TEXELS: usize = 128;

@@ -7,8 +7,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::batch::{PackedTables, stored};
+use super::config::{StudyConfig, StudySpecimen};
 use super::texels::Texels;
-use super::{StudyConfig, StudySpecimen};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_build::accuracy::directions::ErrorDirections;
@@ -18,14 +18,12 @@ use diffraction_build::accuracy::rows::{Cause, ErrorRow, error_rows};
 use diffraction_build::ground::metrics::{ErrorQuantiles, relative_error_quantiles};
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::optics::config::OpticsConfig;
-use diffraction_build::tables::build::{self, BuildPlan};
+use diffraction_build::tables::build;
+use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, BuildRecord, Prefilter, Rounding, Storage, TableSet, TablesConfig};
-use diffraction_build::tables::plan::lobe_radius;
-use diffraction_build::tables::plan::resolving_size;
+use diffraction_build::tables::plan::{self, BuildPlan};
+use diffraction_build::tables::resolution::{lobe_radius, resolving_size};
 use diffraction_build::tables::rounding::{Chosen, choose};
-
-/// Tolerances asked for.
-pub const TOLERANCES: [f64; 3] = [1e-2, 1e-3, 1e-4];
 
 /// Directions drawn, of which the first that meet usable texels are taken.
 const DRAWN: usize = 8_192;
@@ -110,11 +108,11 @@ pub fn row(specimen: &StudySpecimen, tables: &TablesConfig) -> Result<ToleranceR
     let (fields, optics) = (&specimen.fields, &specimen.optics);
     let tolerance = tables.tolerance;
     let started = std::time::Instant::now();
-    let (built, record) = build::build(fields, optics, tables, &|_| ())?;
+    let (built, record) = build::build(&BuildInput::new(fields, optics, tables), &|_| ())?;
     let build_s = started.elapsed().as_secs_f64();
     let Chosen { set, storage, rounding } = choose(&built, tables.storage, tolerance, lobe_radius(optics));
     let read = stored(&set, storage);
-    let plan = build::plan(fields, optics, tables)?;
+    let plan = plan::plan(&BuildInput::new(fields, optics, tables))?;
     let directions = ErrorDirections::of_regions(&read);
     let floor_per_sr = directions.groups[0].floor_per_sr;
     let reference = reference::evaluate(fields, optics, &plan, built.tables.len(), directions, [])?;

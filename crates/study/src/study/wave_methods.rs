@@ -4,15 +4,16 @@
 //! pictures and power sums, which ask for ten thousand.
 
 use super::batch::Pair;
+use super::config::StudyConfig;
 use super::methods::{Context, Cost, Label, measured};
-use super::{MethodRow, StudyConfig};
+use super::rows::MethodRow;
 use crate::baselines::integrate_spectra;
 use crate::baselines::paths::OpticalPaths;
 use crate::baselines::wigner::{LightField, PhaseScreen, plane_of_incidence};
 use diffraction_brdf::direction::{Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::spectra::bandwidth_nm;
+use diffraction_build::optics::spectra::half_height_range_nm;
 
 /// Steps of progress.
 pub fn count(config: &StudyConfig) -> usize {
@@ -90,7 +91,7 @@ impl Context<'_> {
         &self,
         power_nm2: impl Fn(&Pair, &[f64]) -> Vec<f64> + Sync,
     ) -> impl Fn(&[Pair], &mut [Xyz]) + Sync {
-        let half_range_nm = self.fields.iter().map(bandwidth_nm).fold(0.0, f64::max);
+        let half_range_nm = self.fields.iter().map(half_height_range_nm).fold(0.0, f64::max);
         move |pairs, out| {
             out.fill([0.0; 3]);
             // A light that cannot be seen has failed before; a number that is none would show as the worst.

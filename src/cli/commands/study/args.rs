@@ -7,7 +7,7 @@ use crate::cli::options::MANIFEST;
 /// Arguments of `study`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
 #[command(after_help = "Example:\n  diffraction-atlas study snakes.toml --specimen elaphe_guttata --out out/study")]
-pub struct StudyArgs {
+pub(crate) struct StudyArgs {
     /// What to study
     #[arg(default_value = MANIFEST)]
     pub manifest: PathBuf,

@@ -7,7 +7,7 @@ use crate::cli::progress::reporter;
 use crate::manifest;
 use crate::report::study_page::{PAGE, write_study};
 use crate::stages::config::SpecimenConfig;
-use crate::stages::ingest::ingest;
+use crate::stages::ingest::{Scans, ingest};
 use crate::stages::study::{FrameClock, drawn};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_render::scene::model::Scene;
@@ -15,7 +15,7 @@ use diffraction_study::stability::{StabilityCase, Verdict, run_stability};
 use diffraction_study::study::{GpuClock, SceneSamples, StudyConfig, StudySpecimen, run_study};
 
 /// As [`super::run`].
-pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
     let (manifest, _) = manifest::load(&args.manifest)?;
     if let Some(unknown) = args.specimen.iter().find(|name| manifest.specimens.iter().all(|s| s.name != **name)) {
         return Err(Error::Call(format!("{}: no specimen is called `{unknown}`", args.manifest.display())));
@@ -52,10 +52,11 @@ pub fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
 fn specimen(given: &SpecimenConfig, scenes: &[Scene], config: &StudyConfig) -> Result<StudySpecimen> {
     let shows = |scene: &&Scene| scene.specimen.as_ref().is_none_or(|name| *name == given.name);
     let sampled = |scene| Ok(Box::new(drawn(scene, config.picture_samples)?) as Box<dyn SceneSamples>);
+    let Scans { fields, optics, .. } = ingest(given)?;
     Ok(StudySpecimen {
         name: given.name.clone(),
-        fields: ingest(given)?.fields,
-        optics: given.optics.clone(),
+        fields,
+        optics,
         scenes: scenes.iter().filter(shows).map(sampled).collect::<Result<_>>()?,
     })
 }

@@ -70,7 +70,7 @@ impl CacheUse {
 
 /// The store, open for one run.
 #[derive(Debug)]
-pub struct Cache {
+pub(crate) struct Cache {
     /// `None` where nothing is kept.
     folder: Option<PathBuf>,
     limit_bytes: u64,
@@ -100,17 +100,17 @@ impl Cache {
     }
 
     /// Whether anything is kept.
-    pub fn is_on(&self) -> bool {
+    pub(crate) fn is_on(&self) -> bool {
         self.folder.is_some()
     }
 
     /// Most bytes that the entries may take together.
-    pub fn limit_bytes(&self) -> u64 {
+    pub(crate) fn limit_bytes(&self) -> u64 {
         self.limit_bytes
     }
 
     /// Bytes of entries read and written so far.
-    pub fn traffic(&self) -> [u64; 2] {
+    pub(crate) fn traffic(&self) -> [u64; 2] {
         [self.read.load(Ordering::Relaxed), self.written.load(Ordering::Relaxed)]
     }
 
@@ -141,7 +141,7 @@ impl Cache {
     }
 
     /// Keeps bytes under a key, and drops what was used longest ago where the limit is passed.
-    pub fn store(&self, key: &str, value: &[u8]) {
+    pub(crate) fn store(&self, key: &str, value: &[u8]) {
         let Some(path) = self.path(key) else { return };
         let length = MAGIC.len() + key.len() + value.len() + DIGEST;
         if length as u64 > self.limit_bytes {

@@ -2,8 +2,7 @@
 
 use serde::Serialize;
 
-use super::pictures::scenes::pairs_of;
-use super::serve::Source;
+use crate::stages::pictures::scenes::pairs_of;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::{Vec3, wave_vector_change};
 use diffraction_build::accuracy::directions::{ABOVE_PER_BELOW, DIRECTIONS};
@@ -12,9 +11,10 @@ use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::optics::kernel::SEMICIRCLE_TAPS;
 use diffraction_build::optics::lines::lines_fetched;
 use diffraction_build::optics::reference::{FULL_STEP, PICTURE_STEP, WavenumberStep, resolving_count};
-use diffraction_build::optics::spectra::{LineCounts, bandwidth_nm, line_counts};
+use diffraction_build::optics::spectra::{LineCounts, half_height_range_nm, line_counts};
 use diffraction_build::optics::window::Placement;
-use diffraction_build::tables::build::BuildPlan;
+use diffraction_build::tables::input::BuildInput;
+use diffraction_build::tables::plan::BuildPlan;
 use diffraction_render::scene::samples::ShadingSamples;
 
 /// What the reference of one specimen will take, with nothing of it known from earlier runs.
@@ -30,7 +30,7 @@ pub struct ReferenceForecast {
     pub seconds: f64,
 }
 
-/// Nanoseconds on one thread, on the processor that `tables::forecast` speaks of: for each sample and depth transformed;
+/// Nanoseconds on one thread, on the processor that `tables::forecast` speaks of: for each sample and node transformed;
 /// for each evaluation, whatever it reads; for its node weights; for a node of a line that enters one sum, or four in step;
 /// and for windows inside a scan, for each value of their kernel and each of their samples, which their transform sums.
 const NS_PER_SAMPLE_AND_NODE: f64 = 30.0;
@@ -43,14 +43,14 @@ const NS_PER_WINDOW_SAMPLE: f64 = 0.55;
 
 /// Predicts the evaluation of the reference, given the samples of all pictures and the likely number of tables.
 pub fn reference_forecast(
-    source: &Source,
+    input: &BuildInput,
     plan: &BuildPlan,
     tables: usize,
     pictures: &[&ShadingSamples],
     threads: usize,
 ) -> ReferenceForecast {
-    let depth = plan.spectra.s[1] - plan.spectra.s[0];
-    let nodes = chebyshev::nodes_for_exponential(plan.bandwidth_nm, depth, plan.spectra.tolerance) as f64;
+    let [low, high] = plan.spectra.phase_scale_per_nm;
+    let nodes = chebyshev::nodes_for_exponential(plan.half_height_range_nm, high - low, plan.spectra.tolerance) as f64;
     let counted = counted_pairs(plan, pictures);
     let mut forecast = ReferenceForecast {
         picture_pairs: pictures.iter().map(|samples| samples.wi.len() as u64).sum(),
@@ -60,8 +60,8 @@ pub fn reference_forecast(
     };
     let mut work_ns = 0.0;
     for &(scan, placement) in &plan.windows {
-        let field = &source.fields[scan];
-        let counts = line_counts(field, placement, source.optics.sigma_nm, plan.spectra.frequency);
+        let field = &input.fields[scan];
+        let counts = line_counts(field, placement, input.optics.sigma_nm, plan.spectra.frequency);
         let own_ns = match placement {
             Placement::Inside { .. } => {
                 (2 * SEMICIRCLE_TAPS) as f64 * NS_PER_KERNEL_VALUE
@@ -70,7 +70,7 @@ pub fn reference_forecast(
             Placement::TileCentre | Placement::TileMean => 0.0,
         };
         let evaluation_ns = NS_PER_EVALUATION + own_ns;
-        let window = Window { source, counts, nodes, half_range_nm: bandwidth_nm(field), evaluation_ns };
+        let window = Window { input, counts, nodes, half_range_nm: half_height_range_nm(field), evaluation_ns };
         work_ns += nodes * counts.padded.iter().product::<usize>() as f64 * NS_PER_SAMPLE_AND_NODE;
         let mut add = |(evaluations, ns): (f64, f64), times: f64| {
             forecast.evaluations += times * evaluations;
@@ -92,7 +92,7 @@ pub fn reference_forecast(
 /// Pairs as those on which errors are counted: which they are, the tables decide.
 fn counted_pairs(plan: &BuildPlan, pictures: &[&ShadingSamples]) -> Vec<(Vec3, Vec3)> {
     let count = DIRECTIONS + DIRECTIONS.div_ceil(ABOVE_PER_BELOW);
-    if plan.domain.is_none() {
+    if plan.coverage.is_none() {
         return Region::ALL.into_iter().flat_map(|region| direction_pairs_in(region, 0..count)).collect();
     }
     let of_picture = |samples: &&ShadingSamples| {
@@ -104,7 +104,7 @@ fn counted_pairs(plan: &BuildPlan, pictures: &[&ShadingSamples]) -> Vec<(Vec3, V
 
 /// One window, as far as it decides what an evaluation takes.
 struct Window<'a> {
-    source: &'a Source<'a>,
+    input: &'a BuildInput<'a>,
     counts: LineCounts,
     nodes: f64,
     half_range_nm: f64,
@@ -115,7 +115,7 @@ struct Window<'a> {
 impl Window<'_> {
     /// Evaluations of a pair at all its wavelengths, and their nanoseconds.
     fn pair(&self, (wi, wo): (Vec3, Vec3), step: WavenumberStep) -> (f64, f64) {
-        let optics = self.source.optics;
+        let optics = self.input.optics;
         if optics.front_factor().diffuse(wi, wo) == 0.0 {
             return (0.0, 0.0);
         }
@@ -127,16 +127,14 @@ impl Window<'_> {
         self.wavelengths(q, count)
     }
 
-    /// The same at one depth with the wavelengths of the tables.
+    /// The same at one `|w|` with the wavelengths of the tables.
     fn tables(&self, plan: &BuildPlan, (wi, wo): (Vec3, Vec3)) -> (f64, f64) {
         let q = wave_vector_change(wi, wo);
-        let rho = q[0].hypot(q[1]);
-        let ring = plan.rings.iter().find(|ring| (ring.rho[0]..ring.rho[1]).contains(&rho));
-        ring.map_or((0.0, 0.0), |ring| self.wavelengths(q, ring.quadrature.wavelengths_nm.len()))
+        plan.ring_at(q[0].hypot(q[1])).map_or((0.0, 0.0), |ring| self.wavelengths(q, ring.wavelengths()))
     }
 
     fn wavelengths(&self, q: Vec3, count: usize) -> (f64, f64) {
-        let [low_nm, high_nm] = self.source.optics.illuminant.reach_nm(self.source.optics.wavelength_nm);
+        let [low_nm, high_nm] = self.input.wavelength_range_nm;
         let step = (1.0 / low_nm - 1.0 / high_nm) / count.saturating_sub(1).max(1) as f64;
         let (lines, sums) = lines_fetched(&self.counts, [q[0] * step, q[1] * step]);
         let ns_per_line = if sums == 1 { NS_PER_LINE_NODE } else { NS_PER_SHARED_LINE_NODE };

@@ -1,4 +1,4 @@
-//! Picture of the part of the (u, v) disc that tables serve: their mean light where they do, grey where they do not.
+//! Picture of the part of the (u, v) disc that restricted tables cover: their mean light there, grey elsewhere.
 
 use ndarray::Array3;
 
@@ -8,24 +8,24 @@ use diffraction_build::tables::model::{Served, TableSet};
 /// Side of the picture in pixels.
 const SIDE_PX: usize = 360;
 
-/// The disc where nothing is served, the square around it, and its rim.
-const UNSERVED_RGB: [u8; 3] = [70, 70, 74];
+/// The disc where nothing is covered, and the square around it.
+const UNCOVERED_RGB: [u8; 3] = [70, 70, 74];
 const OUTSIDE_RGB: [u8; 3] = [255, 255, 255];
 
-/// The square [-2, 2]² of (u, v), +v up; `None` where every direction is served.
-pub fn reached_picture(set: &TableSet) -> Option<Array3<u8>> {
-    let served = set.served.as_ref()?;
+/// The square [-2, 2]² of (u, v), +v up; `None` where every direction is.
+pub(crate) fn covered_picture(set: &TableSet) -> Option<Array3<u8>> {
+    let window = set.served.as_ref()?;
     let table = set.tables.first()?;
-    // The first polynomial is 1: its table is the mean over the depths served.
+    // The first polynomial is 1: its table is the mean over the |w| covered.
     let numbers = Array3::from_shape_fn((SIDE_PX, SIDE_PX, 3), |(row, column, channel)| {
-        texel_at(served, row, column).map_or(0.0, |[r, c]| table[[r, c, channel]].max(0.0))
+        texel_at(window, row, column).map_or(0.0, |[r, c]| table[[r, c, channel]].max(0.0))
     });
     let mut picture = to_srgb8(&numbers, auto_exposure(&numbers));
     for row in 0..SIDE_PX {
         for column in 0..SIDE_PX {
-            let colour = match texel_at(served, row, column) {
+            let colour = match texel_at(window, row, column) {
                 Some(_) => continue,
-                None if place(row).hypot(place(column)) < 2.0 => UNSERVED_RGB,
+                None if place(row).hypot(place(column)) < 2.0 => UNCOVERED_RGB,
                 None => OUTSIDE_RGB,
             };
             colour.into_iter().enumerate().for_each(|(c, value)| picture[[row, column, c]] = value);
@@ -39,12 +39,12 @@ fn place(pixel: usize) -> f64 {
     4.0 * (pixel as f64 + 0.5) / SIDE_PX as f64 - 2.0
 }
 
-/// The served texel of the window nearest to a pixel.
-fn texel_at(served: &Served, row: usize, column: usize) -> Option<[usize; 2]> {
-    let nearest = |pixel: usize| ((place(pixel) + 2.0) / 4.0 * (served.size - 1) as f64).round() as usize;
-    let (r, c) = (nearest(row).checked_sub(served.first[0])?, nearest(column).checked_sub(served.first[1])?);
-    let (rows, columns, _) = served.range.dim();
-    (r < rows && c < columns && served.range[[r, c, 2]] > 0.0).then_some([r, c])
+/// The covered texel of the window nearest to a pixel.
+fn texel_at(window: &Served, row: usize, column: usize) -> Option<[usize; 2]> {
+    let nearest = |pixel: usize| ((place(pixel) + 2.0) / 4.0 * (window.size - 1) as f64).round() as usize;
+    let (r, c) = (nearest(row).checked_sub(window.first[0])?, nearest(column).checked_sub(window.first[1])?);
+    let (rows, columns, _) = window.range.dim();
+    (r < rows && c < columns && window.range[[r, c, 2]] > 0.0).then_some([r, c])
 }
 
 #[cfg(test)]
@@ -55,8 +55,8 @@ mod tests {
     use diffraction_build::tables::model::Basis;
 
     #[test]
-    fn served_texels_shine_and_the_rest_of_the_disc_is_grey() {
-        // 5 x 5 texels over [-2, 2]; the window is the column u = 1, rows v = 1 and v = 0, of which v = 0 is served.
+    fn covered_texels_shine_and_the_rest_of_the_disc_is_grey() {
+        // 5 x 5 texels over [-2, 2]; the window is the column u = 1, rows v = 1 and v = 0, of which v = 0 is covered.
         let mut range = Array3::zeros((2, 1, 3));
         range[[1, 0, 2]] = 1.0;
         let set = TableSet {
@@ -68,16 +68,16 @@ mod tests {
             served: Some(Served { size: 5, first: [1, 3], range }),
             usable_radius: 2.0,
         };
-        let picture = reached_picture(&set).unwrap();
+        let picture = covered_picture(&set).unwrap();
         let at = |u: f64, v: f64| {
             let pixel = |x: f64| ((x + 2.0) / 4.0 * SIDE_PX as f64) as usize;
             [0, 1, 2].map(|c| picture[[pixel(-v), pixel(u), c]])
         };
         assert!(at(1.0, 0.0)[1] > 200, "{:?}", at(1.0, 0.0));
         for (u, v) in [(1.0, 1.0), (0.0, 0.0), (-1.0, 0.0)] {
-            assert_eq!(at(u, v), UNSERVED_RGB);
+            assert_eq!(at(u, v), UNCOVERED_RGB);
         }
         assert_eq!(at(1.9, 1.9), OUTSIDE_RGB);
-        assert!(reached_picture(&TableSet { served: None, ..set }).is_none());
+        assert!(covered_picture(&TableSet { served: None, ..set }).is_none());
     }
 }

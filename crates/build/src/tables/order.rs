@@ -1,4 +1,4 @@
-//! A pilot: how many nodes in `w` a surface needs, found on a few texels before all are computed.
+//! The order estimator: how many nodes in `w` a surface needs, found on a few texels before all are computed.
 
 use std::f64::consts::TAU;
 use std::iter::StepBy;
@@ -6,9 +6,10 @@ use std::ops::RangeInclusive;
 
 use rayon::prelude::*;
 
-use super::build::BuildPlan;
-use super::domain::TexelSet;
-use super::plan::{Ring, nodes_bound_over};
+use super::coverage::ranges::Coverage;
+use super::coverage::shares;
+use super::plan::BuildPlan;
+use super::rings::Ring;
 use crate::ground::sampling;
 use crate::optics::spectra::Spectra;
 use crate::optics::spectral::diffuse_power;
@@ -17,21 +18,18 @@ use diffraction_brdf::direction::max_abs_w;
 
 /// Texels spread over the disc, half as many where there is light, and a quarter as many around the mirror direction;
 /// the 95th percentiles then rest on the forty, twenty and ten largest errors.
-pub const TEXELS: usize = 160;
+pub(super) const TEXELS: usize = 160;
 
 /// Places in a range of `w` at which the interpolation is judged: between and beyond the nodes.
 pub(super) const PLACES_TESTED: [f64; 5] = [0.02, 0.21, 0.47, 0.76, 1.0];
 
-/// Share of the tolerance that the basis may take; where tables serve scenes alone, whose pictures may look at nothing but
-/// the one direction in twenty that errs by more; and the nodes of a ring there, within which texels have ranges of
-/// their own.
+/// Share of the tolerance that the basis may take where tables answer every direction.
 const BASIS_SHARE: f64 = 0.5;
-const SERVED_BASIS_SHARE: f64 = 0.125;
-pub(super) const RING_SHARE: f64 = 0.1;
 
 /// Share of what bright places show up to which a place is dark: between isolated orders, where their kernels are cut, no
 /// relative error is worth a table. Far below what errors are measured down to: dim places keep the tolerance, too. Where
-/// tables serve scenes, bright is what the darkest of them shows: a picture of dark directions alone is exposed for them.
+/// tables are restricted to scenes, bright is what the darkest of them shows: a picture of dark directions alone is exposed
+/// for them.
 const DARK_SHARE: f64 = 1e-7;
 
 /// Bright is what one place in fifty exceeds.
@@ -41,10 +39,10 @@ const BRIGHT: f64 = 0.98;
 const QUANTILE: f64 = 0.95;
 
 /// Numbers of nodes to try, one after the other.
-pub type Counts = StepBy<RangeInclusive<usize>>;
+pub(super) type Counts = StepBy<RangeInclusive<usize>>;
 
 /// The luminance of the tried texels as functions of `w`.
-pub struct Pilot {
+pub(super) struct OrderEstimator {
     /// Texels spread evenly; those that get light, since a grating sends its light along one line, which the former miss;
     /// and those around the mirror direction, where pictures are brightest.
     groups: [Vec<Polynomial>; 3],
@@ -53,6 +51,9 @@ pub struct Pilot {
     dark_per_sr: f64,
 }
 
+/// A texel to try, with the `|w|` that it is asked for.
+type Asked = ([f64; 2], [f64; 2]);
+
 /// Luminance of a texel at fine nodes over a range of `|w|`, and the part of that which it is itself asked for.
 struct Polynomial {
     uv: [f64; 2],
@@ -60,69 +61,52 @@ struct Polynomial {
     whole: [f64; 2],
     own: [f64; 2],
     /// Its ring, by the radii.
-    rho: [f64; 2],
+    ring_radius: [f64; 2],
 }
 
-impl Pilot {
+impl OrderEstimator {
     /// Sums the luminance of a few texels in double precision.
     pub fn new(spectra: &Spectra, plan: &BuildPlan, tolerance: f64) -> Self {
         let fine = plan.nodes_bound.max(4);
-        // Deep surfaces have many nodes and lines: fewer texels keep the pilot short beside the build.
+        // Rough surfaces have many nodes and lines: fewer texels keep this short beside the build.
         let texels = (TEXELS * 24 / fine.max(24)).max(24);
-        let groups = match &plan.domain {
-            None => [spread_texels(texels), lit_texels(spectra, plan, texels / 2), middle_texels(plan, texels / 4)]
-                .map(|texels| {
-                    let reach = |uv: [f64; 2]| [0.0, max_abs_w(uv[0].hypot(uv[1]))];
-                    texels.into_iter().filter(|uv| uv[0].hypot(uv[1]) < 2.0).map(|uv| (uv, reach(uv))).collect()
-                }),
-            Some(domain) => {
-                let grid = &domain.grid;
-                let at = |(row, column, t)| ([grid.u(column), grid.v(row)], domain.w_at(row, column, t));
-                let served: Vec<([f64; 2], [f64; 2])> = domain.iter().map(at).collect();
-                let drawn = |index: usize| served[(sampling::plane(index)[0] * served.len() as f64) as usize];
-                let lit = lit_texels(spectra, plan, texels * 4).into_iter();
-                let lit = lit.filter_map(|uv| domain.w_near(uv).map(|w| (uv, w))).take(texels / 2);
-                let middle = middle_texels(plan, texels / 4).into_iter();
-                let middle = middle.filter_map(|uv| domain.w_near(uv).map(|w| (uv, w)));
-                [(0..texels.min(served.len())).map(drawn).collect(), lit.collect(), middle.collect()]
-            }
+        let asked = match &plan.coverage {
+            None => texels_of_disc(spectra, plan, texels),
+            Some(coverage) => texels_of_coverage(spectra, plan, coverage, texels),
         };
-        let groups = groups.map(|texels: Vec<_>| polynomials(spectra, plan, &texels));
-        let bright_per_sr = match &plan.domain {
+        let groups = asked.map(|texels| polynomials(spectra, plan, &texels));
+        let bright_per_sr = match &plan.coverage {
             None => bright_per_sr(&groups, |_| true),
-            Some(domain) => {
-                let shown = |scene: &TexelSet| {
-                    bright_per_sr(&groups, |p| domain.grid.nearest(p.uv).is_some_and(|index| scene.holds(index)))
-                };
-                domain.scenes.iter().map(shown).reduce(f64::min).unwrap_or(0.0)
+            Some(coverage) => {
+                let of_scenes = coverage.exposed_at().map(|is_shown| bright_per_sr(&groups, |p| is_shown(p.uv)));
+                of_scenes.reduce(f64::min).unwrap_or(0.0)
             }
         };
-        let dark_per_sr = DARK_SHARE * bright_per_sr;
-        Self { groups, tolerance, dark_per_sr }
+        Self { groups, tolerance, dark_per_sr: DARK_SHARE * bright_per_sr }
     }
 
     /// The smallest number of tables that errs by at most its share of the tolerance of Y in 95 % of the tested directions.
     ///
-    /// Where every direction is served, tables come from as many nodes over the ring's whole reach; else each texel's
+    /// Where every direction is answered, tables come from as many nodes over the ring's whole reach; else each texel's
     /// own range counts.
     pub fn tables(&self, most: usize, own_ranges: bool) -> usize {
         let over = |p: &Polynomial| if own_ranges { p.own } else { p.whole };
-        let (first, share) = if own_ranges { (1, SERVED_BASIS_SHARE) } else { (2, BASIS_SHARE) };
+        let (first, share) = if own_ranges { (1, shares::BASIS_SHARE) } else { (2, BASIS_SHARE) };
         self.first_within((first..=most).step_by(1), share, &over, &|_| true)
     }
 
-    /// The smallest number of patches of the cross term, which keep the whole reach whatever is served: as many as tables
+    /// The smallest number of patches of the cross term, which keep the whole reach whatever is covered: as many as tables
     /// of the lobe's texels would need for every direction.
-    pub fn cross_patches(spectra: &Spectra, plan: &BuildPlan, tolerance: f64, most: usize) -> usize {
-        let texels = middle_texels(plan, TEXELS / 4);
+    pub fn cross_patches(spectra: &Spectra, plan: &BuildPlan, tolerance: f64) -> usize {
         let whole = [0.0, max_abs_w(0.0)];
-        let of_texel = |&uv: &[f64; 2]| {
-            let ring = plan.rings.iter().min_by(|a, b| a.rho[0].total_cmp(&b.rho[0]))?;
+        let innermost = plan.rings.iter().min_by(|a, b| a.radius[0].total_cmp(&b.radius[0]));
+        let of_texel = |uv: [f64; 2]| {
             let own = [0.0, max_abs_w(uv[0].hypot(uv[1]))];
-            Some(polynomial(spectra, ring, uv, nodes_over(plan, whole), whole, own))
+            Some(polynomial(spectra, innermost?, uv, fine_nodes(plan, whole), whole, own))
         };
-        let groups = [texels.iter().filter_map(of_texel).collect(), Vec::new(), Vec::new()];
-        Self { groups, tolerance, dark_per_sr: 0.0 }.first_within(
+        let tried = middle_texels(plan, TEXELS / 4).into_iter().filter_map(of_texel).collect();
+        let most = plan.nodes_over(whole);
+        Self { groups: [tried, Vec::new(), Vec::new()], tolerance, dark_per_sr: 0.0 }.first_within(
             (2..=most).step_by(1),
             BASIS_SHARE,
             &|p| p.whole,
@@ -132,9 +116,9 @@ impl Pilot {
 
     /// The first of these numbers of nodes over an interval of `|w|` with which the ranges that texels of a ring have in it
     /// err by no more than a share of the tolerance; the last where none does.
-    pub fn ring_nodes(&self, rho: [f64; 2], interval: [f64; 2], share: f64, counts: Counts) -> usize {
-        let inside = |p: &Polynomial| p.rho == rho;
-        // A ring without a tried texel is as the others are, each around its own depths.
+    pub fn ring_nodes(&self, ring: &Ring, interval: [f64; 2], share: f64, counts: Counts) -> usize {
+        let inside = |p: &Polynomial| p.ring_radius == ring.radius;
+        // A ring without a tried texel is as the others are, each around its own range.
         let any = self.groups.iter().flatten().any(inside);
         let around_own = |p: &Polynomial| {
             let length = interval[1] - interval[0];
@@ -207,14 +191,33 @@ fn bright_per_sr(groups: &[Vec<Polynomial>], counts: impl Fn(&Polynomial) -> boo
     quantile_at(counted.flat_map(|texel| texel.values.iter().copied()).collect(), BRIGHT)
 }
 
+/// The texels to try where all directions count.
+fn texels_of_disc(spectra: &Spectra, plan: &BuildPlan, count: usize) -> [Vec<Asked>; 3] {
+    let asked = |uv: [f64; 2]| (uv, [0.0, max_abs_w(uv[0].hypot(uv[1]))]);
+    let all = [spread_texels(count), lit_texels(spectra, plan, count / 2), middle_texels(plan, count / 4)];
+    all.map(|texels| texels.into_iter().filter(|uv| uv[0].hypot(uv[1]) < 2.0).map(asked).collect())
+}
+
+/// The texels to try of a coverage.
+fn texels_of_coverage(spectra: &Spectra, plan: &BuildPlan, coverage: &Coverage, count: usize) -> [Vec<Asked>; 3] {
+    let grid = &coverage.grid;
+    let at = |(row, column, t)| ([grid.u(column), grid.v(row)], coverage.abs_w_at(row, column, t));
+    let covered: Vec<Asked> = coverage.iter().map(at).collect();
+    let drawn = |index: usize| covered[(sampling::plane(index)[0] * covered.len() as f64) as usize];
+    let asked = |uv: [f64; 2]| coverage.abs_w_near(uv).map(|abs_w| (uv, abs_w));
+    let lit = lit_texels(spectra, plan, count * 4).into_iter().filter_map(asked).take(count / 2);
+    let middle = middle_texels(plan, count / 4).into_iter().filter_map(asked);
+    [(0..count.min(covered.len())).map(drawn).collect(), lit.collect(), middle.collect()]
+}
+
 /// Texels `(u, v)`: half of them even over the disc, half towards its centre, where directions crowd near
 /// specular.
 pub(super) fn spread_texels(count: usize) -> Vec<[f64; 2]> {
     (0..count)
         .map(|index| {
             let [a, b] = sampling::plane(index);
-            let (rho, phi) = (2.0 * if index % 2 == 0 { a.sqrt() } else { a * a }, TAU * b);
-            [rho * phi.cos(), rho * phi.sin()]
+            let (radius, phi) = (2.0 * if index % 2 == 0 { a.sqrt() } else { a * a }, TAU * b);
+            [radius * phi.cos(), radius * phi.sin()]
         })
         .collect()
 }
@@ -250,16 +253,15 @@ fn lit_texels(spectra: &Spectra, plan: &BuildPlan, count: usize) -> Vec<[f64; 2]
 
 /// Sums the luminance of texels, each given with its own range of `|w|`, at fine nodes over all that nodes of their rings
 /// may span.
-fn polynomials(spectra: &Spectra, plan: &BuildPlan, texels: &[([f64; 2], [f64; 2])]) -> Vec<Polynomial> {
+fn polynomials(spectra: &Spectra, plan: &BuildPlan, texels: &[Asked]) -> Vec<Polynomial> {
     texels
         .par_iter()
         .filter_map(|&([u, v], own)| {
-            let rho = u.hypot(v);
-            let ring = plan.rings.iter().find(|r| rho >= r.rho[0] && rho < r.rho[1])?;
-            let whole = plan.depths_within(ring);
-            let fine = match plan.domain {
+            let ring = plan.ring_at(u.hypot(v))?;
+            let whole = plan.abs_w_within(ring);
+            let fine = match plan.coverage {
                 None => plan.nodes_bound.max(4),
-                Some(_) => nodes_over(plan, whole),
+                Some(_) => fine_nodes(plan, whole),
             };
             Some(polynomial(spectra, ring, [u, v], fine, whole, own))
         })
@@ -271,10 +273,10 @@ fn polynomial(spectra: &Spectra, ring: &Ring, uv: [f64; 2], fine: usize, whole: 
     let nodes = chebyshev::gauss_nodes(fine, whole[0], whole[1]);
     let xyz = diffuse_power(spectra, &ring.quadrature, uv, &nodes);
     let values = xyz.into_iter().map(|xyz| xyz[1]).collect();
-    Polynomial { uv, values, whole, own: [own[0].max(whole[0]), own[1].min(whole[1])], rho: ring.rho }
+    Polynomial { uv, values, whole, own: [own[0].max(whole[0]), own[1].min(whole[1])], ring_radius: ring.radius }
 }
 
-/// Nodes over a range of `w` that leave nothing to be seen between them.
-fn nodes_over(plan: &BuildPlan, w: [f64; 2]) -> usize {
-    nodes_bound_over(plan.bandwidth_nm, plan.wavelength_min_nm, plan.fine_tolerance, w[1] - w[0]).max(4)
+/// Nodes over a range of `|w|` that leave nothing to be seen between them.
+fn fine_nodes(plan: &BuildPlan, abs_w: [f64; 2]) -> usize {
+    plan.nodes_over(abs_w).max(4)
 }

@@ -9,12 +9,9 @@ use std::collections::{HashMap, HashSet};
 use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
-use sha2::{Digest, Sha256};
 
-use super::cache::{Cache, CacheUse};
-use super::serve::Source;
-use super::stage::Stage;
-use super::usage::{self, Stopwatch};
+use super::store::{Cache, CacheUse};
+use crate::stages::built::Built;
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
@@ -23,9 +20,10 @@ use diffraction_build::accuracy::reference::{self as accuracy_reference, Referen
 use diffraction_build::accuracy::rows::{self, ErrorRow};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::reference;
-use diffraction_build::tables::build::{self, Advance, BuildPlan};
-use diffraction_build::tables::domain::Domain;
-use diffraction_build::tables::model::{Basis, BuildRecord, Lobe, TableSet, TablesConfig};
+use diffraction_build::tables::coverage::ranges::Coverage;
+use diffraction_build::tables::input::BuildInput;
+use diffraction_build::tables::model::{Advance, Basis, BuildRecord, Lobe, TableSet, TablesConfig};
+use diffraction_build::tables::plan::BuildPlan;
 
 type Pair = (Vec3, Vec3);
 
@@ -35,39 +33,9 @@ const PAIRS_SHARE: u64 = 4;
 /// Bytes of a pair of directions with its value.
 const PAIR_BYTES: usize = 9 * 8;
 
-/// Tables, and what building them took.
-#[derive(Debug)]
-pub struct Built {
-    /// The tables.
-    pub set: TableSet,
-    /// What was chosen while building.
-    pub record: BuildRecord,
-    /// Seconds.
-    pub seconds: f64,
-    /// Seconds that all threads together ran; `None` where the system does not tell.
-    pub processor_s: Option<f64>,
-    /// Most bytes on the heap beyond those before; `None` where nobody counts them.
-    pub memory_bytes: Option<u64>,
-}
-
-impl Built {
-    /// Builds from nothing and measures.
-    ///
-    /// # Errors
-    /// Those of building.
-    pub fn measured(source: &Source, plan: &BuildPlan, advance: Advance) -> Result<Self> {
-        let stopwatch = Stopwatch::start();
-        let build = || build::build_planned(source.fields, source.optics, source.tables, plan, advance);
-        let (built, memory_bytes) = usage::with_heap_bytes(build);
-        let (set, record) = built?;
-        let time = stopwatch.read(Stage::BuildTables, None);
-        Ok(Self { set, record, seconds: time.wall_s, processor_s: time.cpu_s, memory_bytes })
-    }
-}
-
 /// What the cache knows of one specimen.
 #[derive(Debug)]
-pub struct Known<'a> {
+pub(crate) struct Known<'a> {
     cache: &'a Cache,
     /// The prepared heights, by their digest.
     heights: String,
@@ -100,20 +68,20 @@ impl<'a> Known<'a> {
     ///
     /// # Errors
     /// Those of building.
-    pub fn tables(&self, source: &Source, plan: &BuildPlan, advance: Advance) -> Result<Built> {
+    pub fn tables(&self, input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Result<Built> {
         if !self.cache.is_on() {
-            return Built::measured(source, plan, advance);
+            return Built::measured(input, plan, advance);
         }
         // How tables are stored changes nothing before it, but that the series is refused where its format is too coarse.
-        let storage = source.tables.storage.filter(|_| source.tables.basis == Basis::Taylor);
-        let settings = TablesConfig { storage, ..source.tables.clone() };
-        let parts = json!({ "optics": source.optics, "settings": settings, "plan": plan_parts(plan) });
+        let storage = input.tables.storage.filter(|_| input.tables.basis == Basis::Taylor);
+        let settings = TablesConfig { storage, ..input.tables.clone() };
+        let parts = json!({ "optics": input.optics, "settings": settings, "plan": plan_parts(plan) });
         let key = self.key("tables", &parts);
-        if let Some(found) = self.cache.load(&key).and_then(|bytes| decode_tables(&bytes, source, plan)) {
+        if let Some(found) = self.cache.load(&key).and_then(|bytes| decode_tables(&bytes, input, plan)) {
             self.count(|used| used.tables_found += 1);
             return Ok(found);
         }
-        let built = Built::measured(source, plan, advance)?;
+        let built = Built::measured(input, plan, advance)?;
         self.cache.store(&key, &encode_tables(&built));
         self.count(|used| used.tables_built += 1);
         Ok(built)
@@ -125,26 +93,19 @@ impl<'a> Known<'a> {
     /// Those of the transforms.
     pub fn reference(
         &self,
-        source: &Source,
+        input: &BuildInput,
         plan: &BuildPlan,
         nodes: usize,
         errors: ErrorDirections,
         pictures: impl IntoIterator<Item = Pair>,
     ) -> Result<Reference> {
-        let evaluate = |errors, pictures| {
-            accuracy_reference::evaluate(source.fields, source.optics, plan, nodes, errors, pictures)
-        };
+        let evaluate =
+            |errors, pictures| accuracy_reference::evaluate(input.fields, input.optics, plan, nodes, errors, pictures);
         if !self.cache.is_on() {
             return evaluate(errors, pictures.into_iter().collect::<Vec<_>>());
         }
         let pictures: Vec<Pair> = pictures.into_iter().collect();
-        let transforms = json!({ "optics": source.optics, "spectra": transforms_parts(plan) });
-        let pairs_key = self.key("pictures", &transforms);
-        let parts = json!({
-            "transforms": transforms, "plan": plan_parts(plan), "nodes": nodes,
-            "pairs": files::sha256_hex(&pair_bytes(&errors.pairs)),
-        });
-        let errors_key = self.key("errors", &parts);
+        let [pairs_key, errors_key] = self.reference_keys(input, plan, nodes, &errors);
         let mut known = self.cache.load(&pairs_key).and_then(|bytes| decode_pairs(&bytes)).unwrap_or_default();
         let mut asked = HashSet::new();
         let missing: Vec<Pair> = pictures
@@ -174,31 +135,52 @@ impl<'a> Known<'a> {
         all.xyz.extend(pictures.iter().map(|pair| known[&bits(pair)]));
         all.pairs.extend(&pictures);
         if !missing.is_empty() {
-            if (known.len() * PAIR_BYTES) as u64 > self.cache.limit_bytes() / PAIRS_SHARE {
-                let asked: HashSet<[u64; 6]> = pictures.iter().map(bits).collect();
-                known.retain(|pair, _| asked.contains(pair));
-            }
             // Other plans hold other frequencies: what asks for more than this one has is nothing for them.
-            let held = |pair: &Pair| plan.spectra.holds(source.optics, wave_vector_change(pair.0, pair.1));
+            let held = |pair: &Pair| plan.spectra.holds(input.optics, wave_vector_change(pair.0, pair.1));
             for pair in missing.iter().filter(|pair| !held(pair)) {
                 known.remove(&bits(pair));
             }
-            self.cache.store(&pairs_key, &encode_pairs(&known));
+            self.keep_pairs(&pairs_key, known, &pictures);
         }
         Ok(all)
+    }
+
+    /// Keys of the values at pictures' pairs, and of those on which errors are counted.
+    fn reference_keys(
+        &self,
+        input: &BuildInput,
+        plan: &BuildPlan,
+        nodes: usize,
+        errors: &ErrorDirections,
+    ) -> [String; 2] {
+        let transforms = json!({ "optics": input.optics, "spectra": transforms_parts(plan) });
+        let parts = json!({
+            "transforms": transforms, "plan": plan_parts(plan), "nodes": nodes,
+            "pairs": files::sha256_hex(&pair_bytes(&errors.pairs)),
+        });
+        [self.key("pictures", &transforms), self.key("errors", &parts)]
+    }
+
+    /// Keeps the values at pictures' pairs: where they are too many, those that were asked for last.
+    fn keep_pairs(&self, key: &str, mut known: HashMap<[u64; 6], Xyz>, asked: &[Pair]) {
+        if (known.len() * PAIR_BYTES) as u64 > self.cache.limit_bytes() / PAIRS_SHARE {
+            let asked: HashSet<[u64; 6]> = asked.iter().map(bits).collect();
+            known.retain(|pair, _| asked.contains(pair));
+        }
+        self.cache.store(key, &encode_pairs(&known));
     }
 
     /// [`rows::direct_row`] with the direct sum's values where they are known.
     ///
     /// # Errors
     /// Those of the reference.
-    pub fn direct_row(&self, source: &Source, reference_set: &Reference) -> Result<ErrorRow> {
+    pub(crate) fn direct_row(&self, input: &BuildInput, reference_set: &Reference) -> Result<ErrorRow> {
         rows::direct_row(reference_set, &|pairs| {
-            let sum = || reference::brdf_xyz_batch(source.fields, source.optics, pairs);
+            let sum = || reference::brdf_xyz_batch(input.fields, input.optics, pairs);
             if !self.cache.is_on() {
                 return sum();
             }
-            let parts = json!({ "optics": source.optics, "pairs": files::sha256_hex(&pair_bytes(pairs)) });
+            let parts = json!({ "optics": input.optics, "pairs": files::sha256_hex(&pair_bytes(pairs)) });
             let key = self.key("direct sum", &parts);
             let found = self.cache.load(&key).and_then(|bytes| triples(&numbers(&bytes)?, pairs.len()));
             if let Some(xyz) = found {
@@ -225,7 +207,7 @@ fn digest_of(fields: &[HeightField]) -> String {
 /// Everything that a value of the transforms depends on besides heights and optics. Frequencies are not among it: which of
 /// them a plan holds changes none. Nor is the memory: a plan that does not fit it is none.
 fn transforms_parts(plan: &BuildPlan) -> Value {
-    json!({ "s": plan.spectra.s, "tolerance": plan.spectra.tolerance })
+    json!({ "phase_scale_per_nm": plan.spectra.phase_scale_per_nm, "tolerance": plan.spectra.tolerance })
 }
 
 /// Everything that a plan settles beyond what follows from heights and optics.
@@ -233,29 +215,19 @@ fn plan_parts(plan: &BuildPlan) -> Value {
     let rings: Vec<Value> = plan
         .rings
         .iter()
-        .map(|ring| json!([ring.rho, ring.w, ring.quadrature.wavelengths_nm, ring.quadrature.weights]))
+        .map(|ring| json!([ring.radius, ring.abs_w, ring.quadrature.wavelengths_nm, ring.quadrature.weights]))
         .collect();
     json!({
         "grid": plan.texels.grid.size,
-        "domain": plan.domain.as_ref().map(domain_digest),
+        "coverage": plan.coverage.as_ref().map(|coverage| files::sha256_hex(&coverage.to_bytes())),
         "filter": [plan.filter.width, plan.filter.samples as f64],
         "rings": rings,
         "spectra": [transforms_parts(plan), json!(plan.spectra.frequency), json!(plan.spectra.memory_bytes)],
-        "depths": plan.depths,
+        "abs_w": plan.abs_w,
         "nodes_bound": plan.nodes_bound,
         "fine_tolerance": plan.fine_tolerance,
         "lobe": [json!(plan.lobe_radius), json!(plan.lobe_seen), json!(plan.crosses)],
     })
-}
-
-fn domain_digest(domain: &Domain) -> String {
-    let mut hasher = Sha256::new();
-    domain.low.iter().chain(&domain.high).for_each(|end| hasher.update(end.to_le_bytes()));
-    for texels in &domain.scenes {
-        hasher.update((texels.0.len() as u64).to_le_bytes());
-        texels.0.iter().for_each(|bits| hasher.update(bits.to_le_bytes()));
-    }
-    hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 fn bits((wi, wo): &Pair) -> [u64; 6] {
@@ -354,7 +326,7 @@ fn encode_tables(built: &Built) -> Vec<u8> {
     bytes
 }
 
-fn decode_tables(bytes: &[u8], source: &Source, plan: &BuildPlan) -> Option<Built> {
+fn decode_tables(bytes: &[u8], input: &BuildInput, plan: &BuildPlan) -> Option<Built> {
     let end = bytes.iter().position(|byte| *byte == b'\n')?;
     let header: Header = serde_json::from_slice(&bytes[..end]).ok()?;
     let mut rest = &bytes[end + 1..];
@@ -375,12 +347,12 @@ fn decode_tables(bytes: &[u8], source: &Source, plan: &BuildPlan) -> Option<Buil
         }),
     };
     let set = TableSet {
-        basis: source.tables.basis,
+        basis: input.tables.basis,
         tables,
         lobe,
         prefilter_width: header.prefilter_width,
-        front_factor: source.optics.front_factor(),
-        served: plan.domain.as_ref().and_then(Domain::served),
+        front_factor: input.optics.front_factor(),
+        served: plan.coverage.as_ref().and_then(Coverage::range_texture),
         usable_radius: header.usable_radius,
     };
     let Header { record, build_s: seconds, processor_s, memory_bytes, .. } = header;

@@ -1,0 +1,55 @@
+//! What a manifest asks of each specimen: which scenes its tables answer for, with which tolerance; and what nobody asks for.
+
+use crate::stages::config::{GpuCheck, RunConfig, Serve};
+use crate::stages::pictures::sharing::scenes_for;
+use diffraction_build::tables::model::TablesConfig;
+use diffraction_render::scene::model::Scene;
+
+/// The scenes that a specimen's tables are restricted to, or its shares of them; `None` where they are not.
+pub fn restricted_to(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
+    let shown = scenes_for(&config.scenes, specimen);
+    match &config.serve {
+        Serve::All => None,
+        Serve::Scenes => Some(shown),
+        Serve::Named(names) => Some(shown.into_iter().filter(|scene| names.contains(&scene.name)).collect()),
+    }
+}
+
+/// The scenes that are pictured with a specimen's tables: those they answer.
+pub fn pictured_scenes(config: &RunConfig, specimen: &str) -> Vec<Scene> {
+    restricted_to(config, specimen).unwrap_or_else(|| scenes_for(&config.scenes, specimen))
+}
+
+/// What is asked of a specimen's tables: the tolerance of the scene that asks for most where they are restricted to scenes.
+pub fn tables_for(config: &RunConfig, specimen: &str) -> TablesConfig {
+    let tolerance = |scene: Scene| scene.tolerance.unwrap_or(config.tables.tolerance);
+    let strictest =
+        restricted_to(config, specimen).and_then(|scenes| scenes.into_iter().map(tolerance).reduce(f64::min));
+    TablesConfig { tolerance: strictest.unwrap_or(config.tables.tolerance), ..config.tables.clone() }
+}
+
+/// Whether anything is asked of a specimen: always, unless tables are restricted to scenes and none of them shows it.
+pub fn is_asked_for(config: &RunConfig, specimen: &str) -> bool {
+    restricted_to(config, specimen).is_none_or(|scenes| !scenes.is_empty())
+}
+
+/// Specimens, pictures and stages that nobody asks for, with the reason.
+pub fn left_out(config: &RunConfig) -> Vec<String> {
+    let mut rows = Vec::new();
+    for specimen in config.specimens.iter().filter(|specimen| !is_asked_for(config, &specimen.name)) {
+        rows.push(format!("the specimen {}: no scene that its tables are restricted to shows it", specimen.name));
+    }
+    if let Serve::Named(names) = &config.serve {
+        for scene in config.scenes.iter().filter(|scene| !names.contains(&scene.name)) {
+            rows.push(format!("the scene {}: tables.serve does not name it", scene.name));
+        }
+    }
+    let stages = [
+        (config.scenes.is_empty(), "pictures of scenes: the manifest has no [[scene]]"),
+        (config.gpu == GpuCheck::Off, "the check on a GPU: gpu.check = \"off\""),
+        (!config.report.reference, "reference pictures and measured errors: report.reference = false"),
+        (!config.report.write, "report.html and report.json: report.write = false"),
+    ];
+    rows.extend(stages.into_iter().filter(|(absent, _)| *absent).map(|(_, row)| row.to_owned()));
+    rows
+}
