@@ -11,7 +11,8 @@
 //!   mirror direction.
 //! - **Sign.** Heights are positive outward. A height `h` turns the phase by `k w h`, and spectra are
 //!   `P(ξ, η) = ∬ g exp(i k w h) exp(+2πi(ξx + ηy)) dx dy` with `ξ = u/λ`, `η = v/λ`, `k = 2π/λ`, window amplitude `g`.
-//! - **Normalisation.** `f = R G ⟨|P|²⟩ / (λ² A w²)`, `A = ∬ g²`, in 1/sr: a flat mirror has `∫ f cos θo dω = R`. XYZ are
+//! - **Normalisation.** `f = D ⟨|P|²⟩ / (λ² A w²)`, `A = ∬ g²`, in 1/sr, with the front factor `D` (`R G` where it is scalar): a
+//!   flat mirror has `∫ f cos θo dω = R`. XYZ are
 //!   relative to the illuminant, `Y = ∫ S ȳ f dλ / ∫ S ȳ dλ`: a white Lambertian surface has `Y = 1/π`. `f` does not contain the
 //!   cosine of the light.
 //! - **Order.** Images have shape `[rows, columns]` or `[rows, columns, 3]`; row 0 is the top: the +y edge of a scan, `v = +2` of a

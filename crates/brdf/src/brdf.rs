@@ -75,7 +75,7 @@ impl Brdf {
     }
 
     /// The same BRDF with other look-ups: linear ones are what graphics hardware gives and what check values are of, cubic
-    /// ones cost four times as much and err less between texels.
+    /// ones read four times as many texels and err less between them.
     ///
     /// ```
     /// # mod tiny { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tiny_atlas/mod.rs")); }

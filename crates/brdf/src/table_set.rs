@@ -73,11 +73,12 @@ pub struct Served {
 /// The tables of one specimen.
 ///
 /// Texel `(row, column)` of a table lies at `u = -2 + 4 column / (size - 1)`,
-/// `v = 2 - 4 row / (size - 1)`; channels are X, Y, Z in 1/sr for unit Fresnel reflectance and
-/// geometry factor. With `|w| = -w`, `t = |w| / sqrt(4 - u² - v²)` and `T_n*(t) = T_n(2t - 1)`:
+/// `v = 2 - 4 row / (size - 1)`; channels are X, Y, Z in 1/sr without the front factor. With `|w| = -w`, `t = |w| / sqrt(4 - u² - v²)` and `T_n*(t) = T_n(2t - 1)`:
 ///
-/// `f = R G (coherent / w² + Σ cross_n T_n*(t) / |w| + Σ table_n T_n*(t))` for `Basis::Chebyshev`,
-/// `f = R G Σ table_n |w|^n / w²` for `Basis::Taylor` (no lobe).
+/// `f = D (Σ table_n T_n*(t) + Σ cross_n T_n*(t) / |w|) + C lobe` for `Basis::Chebyshev`,
+/// `f = D Σ table_n |w|^n / w²` for `Basis::Taylor` (no lobe),
+/// with `D` and `C` of [`FrontFactor::diffuse`] and [`FrontFactor::coherent`], and `lobe` of
+/// [`coherent_lobe`](crate::evaluate::coherent_lobe).
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableSet {
     /// Which expansion the tables hold.
