@@ -6,7 +6,7 @@ use std::ops::Range;
 /// left of the number `u` in [0, 1).
 pub(super) fn choose(range: Range<usize>, u: f64, mass: impl Fn(usize) -> f64) -> (usize, f64) {
     let total: f64 = range.clone().map(&mass).sum();
-    if !(total > 0.0) {
+    if total.is_nan() || total <= 0.0 {
         let at = u * range.len() as f64;
         let index = (at as usize).min(range.len() - 1);
         return (range.start + index, (at - index as f64).min(1.0));

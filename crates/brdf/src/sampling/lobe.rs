@@ -93,7 +93,7 @@ impl LobeDensity {
         };
         let [first, last] = [angle(-sin_o - half), angle(-sin_o + half)];
         let step = (last - first) / CELLS as f64;
-        if !(step > 1e-12) {
+        if step.is_nan() || step <= 1e-12 {
             return None;
         }
         let mut cells = [0.0; CELLS];

@@ -82,12 +82,12 @@ impl Chord {
 
     /// Whether all cells are zero.
     fn is_flat(&self) -> bool {
-        !(self.sums[PIECES] > self.sums[0])
+        self.sums[PIECES].partial_cmp(&self.sums[0]) != Some(std::cmp::Ordering::Greater)
     }
 
     fn mass(&self, piece: usize) -> f64 {
         let width = self.edges[piece + 1] - self.edges[piece];
-        if !(width > 0.0) {
+        if width.is_nan() || width <= 0.0 {
             return 0.0;
         }
         let sum = if self.is_flat() { width } else { self.sums[piece + 1] - self.sums[piece] };
@@ -232,13 +232,13 @@ impl TableDensity {
 
     /// Sum within the widest chord between two places, over `φ`, times their distance.
     fn mass(&self, sums: &[f32], [top, bottom]: [f64; 2], wo: Vec3) -> f64 {
-        if !(bottom > top) {
+        if bottom.partial_cmp(&top) != Some(std::cmp::Ordering::Greater) {
             return 0.0;
         }
         // The place that lies nearest to the disc's middle.
         let middle = (self.first[1] + wo[1]) / self.step;
         let (half, [low, high]) = self.ends(middle.clamp(top, bottom), wo);
-        if !(high > low) {
+        if high.partial_cmp(&low) != Some(std::cmp::Ordering::Greater) {
             return 0.0;
         }
         let [below, above] = [low, high].map(|s| sum_at(sums, self.column(s, wo)));

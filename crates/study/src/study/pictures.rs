@@ -29,8 +29,7 @@ impl<'a> Pictures<'a> {
     /// Evaluates the reference in every scene: straight from the transforms, which the study holds against the direct
     /// sum.
     pub fn of(specimen: &'a StudySpecimen, optics: &OpticsConfig, spectra: &[Spectra]) -> Result<Self> {
-        let reference = |scene: &'a Box<dyn SceneSamples>| -> Result<Reference<'a>> {
-            let scene = scene.as_ref();
+        let reference = |scene: &'a dyn SceneSamples| -> Result<Reference<'a>> {
             let mut xyz = vec![[0.0; 3]; scene.pairs().len()];
             for window in spectra {
                 add_window(window, optics, scene.pairs(), PICTURE_STEP, &mut xyz)?;
@@ -40,7 +39,7 @@ impl<'a> Pictures<'a> {
             let exposure = scene.exposure(&image);
             Ok(Reference { scene, image, exposure })
         };
-        Ok(Self { scenes: specimen.scenes.iter().map(reference).collect::<Result<_>>()? })
+        Ok(Self { scenes: specimen.scenes.iter().map(|scene| reference(scene.as_ref())).collect::<Result<_>>()? })
     }
 
     /// The reference's own pictures.
