@@ -105,7 +105,7 @@ fn the_plan_lists_what_is_left_out() {
     place.write("m.toml", &manifest("[\"far\"]", &[SCENES, PATCH]));
     let said = place.call("plan m.toml").ended(0).stdout;
     for expected in [
-        "rough serves far",
+        "rough for far alone",
         "texels that no look-up reads",
         "the scene ball: tables.serve does not name it",
         "the specimen wave",

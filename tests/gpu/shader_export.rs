@@ -86,7 +86,7 @@ fn every_text_holds_the_evaluation_under_its_own_names() {
     for language in ShaderLanguage::ALL {
         if language != ShaderLanguage::Spirv {
             let text = String::from_utf8(shader(language).unwrap()).unwrap();
-            for name in ["brdf_xyz(", "window_power(", "geometry_factor(", "v_cavity_shadowing(", "lobe_value("] {
+            for name in ["brdf_xyz(", "diffuse_factor(", "coherent_factor(", "geometry_factor(", "lobe_at("] {
                 assert!(text.contains(name), "{name} is missing in {}", language.name());
             }
         }

@@ -65,7 +65,7 @@ pub fn write_tiny_atlas(root: &Path) {
         }
     };
     let record = json!({
-        "schema": 1, "name": "grating", "species": "made up", "optics": set.front_factor, "tables": stored,
+        "schema": 2, "name": "grating", "species": "made up", "optics": set.front_factor, "tables": stored,
         "check_values": [check([0.0, 0.0, 30.0, 0.0]), check([40.0, 10.0, 41.0, 185.0])], "warnings": [],
     });
     files::replace(&folder.join("specimen.json"), json::pretty(&record).unwrap().as_bytes()).unwrap();
