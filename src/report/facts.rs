@@ -5,6 +5,7 @@ use crate::report::numbers;
 use crate::stages::results::{BuildResult, Period, SpecimenResult, Statistics};
 use diffraction_build::accuracy::rows::{Cause, ErrorRow};
 use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_build::height::statistics::STEEP_SLOPE;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, Rounding, Storage};
 
@@ -207,9 +208,13 @@ fn heights(found: &Statistics) -> String {
 
 fn slopes(found: &Statistics) -> String {
     format!(
-        "rms {}, {} of the surface too steep for the model; autocorrelation length {}",
+        "rms {}, {} of the surface above {}; over a quarter of the shortest wavelength rms {}, walls on {}; autocorrelation \
+         length {}",
         numbers::number(found.rms_slope, 3),
         numbers::percent(found.steep_share),
+        numbers::number(STEEP_SLOPE, 2),
+        numbers::number(found.wave_slope, 3),
+        numbers::percent(found.wall_share),
         numbers::length_nm(found.autocorrelation_length_nm),
     )
 }

@@ -207,6 +207,9 @@ fn statistics(field: &HeightField, dominant_periods: Vec<Period>) -> Statistics 
         dominant_periods,
         usable_uv_radius: 2.0,
         steep_share: 0.041,
+        wave_slope: 0.187,
+        wall_share: 0.002,
+        ambiguous_share: 0.0,
         warnings: vec![],
     }
 }

@@ -12,8 +12,10 @@ use diffraction_brdf::atlas;
 use diffraction_brdf::error::Result;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{CallerWords, HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
-use diffraction_build::height::statistics::{Statistics, seam_warning, statistics};
+use diffraction_build::height::statistics::{STEEP_SLOPE, Statistics, seam_warning, statistics};
 use diffraction_build::height::write::write_scan_tiff;
+use diffraction_build::optics::config::{Factor, Material};
+use diffraction_build::optics::validity::doubts;
 use diffraction_build::tables::model::{Basis, Storage};
 
 /// Arguments of `inspect`.
@@ -77,6 +79,12 @@ struct ScanReport {
 /// The shortest wavelength that `usable_uv_radius` refers to: the violet end of the observer.
 const WAVELENGTH_MIN_NM: f64 = 380.0;
 
+/// The longest: its red end.
+const WAVELENGTH_MAX_NM: f64 = 780.0;
+
+/// What a scan is taken for, which has no material: a dielectric; which index it has does not matter to the doubts.
+const MATERIAL: Material = Material::Dielectric { n: 1.5 };
+
 fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
     let height = match (args.full_scale_nm, &args.unit) {
         (Some(full_scale_nm), _) => Some(HeightScale::FullScaleNm(full_scale_nm)),
@@ -93,6 +101,7 @@ fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
     let plane = PrepareConfig { level: Level::Plane, despike: None, blend_nm: None };
     let (levelled, _) = prepare(&scan.field, &plane)?;
     let mut found = statistics(&levelled, WAVELENGTH_MIN_NM);
+    found.warnings.extend(doubts(&levelled, [WAVELENGTH_MIN_NM, WAVELENGTH_MAX_NM], MATERIAL, Factor::Vector));
     found.warnings.extend(seam_warning(&levelled));
     let report = ScanReport {
         extent_um: scan.field.extent_nm().map(|nm| nm * 1e-3),
@@ -128,7 +137,13 @@ impl ScanReport {
                 length_nm => format!("correlation   {length_nm:.0} nm"),
             },
             format!("good up to    |(u, v)| = {:.3} at {WAVELENGTH_MIN_NM} nm", s.usable_uv_radius),
-            format!("too steep     {:.2} % of the surface", 100.0 * s.steep_share),
+            format!(
+                "steep         {:.2} % of the surface above {STEEP_SLOPE}; over a quarter of {WAVELENGTH_MIN_NM} nm rms slope {:.3}, \
+                 {:.2} % walls",
+                100.0 * s.steep_share,
+                s.wave_slope,
+                100.0 * s.wall_share
+            ),
         ];
         for period in &s.dominant_periods {
             lines.push(format!(

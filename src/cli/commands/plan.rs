@@ -13,6 +13,7 @@ use crate::stages::ingest::ingest;
 use crate::stages::measured;
 use crate::stages::pictures::scenes::reference_samples;
 use crate::stages::run::reference_forecast::{ReferenceForecast, reference_forecast};
+use crate::stages::run::warnings::scan_warnings;
 use diffraction_brdf::error::Result;
 use diffraction_build::tables::coverage::budget::{Budget, Cost};
 use diffraction_build::tables::forecast::{Forecast, forecast_of};
@@ -56,6 +57,8 @@ struct SpecimenPlan {
     /// What its tables leave out, where they are restricted to scenes.
     budget: Option<Budget>,
     failure: Option<String>,
+    /// What to know of its scans before running, in whole sentences.
+    warnings: Vec<String>,
 }
 
 /// Reads the scans, plans, and prints; no table is computed.
@@ -75,6 +78,7 @@ pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
             reference: None,
             budget: None,
             failure: Some(error.to_string()),
+            warnings: Vec::new(),
         })
     });
     let plan = Plan {
@@ -124,7 +128,16 @@ fn plan_specimen(
             Some(reference_forecast(&input, &plan, forecast.tables, &samples, threads))
         }
     };
-    Ok(SpecimenPlan { name: specimen.name.clone(), forecast: Some(forecast), reference, budget, failure: None })
+    let of_first = ingested.statistics.iter().take(1).flat_map(|statistics| statistics.warnings.clone());
+    let warnings = of_first.chain(scan_warnings(&ingested, &ingested.optics)).collect();
+    Ok(SpecimenPlan {
+        name: specimen.name.clone(),
+        forecast: Some(forecast),
+        reference,
+        budget,
+        failure: None,
+        warnings,
+    })
 }
 
 /// Samples of the reference pictures: most scenes are the same for every specimen.
@@ -213,6 +226,9 @@ impl Plan {
             if let Some(budget) = &specimen.budget {
                 text += &budget_text(&specimen.name, budget);
             }
+        }
+        for specimen in &self.specimens {
+            text.extend(specimen.warnings.iter().map(|warning| format!("warning: {}: {warning}\n", specimen.name)));
         }
         if !self.left_out.is_empty() {
             text += "left out:\n";

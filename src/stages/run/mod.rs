@@ -13,4 +13,4 @@ mod measure;
 pub mod pipeline;
 pub mod reference_forecast;
 mod specimen;
-mod warnings;
+pub(crate) mod warnings;

@@ -5,6 +5,7 @@ use diffraction_brdf::storage::StoredTables;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::statistics::{is_whole_grating, seam_warning};
 use diffraction_build::optics::config::{Edge, OpticsConfig, TILE_SIGMAS, Windows, ripple, smallest_side_nm};
+use diffraction_build::optics::validity::doubts;
 use diffraction_build::tables::model::{Basis, Rounding, Storage, TableSet, TablesConfig};
 
 /// Of stored tables; `texel` is their distance in u and v.
@@ -52,20 +53,26 @@ fn format_warning(storage: Storage, tables: &TablesConfig, rounding: Rounding) -
 const UNLIKE: f64 = 2.0;
 
 /// Of scans: of each but the first, whose statistics stand beside these warnings, by its
-/// file's name; whether they are alike enough to be averaged; whether each fits itself where it repeats.
-pub(super) fn scan_warnings(scans: &Scans, optics: &OpticsConfig) -> Vec<String> {
+/// file's name; where the model ends on each; whether they are alike enough to be averaged; whether each fits itself where it
+/// repeats.
+pub(crate) fn scan_warnings(scans: &Scans, optics: &OpticsConfig) -> Vec<String> {
     let name = |index: usize| scans.provenance[index].file_name.as_str();
     let several = scans.fields.len() > 1;
+    let prefix = |index: usize| if several { format!("{}: ", name(index)) } else { String::new() };
     let mut warnings = Vec::new();
+    let wavelength_nm = optics.illuminant.reach_nm(optics.wavelength_nm);
+    for (index, field) in scans.fields.iter().enumerate() {
+        let doubts = doubts(field, wavelength_nm, optics.material, optics.factor);
+        warnings.extend(doubts.into_iter().map(|doubt| prefix(index) + &doubt));
+    }
     for (index, statistics) in scans.statistics.iter().enumerate().skip(1) {
-        warnings.extend(statistics.warnings.iter().map(|warning| format!("{}: {warning}", name(index))));
+        warnings.extend(statistics.warnings.iter().map(|warning| prefix(index) + warning));
     }
     warnings.extend(repetition_warning(&scans.fields, optics));
     if optics.edge != Edge::Fade {
         let seen = scans.fields.iter().enumerate().filter(|(_, field)| seams_are_seen(field, optics));
         for (index, field) in seen {
-            let prefix = if several { format!("{}: ", name(index)) } else { String::new() };
-            warnings.extend(seam_warning(field).map(|warning| format!("{prefix}{warning}")));
+            warnings.extend(seam_warning(field).map(|warning| prefix(index) + &warning));
         }
     }
     let rms: Vec<f64> = scans.statistics.iter().map(|statistics| statistics.rms_height_nm).collect();

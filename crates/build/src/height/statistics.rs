@@ -5,20 +5,23 @@ mod periods;
 mod repetition;
 mod seams;
 mod slopes;
+mod wave_scale;
 
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::prepare::level::{Order, subtract_surface};
 use super::prepare::range_nm;
+use crate::ground::null_for_nan;
 use crate::height::HeightField;
 
 pub use periods::Period;
 pub use repetition::is_whole_grating;
 pub use seams::seam_warning;
 pub use slopes::STEEP_SLOPE;
+pub use wave_scale::{wall_share, wave_slope, wave_slope_max, wavelength_told_nm};
 
-/// Share of steep surface from which on the reader is warned.
-const STEEP_SHARE_WARNED: f64 = 0.01;
+/// Share of surface that rises too much between samples from which on the reader is warned.
+const AMBIGUOUS_SHARE_WARNED: f64 = 0.01;
 
 /// Statistics of a height field.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -40,6 +43,16 @@ pub struct Statistics {
     pub usable_uv_radius: f64,
     /// Share of the triangulated surface's base with a slope above [`STEEP_SLOPE`], 0 to 1.
     pub steep_share: f64,
+    /// Root mean square slope over a quarter of the shortest wavelength ([`wave_slope`]); NaN in files of older programs.
+    #[serde(default = "unknown", with = "null_for_nan")]
+    pub wave_slope: f64,
+    /// Share of points at walls at the shortest wavelength ([`wall_share`]), 0 to 1; NaN in files of older programs.
+    #[serde(default = "unknown", with = "null_for_nan")]
+    pub wall_share: f64,
+    /// Share of triangles of the surface whose height changes by more than a quarter of the shortest wavelength from one
+    /// sample to the next, 0 to 1: the phase in between is a guess. NaN in files of older programs.
+    #[serde(default = "unknown", with = "null_for_nan")]
+    pub ambiguous_share: f64,
     /// Doubts in whole sentences.
     pub warnings: Vec<String>,
 }
@@ -69,9 +82,12 @@ pub fn statistics(field: &HeightField, wavelength_min_nm: f64) -> Statistics {
         dominant_periods: periods,
         usable_uv_radius: usable_uv_radius(field, wavelength_min_nm),
         steep_share: slopes.steep_share,
+        wave_slope: wave_slope(field, wavelength_min_nm),
+        wall_share: wall_share(field, wavelength_min_nm),
+        ambiguous_share: slopes.ambiguous_share,
         warnings: Vec::new(),
     };
-    statistics.warnings = warnings(&statistics, flat, slopes.ambiguous_share, wavelength_min_nm);
+    statistics.warnings = warnings(&statistics, flat, wavelength_min_nm);
     statistics
 }
 
@@ -87,7 +103,7 @@ fn mean_square(field: &HeightField) -> f64 {
     field.heights_nm.iter().map(|height| height * height).sum::<f64>() / field.heights_nm.len() as f64
 }
 
-fn warnings(found: &Statistics, flat: bool, ambiguous_share: f64, wavelength_min_nm: f64) -> Vec<String> {
+fn warnings(found: &Statistics, flat: bool, wavelength_min_nm: f64) -> Vec<String> {
     let mut warnings = Vec::new();
     if flat {
         warnings.push("The surface is flat: it reflects as a mirror and diffracts nothing.".to_owned());
@@ -97,18 +113,11 @@ fn warnings(found: &Statistics, flat: bool, ambiguous_share: f64, wavelength_min
                 .to_owned(),
         );
     }
-    if found.steep_share > STEEP_SHARE_WARNED {
-        warnings.push(format!(
-            "{:.1} % of the surface is steeper than {STEEP_SLOPE}, where polarisation and multiple reflection matter, \
-             which the scalar model leaves out.",
-            100.0 * found.steep_share
-        ));
-    }
-    if ambiguous_share > STEEP_SHARE_WARNED {
+    if found.ambiguous_share > AMBIGUOUS_SHARE_WARNED {
         warnings.push(format!(
             "{:.1} % of the surface rises by more than a quarter of {wavelength_min_nm} nm from one sample to the next: \
              the phase in between is a guess; a finer scan would tell.",
-            100.0 * ambiguous_share
+            100.0 * found.ambiguous_share
         ));
     }
     if found.usable_uv_radius < 2.0 {
@@ -119,6 +128,10 @@ fn warnings(found: &Statistics, flat: bool, ambiguous_share: f64, wavelength_min
         ));
     }
     warnings
+}
+
+fn unknown() -> f64 {
+    f64::NAN
 }
 
 fn null_as_nan<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {

@@ -9,4 +9,5 @@ pub mod powers;
 pub mod reference;
 pub mod spectra;
 pub mod spectral;
+pub mod validity;
 pub mod window;

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::height::HeightField;
 
-/// Slope above which the scalar model is doubtful.
+/// Slope above which a facet counts as steep.
 ///
 /// At 0.5 (26.6°) a facet lit from above reflects at 53° from the normal. There the Fresnel reflectances of the two
 /// polarisations (0.053 and 0.028 for n = 1.5, 0.04 at normal incidence) already are as 1.9 to 1; from slope 1
