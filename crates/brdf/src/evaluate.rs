@@ -159,8 +159,10 @@ pub fn sample(table: ArrayView3<f32>, interpolation: Interpolation, at: [f64; 2]
     let (row, wy) = stencil(interpolation, at[0], rows);
     let (column, wx) = stencil(interpolation, at[1], columns);
     let mut sum = [0.0; 3];
-    for (dy, wy) in wy.iter().enumerate().take(rows - row) {
-        for (dx, wx) in wx.iter().enumerate().take(columns - column) {
+    // Of the four by four texels a linear look-up reads two by two.
+    let taps = if interpolation == Interpolation::Bilinear { 2 } else { 4 };
+    for (dy, wy) in wy.iter().enumerate().take(taps.min(rows - row)) {
+        for (dx, wx) in wx.iter().enumerate().take(taps.min(columns - column)) {
             for (c, sum) in sum.iter_mut().enumerate() {
                 *sum += wy * wx * f64::from(table[[row + dy, column + dx, c]]);
             }

@@ -88,7 +88,8 @@ const RIPPLE_WARNED: f64 = 0.02;
 
 /// Of scans that are small beside the light's coherence: what their repetition shows, or what was taken in its place.
 fn repetition_warning(fields: &[HeightField], optics: &OpticsConfig) -> Option<String> {
-    let side_nm = smallest_side_nm(fields);
+    let told = fields.iter().filter(|field| !is_whole_grating(field));
+    let side_nm = told.map(smallest_side_nm).fold(f64::INFINITY, f64::min);
     let (side_um, fits_um) = (side_nm * 1e-3, side_nm * 1e-3 / TILE_SIGMAS);
     if let Some(light_nm) = optics.lobe_sigma_nm {
         return Some(format!(
@@ -100,7 +101,7 @@ fn repetition_warning(fields: &[HeightField], optics: &OpticsConfig) -> Option<S
         ));
     }
     let ripple = ripple(side_nm, optics.sigma_nm);
-    let invented = optics.edge == Edge::Tile && ripple > RIPPLE_WARNED && !fields.iter().all(is_whole_grating);
+    let invented = optics.edge == Edge::Tile && ripple > RIPPLE_WARNED;
     invented.then(|| {
         format!(
             "the scan is {side_um:.3} µm wide and repeated under a coherence of sigma = {:.3} µm: the repetition itself shows as a \

@@ -6,6 +6,7 @@ pub use diffraction_brdf::material::Material;
 
 use crate::ground::spectrum::Illuminant;
 use crate::height::HeightField;
+use crate::height::statistics::is_whole_grating;
 
 /// What lies beyond the scan's edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -68,12 +69,10 @@ pub fn ripple(side_nm: f64, sigma_nm: f64) -> f64 {
     2.0 * (-0.25 * (side_nm / sigma_nm).powi(2)).exp()
 }
 
-/// The shortest side of all scans in nm, not counting axes of one sample, along which a surface has no structure.
-pub fn smallest_side_nm(fields: &[HeightField]) -> f64 {
-    let sides = fields.iter().flat_map(|field| {
-        field.size().into_iter().zip(field.extent_nm()).filter(|(count, _)| *count > 1).map(|(_, side_nm)| side_nm)
-    });
-    sides.fold(f64::INFINITY, f64::min)
+/// The shorter side of a scan in nm, not counting an axis of one sample, along which a surface has no structure.
+pub fn smallest_side_nm(field: &HeightField) -> f64 {
+    let sampled = field.size().into_iter().zip(field.extent_nm()).filter(|(count, _)| *count > 1);
+    sampled.map(|(_, side_nm)| side_nm).fold(f64::INFINITY, f64::min)
 }
 
 impl OpticsConfig {
@@ -83,13 +82,15 @@ impl OpticsConfig {
     }
 
     /// The same for these scans: with `Edge::Auto` the diffuse part takes no more of the coherence than the smallest of them
-    /// resolves, [`TILE_SIGMAS`] standard deviations a side. Every line of the repeated scan is then blurred into its neighbours, and
+    /// resolves, [`TILE_SIGMAS`] standard deviations a side; a whole number of a grating's periods resolves any, for its
+    /// repetition is the grating. Every line of the repeated scan is then blurred into its neighbours, and
     /// what is left of the gaps between lines is [`ripple`].
     pub fn for_scans(&self, fields: &[HeightField]) -> Self {
         let mut optics = self.clone();
         if self.edge == Edge::Auto {
             let light_nm = self.lobe_sigma_nm();
-            optics.sigma_nm = light_nm.min(smallest_side_nm(fields) / TILE_SIGMAS);
+            let told_nm = fields.iter().filter(|field| !is_whole_grating(field)).map(smallest_side_nm);
+            optics.sigma_nm = told_nm.map(|side_nm| side_nm / TILE_SIGMAS).fold(light_nm, f64::min);
             optics.lobe_sigma_nm = (optics.sigma_nm < light_nm).then_some(light_nm);
         }
         optics
