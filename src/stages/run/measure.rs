@@ -9,7 +9,7 @@ use crate::stages::stage::Stage;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::Result;
 use diffraction_build::accuracy::directions::{DIRECTIONS, ErrorDirections};
-use diffraction_build::accuracy::power_sums::{PowerSum, power_sums};
+use diffraction_build::accuracy::power_sums::{Reflected, reflected};
 use diffraction_build::accuracy::reference::Reference;
 use diffraction_build::accuracy::rows::{ErrorRow, error_rows};
 
@@ -21,9 +21,7 @@ pub(super) struct Measured {
     /// The pairs of directions on which errors are counted.
     pub(super) counted: Vec<(Vec3, Vec3)>,
     pub(super) errors: Vec<ErrorRow>,
-    pub(super) power_sums: Vec<PowerSum>,
-    /// Share of the reflected luminous power at normal incidence that lies in the coherent lobe.
-    pub(super) lobe_share: Option<f64>,
+    pub(super) reflected: Reflected,
     pub(super) measured: Option<MeasuredResult>,
 }
 
@@ -50,7 +48,7 @@ pub(super) fn measure(
             planned.known.reference(&planned.input, &planned.plan, exact.tables.len(), directions, pictures)
         })?),
     };
-    let (errors, (power_sums, lobe_share)) = clock.stage(Stage::MeasureErrors, || {
+    let (errors, reflected) = clock.stage(Stage::MeasureErrors, || {
         let errors = match (&reference, &exact) {
             (Some(reference), Some(exact)) => {
                 let mut errors = error_rows(reference, &stored.set, exact);
@@ -59,7 +57,7 @@ pub(super) fn measure(
             }
             _ => Vec::new(),
         };
-        Ok((errors, power_sums(&stored.set)))
+        Ok((errors, reflected(&stored.set)))
     })?;
     let measured = match &ingested.measurement {
         None => None,
@@ -70,7 +68,7 @@ pub(super) fn measure(
         })?),
     };
     let pictures = with_reference(works, reference.as_ref(), counted.len());
-    Ok(Measured { stored, pictures, counted, errors, power_sums, lobe_share, measured })
+    Ok(Measured { stored, pictures, counted, errors, reflected, measured })
 }
 
 /// The scenes from the tables, and the files of animations.
