@@ -3,6 +3,7 @@
 use crate::report::frames::period_letter;
 use crate::report::numbers;
 use crate::stages::results::{BuildResult, Period, SpecimenResult, Statistics};
+use diffraction_build::accuracy::power_sums::DirectionalAlbedo;
 use diffraction_build::accuracy::rows::{Cause, ErrorRow};
 use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::statistics::STEEP_SLOPE;
@@ -50,6 +51,9 @@ pub(crate) fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
         facts.extend(built.rounding.map(|rounding| fact("Numbers", format_of(built.storage, rounding))));
         facts.push(fact("Texels", texels(built)));
         facts.push(fact("Made from", made_from(built)));
+    }
+    if !specimen.albedo.is_empty() {
+        facts.push(fact("Albedo", albedo(&specimen.albedo)));
     }
     if let Some(lobe) = &specimen.lobe {
         let cross = match lobe.cross_tables {
@@ -181,6 +185,15 @@ pub(crate) fn period_marks(periods: &[Period]) -> String {
         .map(|(index, period)| format!("{}, {}", period_letter(index), numbers::length_nm(period.period_nm)))
         .collect();
     marks.join("; ")
+}
+
+/// "0.041 at 0°, 0.057 at 45°, … of the light is reflected".
+fn albedo(albedo: &[DirectionalAlbedo]) -> String {
+    let share = |at: &DirectionalAlbedo| {
+        format!("{} at {}°", numbers::number(at.albedo, 3), numbers::round_number(at.theta_i_deg, 3))
+    };
+    let shares: Vec<String> = albedo.iter().map(share).collect();
+    format!("share of the light that is reflected, by its angle of incidence (azimuth 0): {}", shares.join(", "))
 }
 
 fn scan(specimen: &SpecimenResult) -> String {

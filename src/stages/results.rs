@@ -10,7 +10,7 @@ pub use super::gpu::results::{GpuResult, GpuRow};
 use super::stage::Stage;
 use crate::stages::measured::MeasuredResult;
 use diffraction_brdf::error::{Error, Result};
-use diffraction_build::accuracy::power_sums::PowerSum;
+use diffraction_build::accuracy::power_sums::{DirectionalAlbedo, PowerSum};
 use diffraction_build::accuracy::rows::ErrorRow;
 use diffraction_build::ground::null_for_nan;
 pub use diffraction_build::height::statistics::{Period, Statistics};
@@ -120,6 +120,9 @@ pub struct SpecimenResult {
     pub errors: Vec<ErrorRow>,
     /// Sums over the hemisphere of `f cos_theta_o`, for unit Fresnel reflectance.
     pub power_sums: Vec<PowerSum>,
+    /// Share of the arriving light that the specimen's own material reflects, up to grazing light.
+    #[serde(default)]
+    pub albedo: Vec<DirectionalAlbedo>,
     /// Comparison with measured reflectance, where the manifest names some.
     #[serde(default)]
     pub measured: Option<MeasuredResult>,

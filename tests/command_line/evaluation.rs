@@ -151,6 +151,43 @@ fn wavelengths_are_evaluated_one_by_one() {
 }
 
 #[test]
+fn polarised_values_add_up_to_the_unpolarised_ones() {
+    let place = Place::with_scans();
+    place.publish(&[HEAD, LASERS, ROUGH, WAVE].concat());
+    // Away from the mirror direction, and in it, where the lobe is.
+    place.write("d.csv", &(directions(10) + "40,10,40,190\n57.3,0,57,180.5\n"));
+    for line in [
+        "--atlas out/small",
+        "--method reference --manifest m.toml",
+        "--method reference --manifest m.toml --wavelengths-nm 450,633",
+    ] {
+        let line = format!("eval --directions d.csv --specimen rough {line}");
+        let (plain, kept) = (place.call(&line).ended(0), place.call(&format!("{line} --polarised")).ended(0));
+        let first = plain.stdout.lines().next().unwrap().split(',').nth(4).unwrap();
+        let header = kept.stdout.lines().next().unwrap();
+        assert!(header.starts_with(&format!("{COLUMNS},{first}_ss,{first}_sp,{first}_ps,{first}_pp,")), "{header}");
+        let (plain, kept) = (values(&plain.stdout), values(&kept.stdout));
+        assert_eq!(plain.len(), 12);
+        for (plain, kept) in plain.iter().zip(&kept) {
+            assert_eq!(kept.len(), 4 * plain.len());
+            for (sum, kinds) in plain.iter().zip(kept.chunks(4)) {
+                let half = 0.5 * kinds.iter().sum::<f64>();
+                assert!((half - sum).abs() <= 2e-9 * sum.abs(), "{line}: {half} {sum}");
+            }
+        }
+        // Near Brewster's angle of n = 1.5, p is hardly reflected; elsewhere some light changes its polarisation.
+        let [brewster, apart] = [&kept[11], &kept[0]];
+        assert!(brewster[3] < 1e-2 * brewster[0], "{brewster:?}");
+        assert!(apart[1] > 1e-6 * apart[0], "{apart:?}");
+    }
+    // An ideal reflector has no index.
+    for line in ["--atlas out/small", "--method reference --manifest m.toml"] {
+        let called = place.call(&format!("eval --directions d.csv --specimen wave --polarised {line}")).ended(1);
+        assert!(called.stdout.is_empty() && called.stderr.contains("ideal reflector, which has no refractive index"));
+    }
+}
+
+#[test]
 fn what_is_wrong_with_a_call_is_said() {
     let place = Place::with_scans();
     place.publish(&[HEAD, LASERS, ROUGH, WAVE].concat());

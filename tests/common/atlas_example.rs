@@ -98,6 +98,7 @@ pub fn write_specimen(version: &Path, name: &str, set: &TableSet, storage: Stora
         build: BuildRecord { transforms: 12, windows: 1, ..BuildRecord::default() },
         tables: stored,
         errors: json!({"basis": {"p95": 1.2e-4}}),
+        albedo: Vec::new(),
         check_values: check_values(&rounded, 3),
         warnings: vec!["Made up.".to_owned()],
     };

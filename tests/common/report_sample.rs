@@ -11,7 +11,7 @@ use diffraction_atlas::stages::gpu::results::{FrameComparison, MethodFrame};
 use diffraction_atlas::stages::results::*;
 use diffraction_atlas::stages::stage::Stage;
 use diffraction_build::accuracy::directions::Group;
-use diffraction_build::accuracy::power_sums::PowerSum;
+use diffraction_build::accuracy::power_sums::{DirectionalAlbedo, PowerSum};
 use diffraction_build::accuracy::rows::{Cause, ErrorRow};
 use diffraction_build::ground::sampling::Region;
 use diffraction_build::ground::spectrum::Illuminant;
@@ -131,6 +131,7 @@ fn truncated() -> SpecimenResult {
         lobe: None,
         errors: vec![],
         power_sums: vec![],
+        albedo: vec![],
         measured: None,
         scenes: vec![],
         height_map: None,
@@ -184,6 +185,7 @@ fn specimen(
         lobe: Some(LobeResult { radius_max: 0.142, cross_tables: 4, power_share: Some(0.37) }),
         errors: errors(),
         power_sums: power_sums(),
+        albedo: albedo(),
         measured: None,
         scenes: vec![scene(name, &periods[0], pictures)],
         height_map: Some(height_file(name, field, pictures)),
@@ -281,6 +283,12 @@ fn errors() -> Vec<ErrorRow> {
             })
         })
         .collect()
+}
+
+fn albedo() -> Vec<DirectionalAlbedo> {
+    [(0.0, 0.048), (45.0, 0.052), (60.0, 0.093), (85.0, 0.49)]
+        .map(|(theta_i_deg, albedo)| DirectionalAlbedo { theta_i_deg, albedo })
+        .to_vec()
 }
 
 fn power_sums() -> Vec<PowerSum> {

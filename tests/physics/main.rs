@@ -6,6 +6,7 @@ mod skip;
 #[path = "../common/mod.rs"]
 mod common;
 
+mod auto_edge;
 mod gratings;
 mod mirror;
 mod random;

@@ -19,16 +19,36 @@ pub enum Interpolation {
 /// XYZ of the BRDF in 1/sr; zero for directions not above the surface, not a number for those that the tables do not
 /// serve (see [`serves`]).
 pub fn brdf_xyz(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> Xyz {
-    let diffuse = set.front_factor.diffuse(wi, wo);
     if !(wi[2] > 0.0 && wo[2] > 0.0) {
         return [0.0; 3];
     }
+    let (front, [diffuse, coherent]) = (set.front_factor, parts(set, interpolation, wi, wo));
+    combined(front.diffuse(wi, wo), front.coherent(wi, wo), diffuse, coherent)
+}
+
+/// The BRDF in 1/sr by polarisation, XYZ each: ss, sp, ps, pp, the incident one first, s across the plane of incidence or of
+/// scattering. Half their sum is [`brdf_xyz`]. `None` for a factor that does not know polarisation (see
+/// [`FrontFactor::polarised`](crate::FrontFactor::polarised)).
+pub fn brdf_xyz_polarised(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> Option<[Xyz; 4]> {
+    let front = set.front_factor.polarised(wi, wo)?;
+    if !(wi[2] > 0.0 && wo[2] > 0.0) {
+        return Some([[0.0; 3]; 4]);
+    }
+    let [diffuse, coherent] = parts(set, interpolation, wi, wo);
+    Some(std::array::from_fn(|kind| combined(front.diffuse[kind], front.coherent[kind], diffuse, coherent)))
+}
+
+fn combined(front_diffuse: f64, front_coherent: f64, diffuse: Xyz, coherent: Xyz) -> Xyz {
+    std::array::from_fn(|c| front_diffuse * diffuse[c] + front_coherent * coherent[c])
+}
+
+/// Diffuse part with the cross term, and coherent lobe, for two directions above the surface: without what stands in front.
+fn parts(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> [Xyz; 2] {
     let q = wave_vector_change(wi, wo);
     let tables = diffuse_window_power(set, interpolation, q);
-    let Some(lobe) = &set.lobe else { return tables.map(|value| diffuse * value) };
+    let Some(lobe) = &set.lobe else { return [tables, [0.0; 3]] };
     let cross = cross_window_power(lobe, interpolation, q);
-    let (front, coherent) = (set.front_factor.coherent(wi, wo), coherent_lobe(set, lobe, interpolation, wi, wo));
-    std::array::from_fn(|c| diffuse * (tables[c] + cross[c]) + front * coherent[c])
+    [std::array::from_fn(|c| tables[c] + cross[c]), coherent_lobe(set, lobe, interpolation, wi, wo)]
 }
 
 /// The coherent lobe between two directions in 1/sr, without its front factor; with the vector factor the light that

@@ -34,6 +34,15 @@ pub struct FrontFactor {
     pub factor: Factor,
 }
 
+/// Factors by polarisation, without unit: ss, sp, ps, pp, the incident one first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Polarised {
+    /// Of diffuse part and cross term.
+    pub diffuse: [f64; 4],
+    /// Of the coherent lobe.
+    pub coherent: [f64; 4],
+}
+
 impl FrontFactor {
     /// The factor of diffuse part and cross term, without unit, shadowing included; zero for directions not above the
     /// surface.
@@ -61,6 +70,20 @@ impl FrontFactor {
             Factor::Vector => mirror,
             Factor::Scalar => mirror * geometry_factor(wi, wo) / (wi[2] + wo[2]).powi(2),
         }
+    }
+
+    /// Both factors with the polarisations kept apart; `None` for the scalar factor and for ideal reflectors, which know none.
+    /// Half the sum of the four is the unpolarised factor; zeros for directions not above the surface.
+    pub fn polarised(&self, wi: Vec3, wo: Vec3) -> Option<Polarised> {
+        let index = complex_index(self.material).filter(|_| self.factor == Factor::Vector)?;
+        if !above(wi, wo) {
+            return Some(Polarised { diffuse: [0.0; 4], coherent: [0.0; 4] });
+        }
+        let shadowing = self.shadowing(wi, wo);
+        Some(Polarised {
+            diffuse: polarised_factors(index, wi, wo).map(|factor| 4.0 * wi[2] * wo[2] * factor * shadowing),
+            coherent: polarised_reflectances(index, wi, wo).map(|reflectance| reflectance * shadowing),
+        })
     }
 
     fn shadowing(&self, wi: Vec3, wo: Vec3) -> f64 {

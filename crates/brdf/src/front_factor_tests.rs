@@ -173,3 +173,35 @@ fn the_lobe_and_its_image_keep_the_power_of_a_flat_surface_up_to_grazing() {
         assert!(reflected(89.9, width, false) < 0.6, "without the image half is lost");
     }
 }
+
+#[test]
+fn half_the_sum_of_the_polarisations_is_the_unpolarised_factor() {
+    for material in [Material::Dielectric { n: 1.56 }, Material::Conductor { n: 0.96, k: 6.7 }] {
+        let front = FrontFactor { material, shadowing: true, factor: Factor::Vector };
+        for (theta_i, theta_o, phi) in [(0.0, 20.0, 10.0), (60.0, 60.0, 180.0), (60.0, 20.0, 77.0), (85.0, 70.0, 300.0)]
+        {
+            let (wi, wo) = (from_angles_deg(theta_i, 0.0), from_angles_deg(theta_o, phi));
+            let found = front.polarised(wi, wo).unwrap();
+            let half = |values: [f64; 4]| 0.5 * values.iter().sum::<f64>();
+            for (found, expected) in
+                [(half(found.diffuse), front.diffuse(wi, wo)), (half(found.coherent), front.coherent(wi, wo))]
+            {
+                assert!(
+                    (found / expected - 1.0).abs() < 1e-12,
+                    "{material:?} {theta_i} {theta_o} {phi}: {found} {expected}"
+                );
+            }
+        }
+    }
+    // Near Brewster's angle, 57.3 degrees, p is not reflected.
+    let keratin = FrontFactor { material: Material::Dielectric { n: 1.56 }, shadowing: false, factor: Factor::Vector };
+    let [wi, wo] = [0.0, 180.0].map(|phi| from_angles_deg(57.34, phi));
+    let [ss, sp, ps, pp] = keratin.polarised(wi, wo).unwrap().diffuse;
+    assert!(pp < 1e-4 * ss && sp < 1e-20 && ps < 1e-20, "{ss} {sp} {ps} {pp}");
+    // What knows no index or no polarisation has none.
+    for front in
+        [FrontFactor { material: Material::Ideal, ..keratin }, FrontFactor { factor: Factor::Scalar, ..keratin }]
+    {
+        assert_eq!(front.polarised(wi, wo), None);
+    }
+}

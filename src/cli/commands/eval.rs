@@ -13,8 +13,9 @@ use crate::stages::ingest::{Scans, ingest};
 use diffraction_brdf::atlas;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::{Error, Result};
-use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, serves};
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, brdf_xyz_polarised, serves};
 use diffraction_brdf::files;
+use diffraction_brdf::front_factor::{Factor, FrontFactor};
 use diffraction_build::optics::reference;
 use diffraction_build::tables::resolution::usable_radius;
 
@@ -27,7 +28,7 @@ use diffraction_build::tables::resolution::usable_radius;
 
 The CSV has the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, thetas below 90 either way, between commas,
 semicolons or tabs; lines that start with # are comments. X, Y, Z in 1/sr are added to them, or one column for each of
-the wavelengths asked for.")]
+the wavelengths asked for; with --polarised X_ss, X_sp, X_ps, X_pp, Y_ss and so on.")]
 pub(crate) struct EvalArgs {
     /// Directions to the light and to the viewer, in degrees
     #[arg(long, value_name = "CSV")]
@@ -47,6 +48,10 @@ pub(crate) struct EvalArgs {
     /// Values at these wavelengths in place of X, Y, Z (with --method reference)
     #[arg(long, value_name = "NM", value_delimiter = ',', value_parser = crate::cli::lengths::positive)]
     pub wavelengths_nm: Vec<f64>,
+    /// Four values for each: ss, sp, ps, pp, the light's polarisation first, s across the plane that holds the normal. Half
+    /// their sum is the value without. Needs the factor "vector" and a material with a refractive index
+    #[arg(long)]
+    pub polarised: bool,
     /// How values between texels are found (with --method tables)
     #[arg(long, value_enum, default_value_t = Lookup::Cubic)]
     pub interpolation: Lookup,
@@ -132,11 +137,47 @@ struct Table {
     values: Vec<Vec<f64>>,
 }
 
+fn polarised_table(values: &[[Xyz; 4]]) -> Table {
+    Table {
+        columns: polarised_columns(&["X", "Y", "Z"].map(String::from)),
+        values: values.iter().map(polarised_row).collect(),
+    }
+}
+
 fn xyz_table(values: impl IntoIterator<Item = Xyz>) -> Table {
     Table {
         columns: ["X", "Y", "Z"].map(String::from).to_vec(),
         values: values.into_iter().map(|xyz| xyz.to_vec()).collect(),
     }
+}
+
+/// Suffixes of the columns of polarised values.
+const POLARISATIONS: [&str; 4] = ["ss", "sp", "ps", "pp"];
+
+/// Four columns for each of these.
+fn polarised_columns(names: &[String]) -> Vec<String> {
+    names.iter().flat_map(|name| POLARISATIONS.map(|kind| format!("{name}_{kind}"))).collect()
+}
+
+/// Polarised values side by side in the order of [`polarised_columns`], from XYZ by polarisation.
+fn polarised_row(by_kind: &[Xyz; 4]) -> Vec<f64> {
+    (0..3).flat_map(|c| by_kind.map(|xyz| xyz[c])).collect()
+}
+
+/// Refuses to keep polarisations apart where the front factor does not.
+fn check_polarised(front: FrontFactor, specimen: &str) -> Result<()> {
+    let up = [0.0, 0.0, 1.0];
+    if front.polarised(up, up).is_some() {
+        return Ok(());
+    }
+    let what = match front.factor {
+        Factor::Scalar => "has the scalar factor",
+        Factor::Vector => "is an ideal reflector, which has no refractive index",
+    };
+    Err(Error::limit(
+        format!("`{specimen}` {what}, and so knows no polarisation"),
+        "leave `--polarised` out, or set optics.factor = \"vector\" and a material such as { n = 1.56 } for it",
+    ))
 }
 
 fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<Table> {
@@ -163,6 +204,12 @@ fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<
             "set tables.serve = \"all\" and run the pipeline again, or evaluate with `--method reference`",
         ));
     }
+    if args.polarised {
+        check_polarised(set.front_factor, &args.specimen)?;
+        let value = |&(wi, wo): &(Vec3, Vec3)| brdf_xyz_polarised(&set, interpolation, wi, wo).unwrap_or_default();
+        let values: Vec<[Xyz; 4]> = pairs.par_iter().map(value).collect();
+        return Ok(polarised_table(&values));
+    }
     Ok(xyz_table(pairs.par_iter().map(|&(wi, wo)| brdf_xyz(&set, interpolation, wi, wo)).collect::<Vec<_>>()))
 }
 
@@ -180,14 +227,25 @@ fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Resul
     let Scans { fields, optics, .. } = ingest(specimen)?;
     let usable = fields.iter().map(|f| usable_radius(&optics, f.pitch_nm)).fold(2.0, f64::min);
     warn_beyond(usable, pairs);
-    if args.wavelengths_nm.is_empty() {
+    let names: Vec<String> = args.wavelengths_nm.iter().map(|nm| format!("f_{nm}_nm")).collect();
+    if args.polarised {
+        check_polarised(optics.front_factor(), &args.specimen)?;
+        if names.is_empty() {
+            let xyz = |&(wi, wo): &(Vec3, Vec3)| reference::brdf_xyz_polarised(&fields, &optics, wi, wo);
+            return Ok(polarised_table(&pairs.par_iter().map(xyz).collect::<Result<Vec<_>>>()?));
+        }
+        let spectrum = |&(wi, wo): &(Vec3, Vec3)| {
+            let spectrum = reference::brdf_spectrum_polarised(&fields, &optics, wi, wo, &args.wavelengths_nm)?;
+            Ok(spectrum.concat())
+        };
+        let values = pairs.par_iter().map(spectrum).collect::<Result<_>>()?;
+        return Ok(Table { columns: polarised_columns(&names), values });
+    }
+    if names.is_empty() {
         return Ok(xyz_table(reference::brdf_xyz_batch(&fields, &optics, pairs)?));
     }
     let spectrum = |&(wi, wo): &(Vec3, Vec3)| reference::brdf_spectrum(&fields, &optics, wi, wo, &args.wavelengths_nm);
-    Ok(Table {
-        columns: args.wavelengths_nm.iter().map(|nm| format!("f_{nm}_nm")).collect(),
-        values: pairs.par_iter().map(spectrum).collect::<Result<_>>()?,
-    })
+    Ok(Table { columns: names, values: pairs.par_iter().map(spectrum).collect::<Result<_>>()? })
 }
 
 /// Values past the scan's sampling are too dark: said, not hidden.

@@ -6,6 +6,7 @@ use diffraction_brdf::error::Result;
 use diffraction_brdf::json;
 use diffraction_brdf::specimen::{self, CheckValue, FILE};
 use diffraction_brdf::storage::{self, StoredTables};
+use diffraction_build::accuracy::power_sums::DirectionalAlbedo;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::Pigment;
 use diffraction_build::tables::model::{BuildRecord, TableSet};
@@ -38,6 +39,9 @@ pub struct SpecimenFile {
     pub tables: StoredTables,
     /// Measured errors, by cause.
     pub errors: Value,
+    /// Share of the arriving light that is reflected, by angle of incidence; empty where the tables serve certain scenes only.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub albedo: Vec<DirectionalAlbedo>,
     /// Directions with values, for testing a reader.
     pub check_values: Vec<CheckValue>,
     /// Doubts in whole sentences.

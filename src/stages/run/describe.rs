@@ -22,6 +22,7 @@ use crate::stages::results::{BuildResult, HeightMapFile, LobeResult, SceneResult
 use crate::stages::stage::Stage;
 use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::error::{Error, Result};
+use diffraction_build::accuracy::power_sums::too_bright;
 use diffraction_build::accuracy::rows;
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::tables::coverage::budget::{Budget, Cost};
@@ -96,6 +97,7 @@ fn warnings(ingested: &Ingested, planned: &Planned, measured: &Measured) -> Vec<
     let mut warnings = table_warnings(set, files, &ingested.tables, planned.plan.texels.grid.texel());
     warnings.extend(scan_warnings(&ingested.scans, optics));
     warnings.extend(scenes::warnings(&scenes, optics));
+    warnings.extend(too_bright(&measured.reflected.albedo));
     warnings.extend(rows::broken_tolerances(&measured.errors, ingested.tables.tolerance));
     warnings
 }
@@ -149,6 +151,7 @@ fn specimen_json(
         build: record.clone(),
         tables: files.clone(),
         errors: to_value(&measured.errors),
+        albedo: measured.reflected.albedo.clone(),
         check_values: check_values(set, &measured.counted),
         warnings: warnings.to_vec(),
     }
@@ -190,10 +193,11 @@ fn result(
         lobe: measured.stored.set.lobe.as_ref().map(|lobe| LobeResult {
             radius_max: lobe.radius_max,
             cross_tables: lobe.cross.len(),
-            power_share: measured.lobe_share,
+            power_share: measured.reflected.lobe_share,
         }),
         errors: measured.errors,
-        power_sums: measured.power_sums,
+        power_sums: measured.reflected.power_sums,
+        albedo: measured.reflected.albedo,
         measured: measured.measured,
         scenes: pictures.scenes,
         height_map,
@@ -247,6 +251,7 @@ pub(super) fn failed_result(specimen: &SpecimenConfig, error: &Error) -> Specime
         lobe: None,
         errors: Vec::new(),
         power_sums: Vec::new(),
+        albedo: Vec::new(),
         measured: None,
         scenes: Vec::new(),
         height_map: None,

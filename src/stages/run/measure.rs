@@ -3,15 +3,20 @@
 use super::build::{Ingested, Planned, Stored};
 use super::clock::{Clock, Step};
 use super::job::Job;
+use crate::stages::cache::known::Known;
+use crate::stages::ingest::Scans;
 use crate::stages::measured::{self, MeasuredResult};
 use crate::stages::pictures::scenes::{SceneWork, candidates_of, render_tables};
 use crate::stages::stage::Stage;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::Result;
 use diffraction_build::accuracy::directions::{DIRECTIONS, ErrorDirections};
-use diffraction_build::accuracy::power_sums::{PowerSum, power_sums};
+use diffraction_build::accuracy::power_sums::{Reflected, reflected};
 use diffraction_build::accuracy::reference::Reference;
 use diffraction_build::accuracy::rows::{ErrorRow, error_rows};
+use diffraction_build::accuracy::thinned::{is_in_question, sampling_rows, thinned};
+use diffraction_build::tables::input::BuildInput;
+use diffraction_build::tables::plan::plan_for;
 
 /// What the stored tables show, and how far that is from the reference.
 pub(super) struct Measured {
@@ -21,9 +26,7 @@ pub(super) struct Measured {
     /// The pairs of directions on which errors are counted.
     pub(super) counted: Vec<(Vec3, Vec3)>,
     pub(super) errors: Vec<ErrorRow>,
-    pub(super) power_sums: Vec<PowerSum>,
-    /// Share of the reflected luminous power at normal incidence that lies in the coherent lobe.
-    pub(super) lobe_share: Option<f64>,
+    pub(super) reflected: Reflected,
     pub(super) measured: Option<MeasuredResult>,
 }
 
@@ -50,16 +53,17 @@ pub(super) fn measure(
             planned.known.reference(&planned.input, &planned.plan, exact.tables.len(), directions, pictures)
         })?),
     };
-    let (errors, (power_sums, lobe_share)) = clock.stage(Stage::MeasureErrors, || {
+    let (errors, reflected) = clock.stage(Stage::MeasureErrors, || {
         let errors = match (&reference, &exact) {
             (Some(reference), Some(exact)) => {
                 let mut errors = error_rows(reference, &stored.set, exact);
+                errors.extend(sampling(job, ingested, planned, reference)?);
                 errors.push(planned.known.direct_row(&planned.input, reference)?);
                 errors
             }
             _ => Vec::new(),
         };
-        Ok((errors, power_sums(&stored.set)))
+        Ok((errors, reflected(&stored.set)))
     })?;
     let measured = match &ingested.measurement {
         None => None,
@@ -70,7 +74,20 @@ pub(super) fn measure(
         })?),
     };
     let pictures = with_reference(works, reference.as_ref(), counted.len());
-    Ok(Measured { stored, pictures, counted, errors, power_sums, lobe_share, measured })
+    Ok(Measured { stored, pictures, counted, errors, reflected, measured })
+}
+
+/// The rows of the scans' sampling, where it is in question.
+fn sampling(job: &Job, ingested: &Ingested, planned: &Planned, reference: &Reference) -> Result<Vec<ErrorRow>> {
+    let Scans { fields, optics, statistics, .. } = &ingested.scans;
+    let Some(thin) = thinned(fields, optics.edge).filter(|_| is_in_question(statistics)) else { return Ok(Vec::new()) };
+    let input = BuildInput::new(&thin, optics, planned.input.tables);
+    sampling_rows(reference, &thin, optics, |pairs| {
+        let plan = plan_for(&input, planned.coverage.clone())?;
+        let known = Known::new(job.cache, &thin);
+        let found = known.reference(&input, &plan, 0, ErrorDirections::default(), pairs.iter().copied())?;
+        Ok(found.xyz)
+    })
 }
 
 /// The scenes from the tables, and the files of animations.

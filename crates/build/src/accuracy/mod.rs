@@ -4,3 +4,4 @@ pub mod directions;
 pub mod power_sums;
 pub mod reference;
 pub mod rows;
+pub mod thinned;

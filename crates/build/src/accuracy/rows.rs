@@ -36,6 +36,9 @@ pub enum Cause {
     Grid,
     /// Rounding of stored values.
     Storage,
+    /// None of the tables': the scan against every second sample of itself.
+    #[serde(rename = "sampling of the scan")]
+    Sampling,
     /// None of the tables': the reference itself, against the direct sum. Files say it as they always have.
     #[serde(rename = "yardstick against direct sum")]
     Reference,
@@ -51,6 +54,7 @@ impl Cause {
             Self::Basis => "basis",
             Self::Grid => "grid",
             Self::Storage => "storage",
+            Self::Sampling => "sampling of the scan",
             Self::Reference => "reference against direct sum",
         }
     }
@@ -164,7 +168,7 @@ fn rows_of(
 
 /// Pointwise errors of the directions that the reference has above the floor; the norm of all, each with the share of the
 /// group that it stands for. What nothing above the floor can tell is NaN.
-fn row(cause: Cause, group: &ErrorGroup, reference: &[f64], test: &[f64]) -> ErrorRow {
+pub(super) fn row(cause: Cause, group: &ErrorGroup, reference: &[f64], test: &[f64]) -> ErrorRow {
     let floor = group.floor_per_sr;
     let quantiles = metrics::relative_error_quantiles(reference, test, floor);
     let weights = group.weights();
@@ -299,8 +303,9 @@ mod tests {
     #[test]
     fn files_keep_their_words() {
         let words = |cause: Cause| serde_json::to_value(cause).unwrap();
-        for cause in [Cause::Total, Cause::TotalCubic, Cause::WavelengthStep, Cause::Basis, Cause::Grid, Cause::Storage]
-        {
+        let causes =
+            [Cause::Total, Cause::TotalCubic, Cause::WavelengthStep, Cause::Basis, Cause::Grid, Cause::Storage];
+        for cause in causes.into_iter().chain([Cause::Sampling]) {
             assert_eq!(words(cause), cause.name());
         }
         assert_eq!(words(Cause::Reference), "yardstick against direct sum");

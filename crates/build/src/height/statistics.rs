@@ -21,7 +21,7 @@ pub use slopes::STEEP_SLOPE;
 pub use wave_scale::{wall_share, wave_slope, wave_slope_max, wavelength_told_nm};
 
 /// Share of surface that rises too much between samples from which on the reader is warned.
-const AMBIGUOUS_SHARE_WARNED: f64 = 0.01;
+pub const AMBIGUOUS_SHARE_WARNED: f64 = 0.01;
 
 /// Statistics of a height field.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -29,6 +29,13 @@ impl PairFactors {
         })
     }
 
+    /// The same by polarisation: ss, sp, ps, pp, the incident one first; `None` where the factor knows none, or for directions
+    /// not above the surface.
+    pub fn polarised(optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> Option<[Self; 4]> {
+        let (all, front) = (Self::of(optics, wi, wo)?, optics.front_factor().polarised(wi, wo)?);
+        Some(std::array::from_fn(|kind| Self { diffuse: front.diffuse[kind], coherent: front.coherent[kind], ..all }))
+    }
+
     /// The BRDF in 1/sr at a wavelength from the power without the coherent part, the coherent part, and that of the image, in
     /// nm².
     pub fn brdf(&self, wavelength_nm: f64, rest_nm2: f64, coherent_nm2: f64) -> f64 {

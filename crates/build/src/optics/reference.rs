@@ -18,7 +18,7 @@ use super::window::{Placement, WindowAxis, placements, window_axis};
 use crate::ground::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers};
 use crate::height::HeightField;
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
-use diffraction_brdf::error::Result;
+use diffraction_brdf::error::{Error, Result};
 
 /// The step of the reference in wavenumber.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,16 +81,34 @@ pub fn resolving_count(optics: &OpticsConfig, q: Vec3, half_range_nm: f64, step:
 /// # Errors
 /// A scan too small for the window, or an invisible light.
 pub fn brdf_xyz(fields: &[HeightField], optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> Result<Xyz> {
-    let half_range_nm = fields.iter().map(half_height_range_nm).fold(0.0, f64::max);
-    let quadrature = resolving_wavelengths(optics, wave_vector_change(wi, wo), half_range_nm, FULL_STEP)?;
+    let quadrature = quadrature_of(fields, optics, wi, wo)?;
     let spectrum = brdf_spectrum(fields, optics, wi, wo, &quadrature.wavelengths_nm)?;
+    Ok(weighed(&quadrature, &spectrum))
+}
+
+/// XYZ of the BRDF in 1/sr by polarisation: ss, sp, ps, pp, the incident one first; half their sum is [`brdf_xyz`].
+///
+/// # Errors
+/// As [`brdf_xyz`], and a factor that does not know polarisation.
+pub fn brdf_xyz_polarised(fields: &[HeightField], optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> Result<[Xyz; 4]> {
+    let quadrature = quadrature_of(fields, optics, wi, wo)?;
+    let spectra = brdf_spectrum_polarised(fields, optics, wi, wo, &quadrature.wavelengths_nm)?;
+    Ok(std::array::from_fn(|kind| weighed(&quadrature, &spectra.iter().map(|f| f[kind]).collect::<Vec<_>>())))
+}
+
+fn quadrature_of(fields: &[HeightField], optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> Result<SpectralQuadrature> {
+    let half_range_nm = fields.iter().map(half_height_range_nm).fold(0.0, f64::max);
+    resolving_wavelengths(optics, wave_vector_change(wi, wo), half_range_nm, FULL_STEP)
+}
+
+fn weighed(quadrature: &SpectralQuadrature, spectrum: &[f64]) -> Xyz {
     let mut xyz = [0.0; 3];
     for (f, weight) in spectrum.iter().zip(&quadrature.weights) {
         for c in 0..3 {
             xyz[c] += weight[c] * f;
         }
     }
-    Ok(xyz)
+    xyz
 }
 
 /// XYZ of the BRDF for many pairs of directions, in parallel.
@@ -112,20 +130,51 @@ pub fn brdf_spectrum(
     wo: Vec3,
     wavelengths_nm: &[f64],
 ) -> Result<Vec<f64>> {
-    let mut sum = vec![0.0; wavelengths_nm.len()];
-    let Some(factors) = PairFactors::of(optics, wi, wo) else { return Ok(sum) };
+    let Some(factors) = PairFactors::of(optics, wi, wo) else { return Ok(vec![0.0; wavelengths_nm.len()]) };
+    let spectrum = spectra_of(fields, optics, [factors], wavelengths_nm)?;
+    Ok(spectrum.into_iter().map(|[f]| f).collect())
+}
+
+/// The BRDF in 1/sr at each wavelength by polarisation: ss, sp, ps, pp, the incident one first.
+///
+/// # Errors
+/// A scan too small for the window, and a factor that does not know polarisation.
+pub fn brdf_spectrum_polarised(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    wi: Vec3,
+    wo: Vec3,
+    wavelengths_nm: &[f64],
+) -> Result<Vec<[f64; 4]>> {
+    if optics.front_factor().polarised(wi, wo).is_none() {
+        return Err(Error::Call("the scalar factor and ideal reflectors know no polarisation".into()));
+    }
+    let Some(factors) = PairFactors::polarised(optics, wi, wo) else { return Ok(vec![[0.0; 4]; wavelengths_nm.len()]) };
+    spectra_of(fields, optics, factors, wavelengths_nm)
+}
+
+/// The BRDF in 1/sr at each wavelength for each of several factors of one pair of directions.
+fn spectra_of<const N: usize>(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    factors: [PairFactors; N],
+    wavelengths_nm: &[f64],
+) -> Result<Vec<[f64; N]>> {
+    let mut sums = vec![[0.0; N]; wavelengths_nm.len()];
     let windows = fields.iter().map(|field| placements(field, optics)).collect::<Result<Vec<_>>>()?;
     // Every window counts the same, on whatever scan it lies.
     let share = 1.0 / windows.iter().map(Vec::len).sum::<usize>() as f64;
     for (field, windows) in fields.iter().zip(windows) {
         for placement in windows {
-            let powers = window_powers(field, placement, optics, &factors, wavelengths_nm);
-            for ((sum, [rest_nm2, coherent_nm2]), nm) in sum.iter_mut().zip(powers).zip(wavelengths_nm) {
-                *sum += share * factors.brdf(*nm, rest_nm2, coherent_nm2);
+            let powers = window_powers(field, placement, optics, &factors[0], wavelengths_nm);
+            for ((sums, [rest_nm2, coherent_nm2]), nm) in sums.iter_mut().zip(powers).zip(wavelengths_nm) {
+                for (sum, factors) in sums.iter_mut().zip(&factors) {
+                    *sum += share * factors.brdf(*nm, rest_nm2, coherent_nm2);
+                }
             }
         }
     }
-    Ok(sum)
+    Ok(sums)
 }
 
 /// `(|P|² - |c G̃|²) / A` and `|c|² |G̃|² / A` in nm² at each wavelength for one window, the lobe's image in the horizon among
