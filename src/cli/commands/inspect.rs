@@ -12,9 +12,9 @@ use diffraction_brdf::atlas;
 use diffraction_brdf::error::Result;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{CallerWords, HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
-use diffraction_build::height::statistics::{STEEP_SLOPE, Statistics, seam_warning, statistics};
+use diffraction_build::height::statistics::{STEEP_SLOPE, Statistics, is_whole_grating, seam_warning, statistics};
 use diffraction_build::height::write::write_scan_tiff;
-use diffraction_build::optics::config::{Factor, Material};
+use diffraction_build::optics::config::{Factor, Material, TILE_SIGMAS, smallest_side_nm};
 use diffraction_build::optics::validity::doubts;
 use diffraction_build::tables::model::{Basis, Storage};
 
@@ -70,6 +70,8 @@ const WORDS: CallerWords = CallerWords {
 /// A scan and what can be said of it.
 #[derive(Debug, Serialize)]
 struct ScanReport {
+    /// Largest sigma of the coherence that the scan's size resolves, in µm; `null` where it resolves any.
+    resolved_sigma_um: Option<f64>,
     provenance: Provenance,
     extent_um: [f64; 2],
     /// Of the heights with the best plane taken away.
@@ -103,7 +105,9 @@ fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
     let mut found = statistics(&levelled, WAVELENGTH_MIN_NM);
     found.warnings.extend(doubts(&levelled, [WAVELENGTH_MIN_NM, WAVELENGTH_MAX_NM], MATERIAL, Factor::Vector));
     found.warnings.extend(seam_warning(&levelled));
+    let side_um = smallest_side_nm(&levelled) * 1e-3;
     let report = ScanReport {
+        resolved_sigma_um: (!is_whole_grating(&levelled) && side_um.is_finite()).then_some(side_um / TILE_SIGMAS),
         extent_um: scan.field.extent_nm().map(|nm| nm * 1e-3),
         statistics: found,
         provenance: scan.provenance,
@@ -135,6 +139,13 @@ impl ScanReport {
             match s.autocorrelation_length_nm {
                 length_nm if length_nm.is_nan() => "correlation   none".into(),
                 length_nm => format!("correlation   {length_nm:.0} nm"),
+            },
+            match self.resolved_sigma_um {
+                Some(sigma_um) => format!(
+                    "coherence     resolved up to sigma = {sigma_um:.3} µm, a quarter of the shorter side; of more, edge = \"auto\" shows \
+                     only the lobe"
+                ),
+                None => "coherence     any sigma: the scan holds whole periods of a grating".into(),
             },
             format!("good up to    |(u, v)| = {:.3} at {WAVELENGTH_MIN_NM} nm", s.usable_uv_radius),
             format!(
