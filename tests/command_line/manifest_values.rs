@@ -9,7 +9,7 @@ use diffraction_atlas::stages::measured::MeasuredConfig;
 use diffraction_build::ground::spectrum::{Illuminant, Line};
 use diffraction_build::height::prepare::Level;
 use diffraction_build::height::read::{HeightScale, LengthUnit};
-use diffraction_build::optics::config::{Edge, Material, Windows};
+use diffraction_build::optics::config::{Edge, Factor, Material, Windows};
 use diffraction_build::tables::model::{Basis, Prefilter, Storage};
 use diffraction_render::scene::camera::{Camera, Field};
 use diffraction_render::scene::environment;
@@ -88,7 +88,7 @@ fn every_key_of_the_example_arrives() {
     assert_eq!(all.optics.wavelength_nm, [532.0, 633.0]);
     assert_eq!((all.optics.sigma_nm, all.optics.edge, all.optics.windows), (6500.0, Edge::Fade, Windows::Centre));
     assert_eq!(all.optics.material, Material::Conductor { n: 0.2, k: 3.4 });
-    assert!(all.optics.shadowing);
+    assert!(all.optics.shadowing && all.optics.factor == Factor::Scalar);
 
     assert_eq!((all.tables.basis, all.tables.storage), (Basis::Taylor, Some(Storage::Float)));
     assert_eq!((all.tables.tolerance, all.tables.size, all.tables.count), (0.01, Some(501), Some(40)));
