@@ -65,7 +65,7 @@ specimen stand in its `specimen.json`, and each EXR header repeats what concerns
   directions. `lit_share` is the share of the region that the tables show lit; of `dark_directions` others that were
   evaluated, `missed_directions` are brighter than the floor. `null` where nothing is lit.
 - `albedo`: share of the arriving light of Y that is reflected, for light from the azimuth 0 at each `theta_i_deg`. Above 1, which
-  only happens with the scalar factor, a path tracer has to limit it; left out where tables serve certain scenes alone.
+  ideal reflectors and the scalar factor can reach, a path tracer has to limit it; left out where tables serve certain scenes alone.
 
 `scenes/` in a specimen's folder holds the pictures the tables were checked by, and `scenes/` beside `atlas.json`, where there
 is one, those of scenes that show several specimens; both are for looking at.
