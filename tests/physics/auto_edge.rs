@@ -88,8 +88,11 @@ fn grating() -> HeightField {
     sampled([80, 80], [100.0; 2], |x, _| 40.0 * (TAU * x / PERIOD_NM).cos())
 }
 
+/// Y of the BRDF of a scan at pairs of directions, by one of the evaluations that are compared.
+type Evaluation<'a> = &'a dyn Fn(&HeightField, &OpticsConfig, &[Pair]) -> Vec<f64>;
+
 /// How far the mirror's peak is off that of the light's width, and the first order's width off what the scan resolves.
-fn widths(optics: &OpticsConfig, value: &dyn Fn(&HeightField, &OpticsConfig, &[Pair]) -> Vec<f64>) -> [f64; 2] {
+fn widths(optics: &OpticsConfig, value: Evaluation) -> [f64; 2] {
     let field = grating();
     let wi = from_angles_deg(20.0, 0.0);
     let (wide_nm, light_nm) = (8_000.0 / TILE_SIGMAS, LIGHT_SIGMA_NM);
