@@ -98,8 +98,8 @@ impl Structure {
 /// tile, so their spacing is the published one up to half of one in that number.
 ///
 /// # Errors
-/// [`Error::Call`] for parameters out of reason, and where the pitch is too coarse for the structure or
-/// the tile too small; [`Error::Limit`] for more than 2^26 samples.
+/// `Error::Call` for parameters out of reason, and where the pitch is too coarse for the structure or
+/// the tile too small; `Error::Limit` for more than 2^26 samples.
 pub fn synthesize(structure: &Structure, size: [usize; 2], pitch_nm: [f64; 2]) -> Result<HeightField> {
     let grid = Grid::new(size, pitch_nm)?;
     let heights_nm = match *structure {
