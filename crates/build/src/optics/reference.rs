@@ -192,7 +192,10 @@ fn window_powers(
     let parts = rest_and_lines.into_iter().zip(phasors2).zip(wavelengths_nm);
     parts
         .map(|((lines, phasor2), nm)| {
-            let coherent = phasor2 * lobe.power_nm2([factors.q[0] / nm, factors.q[1] / nm]);
+            // All lines of a repeated scan end where their kernel does, the one in the middle too.
+            let ends = placement == Placement::TileMean && !lines.reads_middle;
+            let form_nm2 = if ends { 0.0 } else { lobe.power_nm2([factors.q[0] / nm, factors.q[1] / nm]) };
+            let coherent = phasor2 * form_nm2;
             // The mean over all positions adds powers: the line in the middle is the coherent part, whatever blurs it.
             let rest = if placement == Placement::TileMean { lines.others } else { lines.all - coherent };
             let image = factors.image_radius.map_or(0.0, |radius| phasor2 * lobe.closed_form_nm2(radius / nm));
@@ -205,6 +208,8 @@ fn window_powers(
 struct LinePowers {
     all: f64,
     others: f64,
+    /// Whether the window's power reaches the line of frequency 0.
+    reads_middle: bool,
 }
 
 /// The powers at each wavelength for one window.
@@ -224,7 +229,7 @@ fn line_powers(
     });
     let amplitudes = phasor_sums(field, &axes, &weights, q[2], wavelengths_nm);
     let of_lines = |lines: &Vec<Complex<f64>>, x: &AxisWeights, y: &AxisWeights| {
-        let mut powers = LinePowers { all: 0.0, others: 0.0 };
+        let mut powers = LinePowers { all: 0.0, others: 0.0, reads_middle: x.middle.is_some() && y.middle.is_some() };
         for (i, amplitude) in lines.iter().enumerate() {
             let (column, row) = (i % x.power.len(), i / x.power.len());
             let power = x.power[column] * y.power[row] * amplitude.norm_sqr();
