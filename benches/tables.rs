@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{Structure, synthesize};
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};

@@ -27,7 +27,7 @@
 //!
 //! ```
 //! use diffraction_brdf::direction::from_angles_deg;
-//! use diffraction_build::ground::spectrum::{Illuminant, Line};
+//! use diffraction_brdf::spectrum::{Illuminant, Line};
 //! use diffraction_build::height::synthesize::{Structure, synthesize};
 //! use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 //! use diffraction_build::optics::reference;

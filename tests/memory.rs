@@ -8,7 +8,7 @@ use common::surfaces::{laser, random, tables_config};
 use diffraction_atlas::stages::built::Built;
 use diffraction_atlas::stages::coverage::savings::cover;
 use diffraction_atlas::stages::usage::{HeapCounter, lend_heap_counter, with_heap_bytes};
-use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::forecast::{Forecast, forecast_of};

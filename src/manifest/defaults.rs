@@ -2,7 +2,7 @@
 
 use super::model::GpuSection;
 use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig};
-use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::prepare::Level;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, Prefilter, TablesConfig};

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::keys;
 use super::reader::Item;
 use diffraction_brdf::error::Result;
-use diffraction_build::ground::spectrum::{Illuminant, Line};
+use diffraction_brdf::spectrum::{Illuminant, Line};
 
 /// Shortest and longest wavelength that a manifest may name.
 pub const WAVELENGTH_NM: [f64; 2] = [200.0, 2500.0];

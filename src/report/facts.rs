@@ -3,9 +3,9 @@
 use crate::report::frames::period_letter;
 use crate::report::numbers;
 use crate::stages::results::{BuildResult, Period, SpecimenResult, Statistics};
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::accuracy::power_sums::DirectionalAlbedo;
 use diffraction_build::accuracy::rows::{Cause, ErrorRow};
-use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::statistics::STEEP_SLOPE;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, Rounding, Storage};

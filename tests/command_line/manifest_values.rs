@@ -6,7 +6,7 @@ use crate::manifest_fixture::{GOOD, folder, good_with, parse_in};
 use diffraction_atlas::manifest;
 use diffraction_atlas::stages::config::{FrameTiming, GpuCheck};
 use diffraction_atlas::stages::measured::MeasuredConfig;
-use diffraction_build::ground::spectrum::{Illuminant, Line};
+use diffraction_brdf::spectrum::{Illuminant, Line};
 use diffraction_build::height::prepare::Level;
 use diffraction_build::height::read::{HeightScale, LengthUnit};
 use diffraction_build::optics::config::{Edge, Factor, Material, Windows};

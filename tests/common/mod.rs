@@ -8,7 +8,7 @@ pub mod surfaces;
 use std::path::Path;
 
 use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg};
-use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use ndarray::Array2;

@@ -10,11 +10,11 @@ use diffraction_atlas::stages::gpu::check::{CpuPictures, compare, compare_with_r
 use diffraction_atlas::stages::gpu::results::{FrameComparison, MethodFrame};
 use diffraction_atlas::stages::results::*;
 use diffraction_atlas::stages::stage::Stage;
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::accuracy::directions::Group;
 use diffraction_build::accuracy::power_sums::{DirectionalAlbedo, PowerSum};
 use diffraction_build::accuracy::rows::{Cause, ErrorRow};
 use diffraction_build::ground::sampling::Region;
-use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::coverage::budget::Cost;

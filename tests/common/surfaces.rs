@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use diffraction_brdf::direction::Vec3;
-use diffraction_build::ground::spectrum::{Illuminant, Line};
+use diffraction_brdf::spectrum::{Illuminant, Line};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::build;

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use crate::skip::skipped;
 use diffraction_atlas::stages::coverage::savings::cover;
-use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::{build, build_planned};

@@ -9,7 +9,7 @@ use crate::common::surfaces::{
 };
 use diffraction_brdf::direction::{Vec3, from_angles_deg};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, lobe_window_power};
-use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::optics::reference::brdf_xyz_batch;

@@ -2,9 +2,9 @@
 
 use diffraction_brdf::direction::Vec3;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::ground::metrics::relative_error_quantiles;
 use diffraction_build::ground::sampling::four;
-use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::optics::reference::brdf_xyz_batch;

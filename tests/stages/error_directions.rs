@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use crate::common::surfaces::{random, sampled, tables_config};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::accuracy::directions::{Candidates, ErrorDirections, Group};
 use diffraction_build::accuracy::reference;
 use diffraction_build::accuracy::rows::{Cause, ErrorRow, error_rows};
 use diffraction_build::ground::sampling::{Region, direction_pairs};
-use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::build;

@@ -2,8 +2,8 @@
 
 use diffraction_atlas::report::study_page::study_files;
 use diffraction_atlas::stages::study::{FrameClock, drawn};
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::ground::progress::Silent;
-use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_render::scene::model::{Light, Scene, Shape};

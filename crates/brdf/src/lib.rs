@@ -54,6 +54,7 @@
 pub mod atlas;
 mod brdf;
 pub mod chebyshev;
+mod cie_data;
 pub mod direction;
 pub mod error;
 pub mod evaluate;
@@ -68,6 +69,7 @@ mod reader;
 mod sampling;
 pub mod shader;
 pub mod specimen;
+pub mod spectrum;
 pub mod storage;
 pub mod table_set;
 

@@ -8,8 +8,8 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use diffraction_brdf::direction::from_angles_deg;
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_brdf::{Brdf, Factor, FrontFactor, Material, Served, Vec3, Xyz};
-use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{ReadConfig, read_scan};
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};

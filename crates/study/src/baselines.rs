@@ -26,7 +26,7 @@ use std::collections::btree_map::Entry;
 
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
-use diffraction_build::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
+use diffraction_brdf::spectrum::{SpectralQuadrature, uniform_wavenumbers};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::reference::{FULL_STEP, resolving_count};
 

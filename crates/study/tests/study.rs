@@ -2,9 +2,9 @@
 
 use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg};
 use diffraction_brdf::front_factor::Factor;
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::ground::colour::auto_exposure;
 use diffraction_build::ground::progress::Silent;
-use diffraction_build::ground::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{bundled, synthesize};
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};

@@ -275,7 +275,7 @@ fn lobe_share(lobe: &Lobe, q: Vec3, t: f64) -> LobeShare {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use diffraction_build::ground::spectrum::Illuminant;
+    use diffraction_brdf::spectrum::Illuminant;
     use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 
     fn optics() -> OpticsConfig {

@@ -166,7 +166,6 @@ mod tests {
     use ndarray::Array2;
 
     use super::*;
-    use crate::ground::spectrum::Illuminant;
     use crate::height::HeightField;
     use crate::height::prepare::{Level, PrepareConfig, prepare};
     use crate::height::read::{HeightScale, LengthUnit, ReadConfig, read_scan};
@@ -174,6 +173,7 @@ mod tests {
     use crate::tables::build::build;
     use crate::tables::input::BuildInput;
     use crate::tables::model::{Basis, Prefilter, Storage, TablesConfig};
+    use diffraction_brdf::spectrum::Illuminant;
 
     /// Small tables of a scan as the manifest's defaults have them, but for the size.
     fn tables(field: &HeightField, material: Material) -> TableSet {

@@ -82,10 +82,10 @@ mod tests {
     use super::*;
     use crate::accuracy::directions::Group;
     use crate::ground::sampling::{Region, direction_pairs};
-    use crate::ground::spectrum::Illuminant;
     use crate::height::statistics::statistics;
     use crate::optics::config::{Factor, Material, Windows};
     use crate::optics::reference::brdf_xyz_batch;
+    use diffraction_brdf::spectrum::Illuminant;
 
     const OPTICS: OpticsConfig = OpticsConfig {
         illuminant: Illuminant::D65,

@@ -1,6 +1,5 @@
-//! Ground floor: spectra and colour, transforms, metrics. Uses nothing above it.
+//! Ground floor: colour, transforms, metrics. Uses nothing above it.
 
-pub mod cie_data;
 pub mod colour;
 pub mod csv;
 pub mod fft;
@@ -9,4 +8,3 @@ pub mod metrics;
 pub mod null_for_nan;
 pub mod progress;
 pub mod sampling;
-pub mod spectrum;

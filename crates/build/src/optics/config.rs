@@ -4,9 +4,9 @@ pub use diffraction_brdf::front_factor::Factor;
 use diffraction_brdf::front_factor::FrontFactor;
 pub use diffraction_brdf::material::Material;
 
-use crate::ground::spectrum::Illuminant;
 use crate::height::HeightField;
 use crate::height::statistics::is_whole_grating;
+use diffraction_brdf::spectrum::Illuminant;
 
 /// What lies beyond the scan's edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]

@@ -218,11 +218,11 @@ fn add_products<const L: usize, const N: usize>(sums: &mut [[f64; L]; N], number
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::spectrum::Illuminant;
     use crate::height::HeightField;
     use crate::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
     use crate::optics::spectra::{SpectraConfig, transform};
     use crate::optics::window::Placement;
+    use diffraction_brdf::spectrum::Illuminant;
     use ndarray::Array2;
 
     const SIGMA_NM: f64 = 300.0;

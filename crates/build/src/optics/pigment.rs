@@ -6,10 +6,10 @@
 //! bend light on its way through, and light that the surface throws back to the pigment from below.
 
 use crate::ground::colour::xyz_to_linear_srgb;
-use crate::ground::spectrum::{Illuminant, uniform_wavelengths};
 use diffraction_brdf::direction::{Vec3, Xyz, dot};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::spectrum::{Illuminant, uniform_wavelengths};
 
 use super::config::{Material, OpticsConfig};
 use diffraction_brdf::material::reflectance;
@@ -149,7 +149,8 @@ mod tests {
 
     #[test]
     fn under_one_wavelength_an_albedo_is_one_number() {
-        let line = |wavelength_nm| Illuminant::Lines(vec![crate::ground::spectrum::Line { wavelength_nm, power: 1.0 }]);
+        let line =
+            |wavelength_nm| Illuminant::Lines(vec![diffraction_brdf::spectrum::Line { wavelength_nm, power: 1.0 }]);
         let orange = [0.5, 0.2, 0.04];
         let luminance = |nm| PI * pigment(orange, &optics(line(nm), KERATIN)).unwrap().xyz_per_sr[1];
         // A red laser has Y = 1 of its own, whatever its colour: the band's reflectance remains.

@@ -15,16 +15,16 @@ use super::factors::PairFactors;
 use super::kernel::Kernel;
 use super::spectra::half_height_range_nm;
 use super::window::{Placement, WindowAxis, placements, window_axis};
-use crate::ground::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers};
 use crate::height::HeightField;
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers};
 
 /// The step of the reference in wavenumber.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WavenumberStep {
     /// Largest step, in units of the window's frequency width divided by `|(u, v)|`: 1.41 standard deviations of what one
-    /// line of a periodic surface shows (see [`crate::ground::spectrum::wavenumbers_for_pulses`]).
+    /// line of a periodic surface shows (see [`diffraction_brdf::spectrum::wavenumbers_for_pulses`]).
     of_width: f64,
     /// Fewest wavelengths under a smooth light: where the window asks for fewer, the observer's curves do not. A lamp of
     /// lines or an arbitrary table has three times as many.
@@ -488,9 +488,9 @@ impl Phasors {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::spectrum::{SpectralQuadrature, uniform_wavelengths};
     use crate::optics::config::{Edge, Material, Windows};
     use diffraction_brdf::front_factor::Factor;
+    use diffraction_brdf::spectrum::{SpectralQuadrature, uniform_wavelengths};
     use std::f64::consts::SQRT_2;
 
     /// Relative errors of the luminance of one line, wherever in the spectrum it shows, ascending; places darker than a

@@ -15,10 +15,10 @@ use super::lines::{Buffers, Part, Point};
 use super::reference::{FULL_STEP, WavenumberStep, resolving_count};
 use super::spectra::{self, Spectra, SpectraConfig};
 use super::window::placements;
-use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers};
 use crate::height::HeightField;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::Result;
+use diffraction_brdf::spectrum::{SpectralQuadrature, uniform_wavenumbers};
 
 /// XYZ of the BRDF in 1/sr for many pairs of directions, averaged over scans and windows.
 ///
@@ -113,10 +113,10 @@ fn add(sum: &mut Xyz, weight: Xyz, power: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::spectrum::Illuminant;
     use crate::optics::config::{Edge, Material, Windows};
     use diffraction_brdf::direction::wave_vector_change;
     use diffraction_brdf::front_factor::Factor;
+    use diffraction_brdf::spectrum::Illuminant;
     use ndarray::Array2;
 
     /// Transforms that hold a pair's own frequencies, and no others, give the value that those of all frequencies give.

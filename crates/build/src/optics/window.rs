@@ -227,9 +227,9 @@ fn periodised(x: f64, period: f64, sigma: f64, gaussian: impl Fn(f64) -> f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::spectrum::Illuminant;
     use crate::optics::config::Material;
     use diffraction_brdf::front_factor::Factor;
+    use diffraction_brdf::spectrum::Illuminant;
     use ndarray::Array2;
 
     fn optics(sigma_nm: f64, windows: Windows) -> OpticsConfig {

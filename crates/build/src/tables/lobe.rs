@@ -10,12 +10,12 @@ use super::grid::Grid;
 use super::input::BuildInput;
 use super::resolution::lobe_width;
 use super::rings::quadrature;
-use crate::ground::spectrum::SpectralQuadrature;
 use crate::optics::config::OpticsConfig;
 use crate::optics::spectra::Spectra;
 use diffraction_brdf::direction::max_abs_w;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{Interpolation, stencil};
+use diffraction_brdf::spectrum::SpectralQuadrature;
 
 /// Texels per standard deviation of the narrowest lobe, along its radius and in the cross patch.
 const TEXELS_PER_WIDTH: [f64; 2] = [12.0, 4.0];

@@ -10,12 +10,12 @@ use super::resolution::{box_samples, lobe_radius, lobe_width, nodes_bound_over, 
 use super::rings::{Ring, quadrature, rings, wavelengths_of};
 use super::texels::Texels;
 use super::work::window_works;
-use crate::ground::spectrum::SpectralQuadrature;
 use crate::height::HeightField;
 use crate::optics::spectra::{self, SpectraConfig, half_height_range_nm};
 use crate::optics::window::{Placement, placements, rms_within_nm};
 use diffraction_brdf::direction::max_abs_w;
 use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::spectrum::SpectralQuadrature;
 use rayon::prelude::*;
 
 /// Largest table chosen without being asked for.

@@ -3,10 +3,10 @@
 use std::f64::consts::{SQRT_2, TAU};
 
 use super::input::BuildInput;
-use crate::ground::spectrum::{SpectralQuadrature, uniform_wavenumbers, wavenumbers_for_pulses};
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::max_abs_w;
 use diffraction_brdf::error::Result;
+use diffraction_brdf::spectrum::{SpectralQuadrature, uniform_wavenumbers, wavenumbers_for_pulses};
 
 /// An annulus of (u, v) whose texels share their wavelengths.
 #[derive(Debug, Clone, PartialEq)]

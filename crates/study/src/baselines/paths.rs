@@ -54,7 +54,7 @@ mod tests {
     use super::*;
     use crate::baselines::tests::{sinusoid, uneven};
     use diffraction_brdf::front_factor::Factor;
-    use diffraction_build::ground::spectrum::{Illuminant, Line};
+    use diffraction_brdf::spectrum::{Illuminant, Line};
     use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
     use diffraction_build::optics::reference;
 

@@ -108,7 +108,7 @@ mod tests {
     use super::*;
     use crate::baselines::statistics::surface_statistics;
     use diffraction_brdf::direction::from_angles_deg;
-    use diffraction_build::ground::spectrum::{Illuminant, Line};
+    use diffraction_brdf::spectrum::{Illuminant, Line};
     use diffraction_build::height::HeightField;
     use diffraction_build::optics::config::{Edge, Factor, Material, Windows};
     use diffraction_build::optics::reference;

@@ -2,7 +2,7 @@
 
 use super::case::StabilityCase;
 use super::support::{TakenOut, compared, config, laser, optics, relief};
-use diffraction_build::ground::spectrum::Illuminant;
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::tables::model::{Basis, TablesConfig};

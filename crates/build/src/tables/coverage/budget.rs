@@ -9,13 +9,13 @@ use super::find::{LookUps, cover};
 use super::ranges::Coverage;
 use super::shares::RANGE_SHARES;
 use crate::ground::null_for_nan;
-use crate::ground::spectrum::Illuminant;
 use crate::optics::config::OpticsConfig;
 use crate::tables::forecast::{Forecast, forecast_of};
 use crate::tables::input::BuildInput;
 use crate::tables::model::TablesConfig;
 use crate::tables::plan::{BuildPlan, Scope, plan, plan_within};
 use diffraction_brdf::error::Result;
+use diffraction_brdf::spectrum::Illuminant;
 
 /// Share of the tolerance that ranges of `|w|` of their own take.
 const RANGE_SHARE: f64 = RANGE_SHARES[0] + RANGE_SHARES[1];

@@ -13,7 +13,7 @@ pub use wavenumbers::uniform_wavenumbers;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use diffraction_brdf::direction::Xyz;
+    use crate::direction::Xyz;
 
     fn integrate(q: &SpectralQuadrature, f: impl Fn(f64) -> f64) -> Xyz {
         let mut sum = [0.0; 3];

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::ground::cie_data;
-use diffraction_brdf::direction::Xyz;
+use crate::cie_data;
+use crate::direction::Xyz;
 
 /// One line of a line spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

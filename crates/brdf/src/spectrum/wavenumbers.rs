@@ -2,8 +2,8 @@
 
 use super::illuminant::{Illuminant, observer_2deg};
 use super::quadrature::{SpectralQuadrature, lines_quadrature, normalised};
-use diffraction_brdf::direction::Xyz;
-use diffraction_brdf::error::Result;
+use crate::direction::Xyz;
+use crate::error::Result;
 
 /// Nodes and weights of Gauss and Legendre on [0, 1], exact up to degree 7.
 const GAUSS: [[f64; 2]; 4] = [

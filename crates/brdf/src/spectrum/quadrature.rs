@@ -1,8 +1,8 @@
 //! Quadratures over wavelengths that turn a spectrum into XYZ.
 
 use super::illuminant::{Illuminant, Line, observer_2deg};
-use diffraction_brdf::direction::Xyz;
-use diffraction_brdf::error::{Error, Result};
+use crate::direction::Xyz;
+use crate::error::{Error, Result};
 
 /// A quadrature for XYZ: `XYZ = Σ weights[j] f(wavelengths_nm[j])`, normalised so that `f = 1` has
 /// `Y = 1`.
