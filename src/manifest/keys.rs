@@ -44,6 +44,7 @@ pub(crate) const TABLES: Keys = Keys {
         "wavelength_step_nm",
         "storage",
         "prefilter",
+        "hold",
         "serve",
         "memory_mib",
     ],

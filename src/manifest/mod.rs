@@ -7,7 +7,7 @@
 pub mod convert;
 mod defaults;
 mod files;
-mod illuminant;
+pub(crate) mod illuminant;
 pub mod keys;
 mod mesh;
 mod model;
@@ -122,11 +122,15 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
         Some(item) => tables::read_serve(&item, &names)?,
         None => Serve::All,
     };
+    let spectral = match top.get("tables") {
+        Some(item) => tables::read_hold(&item, &serve)?,
+        None => true,
+    };
     if let (Some(item), Serve::All) = (top.get("scene"), &serve) {
         scene::refuse_tolerances(&item)?;
     }
     let base = base.to_owned();
-    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, serve, specimens, scenes, gpu, report, cache, base })
+    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, serve, spectral, specimens, scenes, gpu, report, cache, base })
 }
 
 fn syntax_error(source: &Source, error: &toml::de::Error) -> Error {

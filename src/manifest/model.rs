@@ -21,6 +21,8 @@ pub struct Manifest {
     pub tables: TablesConfig,
     /// Which directions the tables answer for.
     pub serve: Serve,
+    /// Whether specimens get spectral tables beside those of X, Y, Z.
+    pub spectral: bool,
     /// The specimens, at least one, in the manifest's order; names are unique.
     pub specimens: Vec<SpecimenConfig>,
     /// The pictures, in the manifest's order; names are unique.

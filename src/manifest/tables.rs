@@ -90,6 +90,35 @@ pub(crate) fn read_serve(item: &Item, scenes: &[&str]) -> Result<Serve> {
     Ok(serve)
 }
 
+/// Reads `hold`: whether there are spectral tables beside those of X, Y, Z. Where nothing is said there are, unless tables are
+/// made for scenes or by the published method, which know no single wavelengths.
+pub(crate) fn read_hold(item: &Item, serve: &Serve) -> Result<bool> {
+    let section = item.section(&keys::TABLES, "[tables]")?;
+    let taylor = section.get("basis").is_some_and(|basis| basis.as_text() == Some("taylor"));
+    let Some(item) = section.get("hold") else {
+        return Ok(serve.is_all() && !taylor);
+    };
+    let names = if item.is_list() { item.list()? } else { Vec::new() };
+    let held =
+        names.iter().map(|name| name.choice(&[("spectral", true), ("xyz", false)])).collect::<Result<Vec<_>>>()?;
+    if !held.contains(&false) {
+        return Err(item.error(
+            "must be [\"xyz\"] or [\"spectral\", \"xyz\"]: pictures, checks and readers of colours take the tables of X, Y, Z",
+        ));
+    }
+    let spectral = held.contains(&true);
+    if spectral && taylor {
+        return Err(item
+            .error("\"spectral\" goes with basis = \"chebyshev\": the published method's tables hold X, Y, Z alone"));
+    }
+    if spectral && !serve.is_all() {
+        return Err(item.error(
+            "\"spectral\" goes with serve = \"all\": one wavelength of a scene looks up what another scene's may not need",
+        ));
+    }
+    Ok(spectral)
+}
+
 fn size(item: &Item) -> Result<usize> {
     let size = item.integer_within(SIZE[0], SIZE[1], "texels")?;
     if size % 2 == 0 {

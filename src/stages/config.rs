@@ -21,6 +21,8 @@ pub struct RunConfig {
     pub tables: TablesConfig,
     /// Which directions the tables answer for.
     pub serve: Serve,
+    /// Whether specimens get spectral tables beside those of X, Y, Z.
+    pub spectral: bool,
     /// The specimens, in order.
     pub specimens: Vec<SpecimenConfig>,
     /// The pictures, in order.

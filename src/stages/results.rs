@@ -137,6 +137,9 @@ pub struct SpecimenResult {
     /// Path of the picture of what its tables serve, where that is not every direction.
     #[serde(default)]
     pub reached_png: Option<String>,
+    /// Its spectral tables, where there are any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spectral: Option<SpectralResult>,
     /// What its tables leave out and what that saves; `None` where they are not restricted to scenes.
     #[serde(default)]
     pub budget: Option<Budget>,
@@ -180,6 +183,27 @@ pub struct BuildResult {
     /// What the plan predicted, where there is a prediction.
     #[serde(default)]
     pub predicted: Option<Cost>,
+}
+
+/// Spectral tables, what they cost and how good they are.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SpectralResult {
+    /// Number of tables.
+    pub tables: usize,
+    /// Texels along both spatial frequencies.
+    pub size: usize,
+    /// Number format of the stored tables.
+    pub storage: Storage,
+    /// Shortest and longest wavelength in nm.
+    pub range_nm: [f64; 2],
+    /// Bytes of all their files.
+    pub stored_bytes: u64,
+    /// Elapsed seconds of building.
+    pub build_s: f64,
+    /// Seconds that all threads together ran; `None` where the system does not tell.
+    pub build_cpu_s: Option<f64>,
+    /// Errors at single wavelengths, by cause.
+    pub errors: Vec<ErrorRow>,
 }
 
 /// The coherent lobe, in numbers.

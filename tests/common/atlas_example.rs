@@ -96,6 +96,7 @@ pub fn write_specimen(version: &Path, name: &str, set: &TableSet, storage: Stora
         optics: optics(true),
         pigment: None,
         build: BuildRecord { transforms: 12, windows: 1, ..BuildRecord::default() },
+        spectral: None,
         tables: stored,
         errors: json!({"basis": {"p95": 1.2e-4}}),
         albedo: Vec::new(),

@@ -138,6 +138,7 @@ fn truncated() -> SpecimenResult {
         spectrum: None,
         preview_png: None,
         reached_png: None,
+        spectral: None,
         budget: None,
         warnings: vec![],
         failed: Some(
@@ -192,6 +193,7 @@ fn specimen(
         spectrum: Some(spectrum_file(name, field, &periods, pictures)),
         preview_png: Some(preview),
         reached_png: None,
+        spectral: None,
         budget: None,
         warnings: vec![],
         failed: None,

@@ -11,6 +11,7 @@ mod gratings;
 mod mirror;
 mod random;
 mod reference_values;
+mod spectral;
 mod symmetry;
 mod table_values;
 mod taylor;

@@ -8,6 +8,10 @@ use crate::error::{Error, Result};
 use crate::evaluate::{self, Interpolation};
 use crate::sampling::Sampler;
 use crate::specimen::{CheckValue, SpecimenRecord};
+use crate::spectral::SpectralTables;
+use crate::spectral_light::UnderLight;
+use crate::spectral_storage::read_spectral;
+use crate::spectrum::Illuminant;
 use crate::storage;
 use crate::table_set::TableSet;
 
@@ -17,6 +21,7 @@ use crate::table_set::TableSet;
 #[derive(Debug, Clone)]
 pub struct Brdf {
     tables: TableSet,
+    spectral: Option<SpectralTables>,
     interpolation: Interpolation,
     check_values: Vec<CheckValue>,
     sampler: OnceLock<Sampler>,
@@ -60,14 +65,16 @@ impl Brdf {
     pub fn new(tables: TableSet) -> Result<Self> {
         tables.check().map_err(|what| Error::Call(format!("a table set cannot be evaluated: {what}")))?;
         let sampler = OnceLock::new();
-        Ok(Self { tables, interpolation: Interpolation::Bilinear, check_values: Vec::new(), sampler })
+        Ok(Self { tables, spectral: None, interpolation: Interpolation::Bilinear, check_values: Vec::new(), sampler })
     }
 
     /// Reads the tables beside `specimen.json`.
     pub(crate) fn read(folder: &Path, record: SpecimenRecord) -> Result<Self> {
         let tables = storage::read_tables(folder, &record.tables, record.front_factor)?;
+        let spectral = record.spectral.as_ref();
         Ok(Self {
             tables,
+            spectral: spectral.map(|stored| read_spectral(folder, stored, record.front_factor)).transpose()?,
             interpolation: Interpolation::Bilinear,
             check_values: record.check_values,
             sampler: OnceLock::new(),
@@ -125,6 +132,40 @@ impl Brdf {
         }
         #[cfg(not(feature = "rayon"))]
         wi.iter().zip(wo).zip(xyz).for_each(|((wi, wo), xyz)| *xyz = self.eval(*wi, *wo));
+    }
+
+    /// The BRDF in 1/sr at each wavelength in nm, from the spectral tables: zero for directions not above the surface.
+    ///
+    /// # Errors
+    /// [`Error::Call`] for a specimen without spectral tables, and for a wavelength shorter than they answer for.
+    pub fn eval_wavelengths(&self, wi: Vec3, wo: Vec3, wavelengths_nm: &[f64]) -> Result<Vec<f64>> {
+        let tables = self.spectral_tables()?;
+        tables.check_wavelengths(wavelengths_nm)?;
+        Ok(tables.eval(self.interpolation, wi, wo, wavelengths_nm))
+    }
+
+    /// The BRDF under any light, from the spectral tables: its `eval` gives XYZ in 1/sr relative to that light.
+    ///
+    /// # Errors
+    /// [`Error::Call`] for a specimen without spectral tables, a light that the eye does not see, and laser lines shorter
+    /// than the tables answer for.
+    pub fn xyz_under(&self, illuminant: &Illuminant) -> Result<UnderLight<'_>> {
+        self.spectral_tables()?.under(self.interpolation, illuminant)
+    }
+
+    /// The spectral tables; `None` where the atlas holds none.
+    pub fn spectral(&self) -> Option<&SpectralTables> {
+        self.spectral.as_ref()
+    }
+
+    fn spectral_tables(&self) -> Result<&SpectralTables> {
+        self.spectral.as_ref().ok_or_else(|| {
+            Error::Call(
+                "this specimen has no spectral tables: run the pipeline with \"spectral\" in tables.hold, or ask for X, Y, Z \
+                 under the light of its tables"
+                    .into(),
+            )
+        })
     }
 
     /// Whether the tables can answer for a pair of directions: always, unless they were made for certain scenes only.

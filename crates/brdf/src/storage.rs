@@ -21,7 +21,7 @@ use crate::table_set::{Basis, Lobe, Rounding, Served, Storage, TableSet};
 /// sums or converts colours in half floats does not overflow at 65504.
 const PEAK_EXPONENT: i32 = 12;
 
-const FIX: &str = "Restore specimen.json and the files beside it, or run the pipeline again.";
+pub(crate) const FIX: &str = "Restore specimen.json and the files beside it, or run the pipeline again.";
 
 /// What a renderer computes from tables in the Chebyshev basis.
 const CHEBYSHEV_FORMULA: &str =
@@ -365,7 +365,7 @@ fn write_array(folder: &Path, set: &TableSet, job: &Job) -> Result<StoredArray> 
 
 /// The numbers to store (`None`: the values themselves), and what storing them does. Values that are not finite pass
 /// through, to be refused by the writer.
-fn scale_array(values: &Array3<f32>, file: &str, storage: Storage) -> (Option<Array3<f32>>, StoredArray) {
+pub(crate) fn scale_array(values: &Array3<f32>, file: &str, storage: Storage) -> (Option<Array3<f32>>, StoredArray) {
     let peak = values.iter().fold(0f32, |peak, value| peak.max(value.abs()));
     let mut stored = StoredArray { file: file.to_owned(), scale: 1.0, peak: peak.into(), flushed: 0, rounding: 0.0 };
     if storage == Storage::Float {
@@ -402,7 +402,7 @@ pub fn round_to_half(values: &mut Array3<f32>) {
     values.mapv_inplace(|value| half::f16::from_f32(value / scale).to_f32() * scale);
 }
 
-fn read_array(folder: &Path, stored: &StoredArray, shape: (usize, usize)) -> Result<Array3<f32>> {
+pub(crate) fn read_array(folder: &Path, stored: &StoredArray, shape: (usize, usize)) -> Result<Array3<f32>> {
     let path = folder.join(&stored.file);
     if !files::stays_below(&stored.file) {
         return Err(Error::bad_file(

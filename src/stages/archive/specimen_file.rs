@@ -5,6 +5,7 @@ use std::path::Path;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::json;
 use diffraction_brdf::specimen::{self, CheckValue, FILE};
+use diffraction_brdf::spectral_storage::StoredSpectral;
 use diffraction_brdf::storage::{self, StoredTables};
 use diffraction_build::accuracy::power_sums::DirectionalAlbedo;
 use diffraction_build::optics::config::OpticsConfig;
@@ -37,6 +38,9 @@ pub struct SpecimenFile {
     pub build: BuildRecord,
     /// The tables' files, axes, scales and formula.
     pub tables: StoredTables,
+    /// The files of its spectral tables; absent where the atlas holds none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spectral: Option<StoredSpectral>,
     /// Measured errors, by cause.
     pub errors: Value,
     /// Share of the arriving light that is reflected, by angle of incidence; empty where the tables serve certain scenes only.

@@ -4,4 +4,5 @@ pub mod directions;
 pub mod power_sums;
 pub mod reference;
 pub mod rows;
+pub mod spectral;
 pub mod thinned;

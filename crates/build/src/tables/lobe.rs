@@ -144,6 +144,20 @@ pub(super) fn coherent(power: &PhasorPower, input: &BuildInput, radius_max: f64,
     Ok(table)
 }
 
+/// Share of the tolerance that linear interpolation of the power of the mean phasor takes: a row of numbers costs nothing, and
+/// where phases have decayed the error is relative to little.
+const POWER_SHARE: f64 = 0.02;
+
+/// The power of the mean phasor at one wavelength, the shortest, in 1/sr: over `|w|/2` evenly from 0 to 1, in as many steps
+/// as a linear interpolation needs.
+pub(super) fn power_over_t(power: &PhasorPower, input: &BuildInput) -> Vec<f32> {
+    let [shortest_nm, _] = input.wavelength_range_nm;
+    let rows = rows_needed(input.rms_nm, shortest_nm, POWER_SHARE * input.tables.tolerance);
+    let s_max = TAU / shortest_nm * max_abs_w(0.0);
+    let at = |row: usize| power.at(s_max * row as f64 / (rows - 1) as f64) / (shortest_nm * shortest_nm);
+    (0..rows).map(|row| at(row) as f32).collect()
+}
+
 /// The grid of the cross-term patch.
 pub(super) fn patch_grid(optics: &OpticsConfig, radius_max: f64) -> Grid {
     let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];

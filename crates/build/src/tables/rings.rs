@@ -6,7 +6,7 @@ use super::input::BuildInput;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::max_abs_w;
 use diffraction_brdf::error::Result;
-use diffraction_brdf::spectrum::{SpectralQuadrature, uniform_wavenumbers, wavenumbers_for_pulses};
+use diffraction_brdf::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers, wavenumbers_for_pulses};
 
 /// An annulus of (u, v) whose texels share their wavelengths.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,6 +88,11 @@ pub(super) fn wavelengths_of(input: &BuildInput, [inner, outer]: [f64; 2]) -> us
 /// # Errors
 /// `Error::Call` for an invisible light.
 pub(super) fn quadrature(input: &BuildInput, count: usize) -> Result<SpectralQuadrature> {
+    if let (true, Illuminant::Lines(lines)) = (input.is_grey, &input.optics.illuminant) {
+        let wavelengths_nm: Vec<f64> = lines.iter().map(|line| line.wavelength_nm).collect();
+        let weights = vec![[1.0; 3]; wavelengths_nm.len()];
+        return Ok(SpectralQuadrature { wavelengths_nm, weights });
+    }
     uniform_wavenumbers(&input.optics.illuminant, input.optics.wavelength_nm, count)
 }
 
