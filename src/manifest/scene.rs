@@ -8,7 +8,7 @@ use super::mesh;
 use super::name;
 use super::reader::{Item, Section};
 use super::tables;
-use diffraction_brdf::error::Result;
+use crate::error::Result;
 use diffraction_render::scene::environment::{self, Environment};
 use diffraction_render::scene::limits::{
     ANIMATION_PIXELS_MAX, DIAMETER_MAX_DEG, EV_MAX, FPS_MAX, FRAMES_MAX, IRRADIANCE_MAX, LENGTH_MM, LIGHTS_MAX,

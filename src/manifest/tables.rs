@@ -3,8 +3,8 @@
 use super::defaults;
 use super::keys;
 use super::reader::Item;
+use crate::error::Result;
 use crate::stages::config::Serve;
-use diffraction_brdf::error::Result;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
 /// Tolerances lie above the first, at which double precision is spent, and up to the second.

@@ -7,9 +7,9 @@ use serde::Serialize;
 use crate::cli::lengths::PitchNm;
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
+use crate::error::Result;
 use crate::stages::archive::specimen_file;
 use diffraction_brdf::atlas;
-use diffraction_brdf::error::Result;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{CallerWords, HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
 use diffraction_build::height::statistics::{STEEP_SLOPE, Statistics, is_whole_grating, seam_warning, statistics};
@@ -174,7 +174,7 @@ fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
         .specimens
         .iter()
         .map(|entry| specimen_file::read(&folder.join(&entry.name)))
-        .collect::<Result<Vec<_>>>()?;
+        .collect::<diffraction_brdf::Result<Vec<_>>>()?;
     if args.json {
         output::print_json(&serde_json::json!({ "index": index, "specimens": specimens }))?;
         return Ok(Outcome::Done);

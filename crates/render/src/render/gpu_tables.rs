@@ -5,8 +5,8 @@ use ndarray::Array3;
 use super::gpu::Gpu;
 use super::gpu_layout::{CHUNK_SAMPLES_MAX, Chunk, RUN_SAMPLES_MAX, Run, ShadingSample, chunks, packed_samples};
 use super::wgsl;
+use crate::error::Result;
 use crate::scene::samples::ShadingSamples;
-use diffraction_brdf::error::Result;
 use diffraction_brdf::shader::{HalfLayers, TableImage};
 
 /// A table set in the GPU's memory.
