@@ -40,7 +40,7 @@ fn set(basis: Basis, count: usize) -> TableSet {
             shadowing: true,
             factor: Factor::Scalar,
         },
-        served: None,
+        restriction: None,
         usable_radius: 2.0,
     }
 }

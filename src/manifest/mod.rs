@@ -28,7 +28,7 @@ pub use model::{AtlasSection, GpuSection, Manifest};
 
 use crate::error::{self, Result};
 use crate::stages::cache::store::CacheConfig;
-use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
+use crate::stages::config::{Cover, FrameTiming, GpuCheck, ReportConfig};
 use diffraction_brdf::error::Error;
 use reader::Section;
 use source::Source;
@@ -119,15 +119,15 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
     };
     let cache = cache_config(cache.as_ref(), &atlas.out, base)?;
     let names: Vec<&str> = scenes.iter().map(|scene| scene.name.as_str()).collect();
-    let serve = match top.get("tables") {
-        Some(item) => tables::read_serve(&item, &names)?,
-        None => Serve::All,
+    let cover = match top.get("tables") {
+        Some(item) => tables::read_cover(&item, &names)?,
+        None => Cover::All,
     };
-    if let (Some(item), Serve::All) = (top.get("scene"), &serve) {
+    if let (Some(item), Cover::All) = (top.get("scene"), &cover) {
         scene::refuse_tolerances(&item)?;
     }
     let base = base.to_owned();
-    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, serve, specimens, scenes, gpu, report, cache, base })
+    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, cover, specimens, scenes, gpu, report, cache, base })
 }
 
 fn syntax_error(source: &Source, error: &toml::de::Error) -> error::Error {

@@ -83,7 +83,7 @@ pub(crate) fn refuse_tolerances(item: &Item) -> Result<()> {
         let section = item.section(&keys::SCENE, "[[scene]]")?;
         if section.has("tolerance") {
             let message = "`tolerance` of a scene goes with tables that are made for scenes: set tables.serve = \"scenes\", or \
-                           tables.tolerance for tables that serve every direction";
+                           tables.tolerance for tables for every direction";
             return Err(section.error_at_key("tolerance", message));
         }
     }

@@ -270,7 +270,7 @@ fn no_specimen_is_a_fault() {
 }
 
 #[test]
-fn scenes_to_serve_must_be_there() {
+fn scenes_to_cover_must_be_there() {
     let folder = folder();
     let good = good_with("size = 501", "serve = [\"q\"]");
     let message = parse_in(folder.path(), &good).unwrap_err().to_string();

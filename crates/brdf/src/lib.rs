@@ -80,4 +80,4 @@ pub use evaluate::Interpolation;
 pub use front_factor::{Factor, FrontFactor};
 pub use material::Material;
 pub use reader::Atlas;
-pub use table_set::{Basis, Lobe, Served, TableSet};
+pub use table_set::{Basis, Lobe, Restriction, TableSet};

@@ -14,7 +14,7 @@ use crate::stages::ingest::{Scans, ingest};
 use diffraction_brdf::atlas;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::{self, Error};
-use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, brdf_xyz_polarised, serves};
+use diffraction_brdf::evaluate::{Interpolation, answers, brdf_xyz, brdf_xyz_polarised};
 use diffraction_brdf::files;
 use diffraction_brdf::front_factor::{Factor, FrontFactor};
 use diffraction_build::optics::reference;
@@ -192,7 +192,7 @@ fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<
         Lookup::Cubic => Interpolation::Cubic,
     };
     let beyond: Vec<usize> = (0..pairs.len())
-        .filter(|&index| !serves(&set, interpolation, pairs[index].0, pairs[index].1))
+        .filter(|&index| !answers(&set, interpolation, pairs[index].0, pairs[index].1))
         .map(|index| index + 1)
         .collect();
     if let Some(first) = beyond.first() {

@@ -195,14 +195,14 @@ fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
             if file.species.is_empty() { "no species named" } else { &file.species },
             file.tables.tables.len(),
             basis_in_words(file.tables.basis),
-            file.tables.served.as_ref().map_or(file.tables.u.samples, |served| served.size),
+            file.tables.restriction.as_ref().map_or(file.tables.u.samples, |restriction| restriction.size),
             storage_in_words(file.tables.storage),
             file.build.wavelengths_max
         );
-        if let Some(served) = &file.tables.served {
+        if let Some(restriction) = &file.tables.restriction {
             text += &format!(
                 "  restricted to the scenes of its manifest: {} x {} of {} x {} texels\n",
-                file.tables.u.samples, file.tables.v.samples, served.size, served.size
+                file.tables.u.samples, file.tables.v.samples, restriction.size, restriction.size
             );
         }
         text.extend(file.warnings.iter().map(|warning| format!("  warning: {warning}\n")));

@@ -18,8 +18,8 @@ use diffraction_brdf::files;
 pub(crate) struct VerifyArgs {
     /// An atlas, or one version of it
     pub atlas: PathBuf,
-    /// Lit directions per specimen, over the hemisphere and again around the mirror direction, that are evaluated
-    /// anew against the reference, besides a quarter as many dark ones; 0 checks the files alone
+    /// Directions above the luminance floor per specimen, over the hemisphere and again around the mirror direction, that are evaluated
+    /// anew against the reference, besides a quarter as many below it; 0 checks the files alone
     #[arg(long, value_name = "N", default_value_t = 64)]
     pub samples: usize,
     /// The manifest the atlas was made from, which names the scans [default: pipeline.toml where it is]

@@ -128,7 +128,7 @@ fn tolerance_holds(set: &TableSet, optics: &OpticsConfig, config: &TablesConfig)
 pub(super) fn beyond_limits(folder: &Path) -> Option<String> {
     let tables = specimen_file::read(folder).ok()?.tables;
     let (layers, side) = (tables.tables.len(), tables.u.samples.max(tables.v.samples));
-    let layers_max = LAYERS_MAX - usize::from(tables.served.is_some());
+    let layers_max = LAYERS_MAX - usize::from(tables.restriction.is_some());
     if layers > layers_max {
         return Some(format!("its {layers} tables are more than the {layers_max} layers that every GPU takes"));
     }

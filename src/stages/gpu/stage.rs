@@ -134,7 +134,7 @@ pub fn time_frames(
         FrameTiming::Off => false,
     };
     // The published method is not compared with itself, and the frame shows more than restricted tables answer for.
-    if !wanted || config.tables.basis != Basis::Chebyshev || !config.serve.is_all() {
+    if !wanted || config.tables.basis != Basis::Chebyshev || !config.cover.is_all() {
         return Ok(None);
     }
     let folder = |specimen: &SpecimenConfig| version_folder.join(&specimen.name);

@@ -154,8 +154,8 @@ impl<'a> Run<'a> {
             }
         }
         self.helpers.progress.message(&done_line(label, &result, used, started.elapsed().as_secs_f64()));
-        for scene in result.scenes.iter().filter(|scene| scene.unserved_pixels > 0) {
-            let (name, pixels) = (&scene.name, scene.unserved_pixels);
+        for scene in result.scenes.iter().filter(|scene| scene.uncovered_pixels > 0) {
+            let (name, pixels) = (&scene.name, scene.uncovered_pixels);
             let message = format!("{name}: {pixels} pixels ask for directions that the tables do not cover");
             self.log.fail(Stage::RenderScenes, Some(&specimen.name), message);
         }

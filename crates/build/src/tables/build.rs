@@ -67,7 +67,7 @@ fn build_chebyshev(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Re
         lobe: lobe.transpose()?,
         prefilter_width: plan.filter.width,
         front_factor: input.optics.front_factor(),
-        served: plan.coverage.as_ref().and_then(Coverage::range_texture),
+        restriction: plan.coverage.as_ref().and_then(Coverage::range_texture),
         usable_radius: input.usable_radius(),
     };
     let transforms = input.fields.iter().map(|field| spectra::nodes_for(field, &plan.spectra)).max();

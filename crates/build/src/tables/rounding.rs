@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use super::grid::Grid;
 use super::model::{Basis, Rounding, Storage, TableSet};
-use super::order::{LIT, PLACES_TESTED, quantile, spread_texels};
+use super::order::{FLOOR_SHARE, PLACES_TESTED, quantile, spread_texels};
 use super::plan::RIM_TEXELS;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::{Xyz, max_abs_w};
@@ -304,9 +304,10 @@ impl Places {
         let Some((rows, columns, _)) = set.tables.first().map(Array3::dim) else {
             return Self { groups: [const { Vec::new() }; 3], floor_per_sr: 0.0 };
         };
-        let first = set.served.as_ref().map_or([0; 2], |served| served.first);
-        let covers =
-            |[row, column]: [usize; 2]| set.served.as_ref().is_none_or(|served| served.range[[row, column, 2]] != 0.0);
+        let first = set.restriction.as_ref().map_or([0; 2], |restriction| restriction.first);
+        let covers = |[row, column]: [usize; 2]| {
+            set.restriction.as_ref().is_none_or(|restriction| restriction.range[[row, column, 2]] != 0.0)
+        };
         let distance = |[row, column]: [usize; 2]| grid.u(column + first[1]).hypot(grid.v(row + first[0]));
         let inside: Vec<[usize; 2]> = (0..rows * columns)
             .map(|index| [index / columns, index % columns])
@@ -315,8 +316,8 @@ impl Places {
         let middle_place = PLACES_TESTED[PLACES_TESTED.len() / 2];
         let luminance: Vec<f64> = inside.par_iter().map(|&at| value(set, at, middle_place)[1]).collect();
         // A grating is dark between its orders, and there a relative error says nothing.
-        let floor = FLOOR_PER_SR.max(LIT * luminance.iter().copied().fold(0.0, f64::max));
-        let lit = inside.iter().zip(&luminance).filter(|(_, y)| **y > floor).map(|(at, _)| *at).collect();
+        let floor = FLOOR_PER_SR.max(FLOOR_SHARE * luminance.iter().copied().fold(0.0, f64::max));
+        let bright = inside.iter().zip(&luminance).filter(|(_, y)| **y > floor).map(|(at, _)| *at).collect();
         let near = 0.5 * lobe_radius;
         let middle = inside.iter().copied().filter(|&at| distance(at) < near).collect();
         let at = |[u, v]: [f64; 2]| -> Option<[usize; 2]> {
@@ -327,7 +328,7 @@ impl Places {
             Some([of(-v, first[0], rows)?, of(u, first[1], columns)?])
         };
         let spread = spread_texels(TEXELS).into_iter().filter_map(at).filter(|&at| distance(at) < 2.0 && covers(at));
-        Self { groups: [spread.collect(), drawn(lit), drawn(middle)], floor_per_sr: floor }
+        Self { groups: [spread.collect(), drawn(bright), drawn(middle)], floor_per_sr: floor }
     }
 
     /// Largest of the groups' 95th percentiles of what another set's values are off, and of the cross term's patches.
@@ -369,7 +370,7 @@ fn value(set: &TableSet, [row, column]: [usize; 2], share: f64) -> Xyz {
     sum
 }
 
-/// Relative changes of Y, and of X and Z as shares of X + Y + Z; `None` in the dark.
+/// Relative changes of Y, and of X and Z as shares of X + Y + Z; `None` below the floor.
 fn change(exact: Xyz, other: Xyz, floor_per_sr: f64) -> Option<Xyz> {
     let sum: f64 = exact.iter().sum();
     let relative = |c: usize| (other[c] - exact[c]).abs() / if c == 1 { exact[1] } else { sum };

@@ -236,7 +236,7 @@ impl RunPass {
         let bytes = gpu.read(&self.readback, sums_bytes, "read shaded samples")?;
         let floats = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
         let floats: Vec<f32> = floats.collect();
-        // The fourth number counts samples that the tables do not serve: their sum is no answer, as on the CPU.
+        // The fourth number counts samples without an answer in the tables: their sum is none, as on the CPU.
         let total = |sum: &[f32]| if sum[3] == 0.0 { [sum[0], sum[1], sum[2]] } else { [f32::NAN; 3] };
         Ok(floats.chunks_exact(4).map(total).collect())
     }

@@ -158,7 +158,7 @@ impl Candidate<'_> {
             lobe: set.lobe.clone(),
             prefilter_width: set.prefilter_width,
             front_factor: set.front_factor,
-            served: None,
+            restriction: None,
             usable_radius: set.usable_radius,
         }
     }
