@@ -15,7 +15,7 @@ use diffraction_brdf::error::{Error, Result};
 /// Builds the tables of one specimen from its prepared scans, for every direction.
 ///
 /// # Errors
-/// Those of [`plan()`], transforms beyond the allowed memory, and for `Basis::Taylor` those of [`build_taylor`].
+/// Those of [`plan()`], transforms beyond the allowed memory, and for `Basis::Taylor` terms that would cancel in the wanted storage.
 pub fn build(input: &BuildInput, advance: Advance) -> Result<(TableSet, BuildRecord)> {
     build_planned(input, &plan(input)?, advance)
 }

@@ -56,7 +56,7 @@ pub struct Chosen {
 }
 
 /// Rounds a set to its tolerance and measures what number formats do to it. Where none is asked for, halves are taken if
-/// they keep [`STORED_SHARE`] of the tolerance, else floats. Texels within `lobe_radius` in (u, v) are looked at apart.
+/// they keep 0.7 of the tolerance, else floats. Texels within `lobe_radius` in (u, v) are looked at apart.
 pub fn choose(built: &TableSet, asked: Option<Storage>, tolerance: f64, lobe_radius: f64) -> Chosen {
     let set = to_tolerance(built, tolerance);
     let places = Places::of(built, lobe_radius);
@@ -96,7 +96,7 @@ fn to_halves(set: &TableSet) -> TableSet {
 /// The set with every number of its tables rounded to a multiple of a power of two, as coarse as the tolerance allows.
 ///
 /// At a texel and `t`, tables `a_n` rounded by `e_n` shift the value `Σ a_n b_n` by at most `Σ |e_n b_n|`. This is
-/// kept below [`ROUNDED_SHARE`] of the tolerance times the value at every `t` of the texel: Y times Y itself, X and Z
+/// kept below a quarter of the tolerance times the value at every `t` of the texel: Y times Y itself, X and Z
 /// times X + Y + Z, for it is their share in the sum that a colour shows. Chebyshev polynomials are at most 1, so all of
 /// a texel's tables have one step; the powers of `w` have steps that grow as powers fall, each so that it costs the same
 /// share where it hurts most. Linear look-ups between texels keep the bound, being means. The lobe stays as it is: its
