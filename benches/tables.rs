@@ -101,9 +101,9 @@ fn whole_build(criterion: &mut Criterion) {
     group.finish();
 }
 
-fn depth_nodes(criterion: &mut Criterion) {
+fn w_nodes(criterion: &mut Criterion) {
     use diffraction_brdf::chebyshev::nodes_for_exponential;
-    criterion.bench_function("number of depth nodes, 1 µm", |bencher| {
+    criterion.bench_function("number of nodes in |w|, 1 µm", |bencher| {
         bencher.iter(|| nodes_for_exponential(black_box(500.0), 2.0 * TAU / 380.0, 1e-6));
     });
 }
@@ -111,6 +111,6 @@ fn depth_nodes(criterion: &mut Criterion) {
 criterion_group! {
     name = benches;
     config = Criterion::default().sample_size(10);
-    targets = transforms, one_ring, whole_build, depth_nodes
+    targets = transforms, one_ring, whole_build, w_nodes
 }
 criterion_main!(benches);

@@ -81,6 +81,7 @@
 //! [`diffraction_brdf`], [`diffraction_build`] and [`diffraction_render`]; docs/architecture.md draws them all.
 
 pub mod cli;
+pub mod error;
 pub mod manifest;
 pub mod report;
 pub mod stages;

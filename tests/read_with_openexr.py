@@ -84,8 +84,8 @@ class Specimen:
         stored = self.about["tables"]
         expected = {"half": np.float16, "float": np.float32}[stored["storage"]]
 
-        self.served = stored.get("served")
-        row, column = self.served["first"] if self.served else (0, 0)
+        self.restriction = stored.get("served")
+        row, column = self.restriction["first"] if self.restriction else (0, 0)
 
         def image(array, dtype=expected, corner=(0, 0)):
             values, found = read_image(folder / array["file"], array["scale"], corner)
@@ -95,8 +95,8 @@ class Specimen:
         self.basis = stored["basis"]
         self.tables = [image(array, corner=(column, row)) for array in stored["tables"]]
         self.axes = [stored["u"], stored["v"]]
-        if self.served:
-            self.range = image(self.served["range"], np.float16, (column, row))
+        if self.restriction:
+            self.range = image(self.restriction["range"], np.float16, (column, row))
         self.lobe = stored["lobe"]
         if self.lobe:
             self.coherent = image(self.lobe["coherent"], np.float32)
@@ -128,9 +128,9 @@ class Specimen:
             return factor * sum(abs(w) ** n * value for n, value in enumerate(values)) / w**2
         t = min(1.0, abs(w) / np.sqrt(4 - u * u - v * v))
         s = t
-        if self.served:
+        if self.restriction:
             low, high, there = bilinear(self.range, column, row)
-            assert there > 1 - 1e-9 and low <= t <= high, "a check value lies outside of what is served"
+            assert there > 1 - 1e-9 and low <= t <= high, "a check value lies outside of what is covered"
             s = (t - low) / (high - low)
         total = sum(basis * value for basis, value in zip(chebyshev(s, len(values)), values))
         lobe = 0.0

@@ -252,7 +252,7 @@ def right(version, name, about, power_sums, scene, picture):
     bsdf = load(version, name)
     yield "values", values_error(bsdf, about["check_values"])
     yield "colours", colour_error(bsdf, load(version, name, colours="srgb"), about["check_values"])
-    # Tables that serve certain scenes alone have no sums in the report, and answer for no other direction.
+    # Tables restricted to scenes have no sums in the report, and answer for no other direction.
     if power_sums:
         yield "frame", frame_error(bsdf, load(version, name, turn_deg=20))
         for theta_deg in (0, 30, 75):

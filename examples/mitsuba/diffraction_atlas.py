@@ -30,7 +30,7 @@ clipping would make it brighter. Map to the display's gamut at the end, as rende
 before. With `colours = "xyz"` nothing is negative: the film then holds XYZ, which is to be converted at the
 end, and everything else in the scene should be grey. Both give the same picture.
 
-Tables that serve certain scenes alone have no answer for other directions: the value is NaN there, and no such direction is
+Tables restricted to scenes have no answer for other directions: the value is NaN there, and no such direction is
 ever sampled. The surface reflects on its front only; the plugin "twosided" puts it on both.
 
 The formulas are those of FORMAT.md in the atlas. Directions are unit vectors in the local frame of the structure; quantities
@@ -55,13 +55,13 @@ if dr.thread_count() < 2:
 # FORMAT.md, "In a renderer".
 SRGB_FROM_XYZ = ((3.2404542, -1.5371385, -0.4985314), (-0.9692660, 1.8760108, 0.0415560), (0.0556434, -0.2040259, 1.0572252))
 # Of the directions that are not sampled from the lobe, the share sampled from the tables; the rest covers the hemisphere
-# evenly in (u, v), so that nothing the tables' mean over depths underrates has a large weight.
+# evenly in (u, v), so that nothing the tables' mean over t underrates has a large weight.
 TABLE_SHARE = 0.85
 # The lobe gets at least and at most this share of the samples.
 LOBE_SHARE = (0.05, 0.95)
-# Depths over which the tables are averaged to sample (u, v).
-SAMPLED_DEPTHS = 8
-# As the program's own shader: how far `t` may leave the served range by rounding.
+# Values of t over which the tables are averaged to sample (u, v).
+SAMPLED_T = 8
+# As the program's own shader: how far `t` may leave the covered range by rounding.
 RANGE_SLACK = 0.02
 
 
@@ -204,9 +204,9 @@ class Diffraction(mi.BSDF):
             self.prepare_lobe_samples(coherent)
 
     def prepare_table_samples(self, images):
-        """(u, v) is sampled in proportion to the tables' sum, all channels, averaged over depths."""
+        """(u, v) is sampled in proportion to the tables' sum, all channels, averaged over t."""
         density = np.zeros(images[0].shape[:2])
-        for t in (np.arange(SAMPLED_DEPTHS) + 0.5) / SAMPLED_DEPTHS:
+        for t in (np.arange(SAMPLED_T) + 0.5) / SAMPLED_T:
             basis = chebyshev(2 * t - 1, len(images))
             if self.basis == "taylor":
                 basis = [(2 * t) ** (n - 2) for n in range(len(images))]
@@ -232,7 +232,7 @@ class Diffraction(mi.BSDF):
     # The BRDF, as FORMAT.md tells
 
     def brdf_xyz(self, wi, wo, active):
-        """X, Y, Z in 1/sr; 0 where a direction is not above the surface, NaN where the tables do not serve."""
+        """X, Y, Z in 1/sr; 0 where a direction is not above the surface, NaN where the tables have no answer."""
         active = active & (wi.z > 0) & (wo.z > 0)
         one_plus = 1 + dr.dot(wi, wo)
         mirror = self.reflectance(dr.safe_sqrt(one_plus / 2))
@@ -284,13 +284,13 @@ class Diffraction(mi.BSDF):
             return look_up(self.tables, powers, column, row, self.cubic, active)
         reach = dr.safe_sqrt(4 - u * u - v * v)
         t = dr.select(reach > 0, dr.minimum(w / reach, 1), 0)
-        s, served = t, True
+        s, covered = t, True
         if self.range is not None:
-            s, served = self.share_of_range(t, column, row, active)
+            s, covered = self.share_of_range(t, column, row, active)
         value = look_up(self.tables, chebyshev(2 * s - 1, self.tables.count), column, row, self.cubic, active)
         if self.coherent is not None and self.cross is not None:
             value += self.cross_term(u, v, w, t, active)
-        return dr.select(served, value, dr.nan)
+        return dr.select(covered, value, dr.nan)
 
     def table_position(self, u, v):
         """Column and row: axes are given by the centres of their first and last texels."""
@@ -300,12 +300,12 @@ class Diffraction(mi.BSDF):
         )
 
     def share_of_range(self, t, column, row, active):
-        """Where t lies in the range that the texels serve, 0 to 1, and whether there is an answer."""
+        """Where t lies in the range that the texels cover, 0 to 1, and whether there is an answer."""
         low, high, there = look_up(self.range, [1.0], column, row, self.cubic, active)
         s = (t - low) / (high - low)
         inside = (column >= 0) & (column <= self.range.columns - 1) & (row >= 0) & (row <= self.range.rows - 1)
-        served = inside & (dr.abs(there - 1) < 0.002) & (s >= -RANGE_SLACK) & (s <= 1 + RANGE_SLACK)
-        return dr.clip(s, 0, 1), served
+        covered = inside & (dr.abs(there - 1) < 0.002) & (s >= -RANGE_SLACK) & (s <= 1 + RANGE_SLACK)
+        return dr.clip(s, 0, 1), covered
 
     def lobe(self, wi, wo, active):
         """The coherent lobe without its factor and, with the vector factor, its mirror image in the horizon: the light that
@@ -424,7 +424,7 @@ class Diffraction(mi.BSDF):
         bs.sampled_type = mi.UInt32(+mi.BSDFFlags.GlossyReflection)
         bs.sampled_component = mi.UInt32(0)
         value = self.spectrum(self.brdf_xyz(wi, wo, active)) * wo.z / bs.pdf
-        # Where the tables do not serve there is no sample; light sampling shows NaN there.
+        # Where the tables have no answer there is no sample; light sampling shows NaN there.
         return bs, dr.select(active & (bs.pdf > 0) & dr.all(dr.isfinite(value)), value, 0.0)
 
     def to_string(self):

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::keys;
 use super::reader::Item;
-use diffraction_brdf::error::Result;
+use crate::error::Result;
 use diffraction_brdf::spectrum::{Illuminant, Line};
 
 /// Shortest and longest wavelength that a manifest may name.
@@ -87,7 +87,7 @@ fn lines(item: &Item) -> Result<Illuminant> {
     if items.is_empty() || items.len() > LINES_MAX {
         return Err(given.error(format!("must hold 1 to {LINES_MAX} wavelengths")));
     }
-    let powers = section.get("power").map(|power| Ok((power.list()?, power)));
+    let powers = section.get("power").map(|power| power.list().map(|list| (list, power)));
     let powers = powers.transpose()?;
     if let Some((list, power)) = &powers
         && list.len() != items.len()

@@ -1,7 +1,7 @@
 //! The manifest: what a run is asked to do, read from TOML, checked, and resolved.
 //!
 //! [`parse`] turns text into a [`Manifest`], plain data in which every default is filled in and
-//! every path and pattern is resolved. The first fault found ends it with [`Error::Manifest`], which
+//! every path and pattern is resolved. The first fault found ends it with [`error::Error::Manifest`], which
 //! names file, line, column, the key, and what was expected. docs/manifest.md is the reference.
 
 pub mod convert;
@@ -26,9 +26,10 @@ use toml::de::DeTable;
 
 pub use model::{AtlasSection, GpuSection, Manifest};
 
+use crate::error::{self, Result};
 use crate::stages::cache::store::CacheConfig;
-use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
-use diffraction_brdf::error::{Error, Result};
+use crate::stages::config::{Cover, FrameTiming, GpuCheck, ReportConfig};
+use diffraction_brdf::error::Error;
 use reader::Section;
 use source::Source;
 
@@ -50,14 +51,14 @@ pub fn load(path: &Path) -> Result<(Manifest, String)> {
         unreadable(format!("{error}\n  name an existing file; docs/manifest.md tells what goes into it"))
     })?;
     if bytes.len() as u64 > BYTES_MAX {
-        return Err(unreadable(format!("it has more than {BYTES_MAX} bytes")));
+        return Err(unreadable(format!("it has more than {BYTES_MAX} bytes")).into());
     }
     let text = String::from_utf8(bytes).map_err(|error| not_utf8(&name, &error))?;
     let manifest = parse(&text, &name)?;
     Ok((manifest, text))
 }
 
-fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Error {
+fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> error::Error {
     let good = error.utf8_error().valid_up_to();
     let text = String::from_utf8_lossy(error.as_bytes());
     // Everything before the bad byte is valid, so its offset holds in the repaired text too.
@@ -71,7 +72,7 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Error {
 /// environments are read.
 ///
 /// # Errors
-/// [`Error::Manifest`] for the first fault found.
+/// [`error::Error::Manifest`] for the first fault found.
 pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
     let source = Source { text, file: file_name };
     let document = DeTable::parse(text).map_err(|error| syntax_error(&source, &error))?;
@@ -118,22 +119,22 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
     };
     let cache = cache_config(cache.as_ref(), &atlas.out, base)?;
     let names: Vec<&str> = scenes.iter().map(|scene| scene.name.as_str()).collect();
-    let serve = match top.get("tables") {
-        Some(item) => tables::read_serve(&item, &names)?,
-        None => Serve::All,
+    let cover = match top.get("tables") {
+        Some(item) => tables::read_cover(&item, &names)?,
+        None => Cover::All,
     };
     let spectral = match top.get("tables") {
-        Some(item) => tables::read_hold(&item, &serve)?,
+        Some(item) => tables::read_hold(&item, &cover)?,
         None => true,
     };
-    if let (Some(item), Serve::All) = (top.get("scene"), &serve) {
+    if let (Some(item), Cover::All) = (top.get("scene"), &cover) {
         scene::refuse_tolerances(&item)?;
     }
     let base = base.to_owned();
-    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, serve, spectral, specimens, scenes, gpu, report, cache, base })
+    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, cover, spectral, specimens, scenes, gpu, report, cache, base })
 }
 
-fn syntax_error(source: &Source, error: &toml::de::Error) -> Error {
+fn syntax_error(source: &Source, error: &toml::de::Error) -> error::Error {
     let end = source.text.len();
     let message = format!("not valid TOML: {}", error.message().trim_end());
     source.error(error.span().unwrap_or(end..end), message)

@@ -6,7 +6,7 @@ use super::defaults;
 use super::illuminant::{self, VISIBLE_NM, WAVELENGTH_NM};
 use super::keys;
 use super::reader::{Item, Section};
-use diffraction_brdf::error::Result;
+use crate::error::Result;
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::Basis;

@@ -8,7 +8,7 @@ use super::mesh;
 use super::name;
 use super::reader::{Item, Section};
 use super::tables;
-use diffraction_brdf::error::Result;
+use crate::error::Result;
 use diffraction_render::scene::environment::{self, Environment};
 use diffraction_render::scene::limits::{
     ANIMATION_PIXELS_MAX, DIAMETER_MAX_DEG, EV_MAX, FPS_MAX, FRAMES_MAX, IRRADIANCE_MAX, LENGTH_MM, LIGHTS_MAX,
@@ -83,7 +83,7 @@ pub(crate) fn refuse_tolerances(item: &Item) -> Result<()> {
         let section = item.section(&keys::SCENE, "[[scene]]")?;
         if section.has("tolerance") {
             let message = "`tolerance` of a scene goes with tables that are made for scenes: set tables.serve = \"scenes\", or \
-                           tables.tolerance for tables that serve every direction";
+                           tables.tolerance for tables for every direction";
             return Err(section.error_at_key("tolerance", message));
         }
     }

@@ -138,7 +138,7 @@ pub(crate) fn by_cause(rows: &[ErrorRow]) -> Vec<ErrorRow> {
     sorted
 }
 
-/// Which directions the errors count, and how much of each group the tables show lit.
+/// Which directions the errors count, and how much of each group the tables show above the floor.
 pub(crate) fn counted_directions(rows: &[ErrorRow]) -> String {
     let totals: Vec<&ErrorRow> = rows.iter().filter(|row| row.cause == Cause::Total).collect();
     let [low, high] = totals
@@ -154,10 +154,12 @@ pub(crate) fn counted_directions(rows: &[ErrorRow]) -> String {
         .iter()
         .fold([0, 0], |[below, missed], row| [below + row.directions_below, missed + row.missed_directions]);
     let found = match (below, missed) {
-        (0, _) => "Nothing is dark.".to_owned(),
-        (_, 0) => format!("Of {below} dark directions that were evaluated as well, none is brighter than that."),
+        (0, _) => "Nothing is below it.".to_owned(),
+        (_, 0) => {
+            format!("Of {below} directions below that floor that were evaluated as well, none turned out above it.")
+        }
         _ => format!(
-            "Of {below} dark directions that were evaluated as well, {missed} turned out brighter than that, and count."
+            "Of {below} directions below that floor that were evaluated as well, {missed} turned out above it, and count."
         ),
     };
     let p95 = |cause: Cause| rows.iter().find(|row| row.cause == cause).map_or(f64::NAN, |row| row.p95);
@@ -168,8 +170,8 @@ pub(crate) fn counted_directions(rows: &[ErrorRow]) -> String {
         false => "",
     };
     format!(
-        "Medians, percentiles and worst ones count directions brighter than {floor}. Shares of each region that the tables \
-         show lit: {}. {found}{grid}",
+        "Medians, percentiles and worst ones count directions above the luminance floor, {floor}. Shares of each region that the tables \
+         show above it: {}. {found}{grid}",
         shares.join("; ")
     )
 }
@@ -430,16 +432,17 @@ pub(super) mod tests {
         let rows = [row(Region::NearSpecular, 0), row(Region::Grazing, 0)];
         let text = counted_directions(&rows).replace('\u{a0}', " ");
         assert!(
-            text.contains("brighter than 0.00015 /sr. ") && text.contains("near specular: 100 %; grazing: 100 %."),
+            text.contains("above the luminance floor, 0.00015 /sr. ")
+                && text.contains("near specular: 100 %; grazing: 100 %."),
             "{text}"
         );
         assert!(
-            text.ends_with("Of 64 dark directions that were evaluated as well, none is brighter than that."),
+            text.ends_with("Of 64 directions below that floor that were evaluated as well, none turned out above it."),
             "{text}"
         );
         assert!(
             counted_directions(&[row(Region::NearSpecular, 0), row(Region::Grazing, 3)])
-                .contains(", 3 turned out brighter than that")
+                .contains(", 3 turned out above it")
         );
     }
 

@@ -134,7 +134,7 @@ pub struct SpecimenResult {
     pub spectrum: Option<SpectrumFile>,
     /// Path of a small picture of the material.
     pub preview_png: Option<String>,
-    /// Path of the picture of what its tables serve, where that is not every direction.
+    /// Path of the picture of what its tables cover, where that is not every direction.
     #[serde(default)]
     pub reached_png: Option<String>,
     /// Its spectral tables, where there are any.
@@ -233,8 +233,8 @@ pub struct SceneResult {
     /// Measured difference from the reference, where one was rendered.
     pub error: Option<SceneError>,
     /// Pixels that ask for directions which the tables do not cover: painted in a marker's colour, and a failure.
-    #[serde(default)]
-    pub unserved_pixels: usize,
+    #[serde(rename = "unserved_pixels", default)]
+    pub uncovered_pixels: usize,
     /// The picture made with the tables.
     pub table_png: String,
     /// Tables left, reference right, on the pixels that were compared.

@@ -25,7 +25,7 @@ mod meshes;
 mod moving;
 mod place;
 mod real_scans;
+mod restricted;
 mod scans;
-mod served;
 mod settings;
 mod versions;

@@ -3,8 +3,8 @@
 use std::sync::LazyLock;
 
 use crate::manifest_fixture::{GOOD, folder, good_with, parse_in};
+use diffraction_atlas::error::Error;
 use diffraction_atlas::manifest;
-use diffraction_brdf::error::Error;
 use proptest::prelude::*;
 
 /// What is replaced in `GOOD`, by what; the expected `line:column`, the text that the carets mark, and
@@ -270,7 +270,7 @@ fn no_specimen_is_a_fault() {
 }
 
 #[test]
-fn scenes_to_serve_must_be_there() {
+fn scenes_to_cover_must_be_there() {
     let folder = folder();
     let good = good_with("size = 501", "serve = [\"q\"]");
     let message = parse_in(folder.path(), &good).unwrap_err().to_string();
@@ -297,8 +297,10 @@ fn windows_line_ends_tabs_and_marks_do_not_shift_places() {
 fn files_that_are_no_manifest_are_refused() {
     let folder = folder();
     let path = folder.path().join("bad.toml");
-    assert!(matches!(manifest::load(&path), Err(Error::Call(message)) if message.contains("bad.toml")));
-    assert!(matches!(manifest::load(folder.path()), Err(Error::Call(_))));
+    assert!(
+        matches!(manifest::load(&path), Err(Error::Library(diffraction_brdf::Error::Call(message))) if message.contains("bad.toml"))
+    );
+    assert!(matches!(manifest::load(folder.path()), Err(Error::Library(diffraction_brdf::Error::Call(_)))));
     std::fs::write(&path, b"schema = 1\nname = \"\xff\"").unwrap();
     let message = manifest::load(&path).unwrap_err().to_string();
     assert!(message.contains("bad.toml:2:9: not UTF-8"), "{message}");

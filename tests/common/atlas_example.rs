@@ -50,7 +50,7 @@ pub fn random_tables(seed: u64, basis: Basis, size: usize) -> TableSet {
         lobe,
         prefilter_width: 0.008,
         front_factor: optics(true).front_factor(),
-        served: None,
+        restriction: None,
         usable_radius: 1.71,
     }
 }

@@ -330,7 +330,7 @@ fn scene(name: &str, period: &Period, pictures: &mut BTreeMap<String, Vec<u8>>) 
             ciede2000_p95: 0.13,
             ciede2000_max: 0.92,
         }),
-        unserved_pixels: 0,
+        uncovered_pixels: 0,
         table_png: path(""),
         side_by_side_png: Some(path(".side_by_side")),
         difference_png: Some(path(".difference")),

@@ -78,7 +78,7 @@ pub fn full_set() -> &'static TableSet {
 }
 
 /// The same surface's tables for one scene alone, lobe and cross term included.
-pub fn served_set(scene: &Scene) -> TableSet {
+pub fn restricted_set(scene: &Scene) -> TableSet {
     let optics = optics(Windows::Centre, FULL_MATERIAL, true);
     let config = TablesConfig {
         basis: Basis::Chebyshev,

@@ -43,7 +43,7 @@ fn structs_have_the_same_bytes() {
         radius_max,
         index_n,
         index_k,
-        served,
+        restricted,
         grid_last,
         first_column,
         first_row,

@@ -72,10 +72,6 @@ fn single_wavelengths_meet_the_direct_sum() {
             let places: Vec<_> = places(40).into_iter().filter(within).collect();
             let errors = errors(&set, &fields, &optics, &places);
             let [median, p95] = [0.5, 0.95].map(|share| quantile(&errors, share));
-                "{edge:?} {windows:?} {factor:?}: {} tables, {} places, {median:.1e}, {p95:.1e}",
-                set.count,
-                errors.len()
-            );
             assert!(errors.len() > 50 && p95 < TOLERANCE, "{edge:?} {windows:?} {factor:?}: {median:e} {p95:e}");
         }
     }

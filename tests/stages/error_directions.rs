@@ -1,4 +1,4 @@
-//! The directions on which a run counts errors: enough lit ones even of a grating, and light that tables miss is found.
+//! The directions on which a run counts errors: enough above the floor even of a grating, and light that tables miss is found.
 
 use std::f64::consts::TAU;
 
@@ -58,15 +58,15 @@ fn a_grating_shows_as_many_lit_directions_as_anything() {
     for region in Region::ALL {
         let row = total(&found, region);
         println!(
-            "{}: {} lit of {:.3}, 95 % {:.1e}, L2 {:.1e}",
+            "{}: {} above the floor of {:.3}, 95 % {:.1e}, L2 {:.1e}",
             row.group, row.directions, row.share_above, row.p95, row.relative_l2
         );
         assert!((110..=160).contains(&row.directions) && row.floor_per_sr == floor, "{row:?}");
         assert_eq!(row.missed_directions, 0, "{row:?}");
     }
     // Drawn as they come, few would be.
-    let lit = |&(wi, wo): &_| brdf_xyz(&set, Interpolation::Cubic, wi, wo)[1] > floor;
-    let unselected = direction_pairs(Region::Hemisphere, 128).iter().filter(|pair| lit(pair)).count();
+    let above = |&(wi, wo): &_| brdf_xyz(&set, Interpolation::Cubic, wi, wo)[1] > floor;
+    let unselected = direction_pairs(Region::Hemisphere, 128).iter().filter(|pair| above(pair)).count();
     assert!(unselected < 32 && total(&found, Region::Hemisphere).share_above < 0.25, "{unselected}");
     // 1 % of a matt surface that reflects everything, or more.
     assert!(floor >= 1e-2 / std::f64::consts::PI);
@@ -85,8 +85,8 @@ fn light_that_the_tables_miss_is_found() {
         let [good, bad] = [&whole, &torn].map(|set| total(&rows(&rough, set), region).clone());
         println!("{good:?}\n{bad:?}");
         assert!(good.missed_directions == 0 && good.worst < 0.2 && good.relative_l2 < 0.05, "{good:?}");
-        // Of what is dark to these tables, as much is lit as they lack; so many of 32 drawn within four deviations. They
-        // call lit what has half of the floor, which makes it a few less.
+        // Of what these tables show below the floor, as much is above it as they lack; so many of 32 drawn within four deviations. They
+        // call above what has half of the floor, which makes it a few less.
         let lacking = (good.share_above - bad.share_above) / (1.0 - bad.share_above);
         let fewest = 32.0 * lacking - 4.0 * (32.0 * lacking * (1.0 - lacking)).sqrt();
         assert!(bad.missed_directions as f64 >= fewest.max(8.0) && bad.worst > 0.9, "{fewest}: {bad:?}");
@@ -117,8 +117,8 @@ fn directions_stand_for_their_share_and_depend_on_nothing_else() {
     assert_eq!(many.pairs.len(), many.groups.iter().map(|group| group.len()).sum::<usize>());
     for group in &many.groups {
         let weights = group.weights();
-        let [lit, _] = group.counts;
-        assert!((weights[..lit].iter().sum::<f64>() - group.share_above).abs() < 1e-12, "{group:?}");
+        let [above, _] = group.counts;
+        assert!((weights[..above].iter().sum::<f64>() - group.share_above).abs() < 1e-12, "{group:?}");
         assert!(group.counts[1] == 0 || (weights.iter().sum::<f64>() - 1.0).abs() < 1e-12, "{group:?}");
     }
     // Another turn has other directions, not one in common.

@@ -55,7 +55,7 @@ impl Brdf {
     ///     lobe: None,
     ///     prefilter_width: 0.0,
     ///     front_factor: FrontFactor { material: Material::Ideal, shadowing: false, factor: Factor::Scalar },
-    ///     served: None,
+    ///     restriction: None,
     ///     usable_radius: 2.0,
     /// })?;
     /// let up = [0.0, 0.0, 1.0];
@@ -170,7 +170,7 @@ impl Brdf {
 
     /// Whether the tables can answer for a pair of directions: always, unless they were made for certain scenes only.
     pub fn answers(&self, wi: Vec3, wo: Vec3) -> bool {
-        evaluate::serves(&self.tables, self.interpolation, wi, wo)
+        evaluate::answers(&self.tables, self.interpolation, wi, wo)
     }
 
     /// Draws a direction to the light, given the one to the viewer and three numbers that are uniform in [0, 1).
@@ -209,7 +209,7 @@ impl Brdf {
     /// Its integral over directions is the probability that a sample is drawn: 1 but for tables made for certain scenes,
     /// and for rims of the hemisphere within rounding.
     pub fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
-        if self.tables.served.is_some() && !self.answers(wi, wo) {
+        if self.tables.restriction.is_some() && !self.answers(wi, wo) {
             return 0.0;
         }
         self.sampler().pdf(wi, wo)

@@ -85,4 +85,4 @@ pub use material::Material;
 pub use reader::Atlas;
 pub use spectral::SpectralTables;
 pub use spectral_light::UnderLight;
-pub use table_set::{Basis, Lobe, Served, TableSet};
+pub use table_set::{Basis, Lobe, Restriction, TableSet};

@@ -5,7 +5,7 @@
 //! | binding | variable | what |
 //! |---|---|---|
 //! | 0 | `params` | uniform buffer: [`TableParams`], 2128 bytes, below |
-//! | 1 | `tables` | 2D array texture, RGBA16F: [`TableImage::tables`]; where tables serve certain scenes, one layer more |
+//! | 1 | `tables` | 2D array texture, RGBA16F: [`TableImage::tables`]; where tables are restricted to scenes, one layer more |
 //! | 2 | `cross_terms` | 2D array texture, RGBA16F: [`TableImage::cross`] |
 //! | 3 | `lobe` | 2D texture, RGBA32F, not filtered: [`TableImage::coherent`] |
 //! | 4 | `bilinear` | sampler: linear, clamped to the edges |
@@ -21,7 +21,7 @@
 //! | 16 | u32 | `shadowing` | 1 with the V-cavity factor |
 //! | 20 | f32 | `radius_max` | of the coherent lobe; 0 without one |
 //! | 24, 28 | f32 | `index_n`, `index_k` | refractive index n + ik |
-//! | 32 | u32 | `served` | 1 where tables serve certain scenes only |
+//! | 32 | u32 | `restricted` | 1 where tables are restricted to scenes |
 //! | 36 | f32 | `grid_last` | texels along u of the whole grid, less one |
 //! | 40, 44 | f32 | `first_column`, `first_row` | where in the whole grid the tables begin |
 //! | 48 | u32 | `factor` | 0 scalar, 1 vector |
@@ -39,7 +39,7 @@ use crate::error::{Error, Result};
 use crate::front_factor::Factor;
 use crate::material::Material;
 use crate::storage::half_scale;
-use crate::table_set::{Basis, Served, TableSet};
+use crate::table_set::{Basis, Restriction, TableSet};
 
 /// WGSL that evaluates tables; declares the bindings of group 0. Entry points are put behind it.
 pub const TABLES_WGSL: &str = include_str!("shaders/tables.wgsl");
@@ -68,8 +68,8 @@ pub struct TableParams {
     pub index_n: f32,
     /// Imaginary part.
     pub index_k: f32,
-    /// 1 where the tables serve certain scenes alone.
-    pub served: u32,
+    /// 1 where the tables are restricted to scenes.
+    pub restricted: u32,
     /// Texels along u and v of the whole grid, less one.
     pub grid_last: f32,
     /// Where in the whole grid the tables' window begins.
@@ -95,7 +95,7 @@ pub struct TableParams {
 pub struct HalfLayers {
     /// Number of rows and columns.
     pub size: [usize; 2],
-    /// All layers' texels; the range of what is served, where there is one, comes behind the tables.
+    /// All layers' texels; the range of what is covered, where there is one, comes behind the tables.
     pub texels: Vec<[f16; 4]>,
     /// Value = texel times scale; one per layer.
     pub scales: Vec<f32>,
@@ -133,9 +133,9 @@ pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Resu
         Material::Dielectric { n } => (1, [n, 0.0]),
         Material::Conductor { n, k } => (2, [n, k]),
     };
-    let mut tables = half_layers(&set.tables, "tables", usize::from(set.served.is_some()))?;
-    let first = set.served.as_ref().map_or([0; 2], |served| served.first);
-    if let Some(Served { range, .. }) = &set.served {
+    let mut tables = half_layers(&set.tables, "tables", usize::from(set.restriction.is_some()))?;
+    let first = set.restriction.as_ref().map_or([0; 2], |restriction| restriction.first);
+    if let Some(Restriction { range, .. }) = &set.restriction {
         check_finite(range, "ranges")?;
         // Half floats already, read as they are.
         let texel = |range: ArrayView1<f32>| [range[0], range[1], range[2], 0.0].map(f16::from_f32);
@@ -164,7 +164,7 @@ pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Resu
         radius_max,
         index_n: index[0] as f32,
         index_k: index[1] as f32,
-        served: u32::from(set.served.is_some()),
+        restricted: u32::from(set.restriction.is_some()),
         grid_last: (set.size() - 1) as f32,
         first_column: first[1] as f32,
         first_row: first[0] as f32,
@@ -273,7 +273,7 @@ mod tests {
         macro_rules! offsets {
             ($($field:ident)*) => { [$((stringify!($field), offset_of!(TableParams, $field))),*] };
         }
-        let fields = offsets!(basis table_count cross_count material shadowing radius_max index_n index_k served grid_last
+        let fields = offsets!(basis table_count cross_count material shadowing radius_max index_n index_k restricted grid_last
             first_column first_row factor unused permittivity pigment table_scales cross_scales);
         let cells = |line: &'static str| Some(line.strip_prefix("//! | ")?.split(" | ").collect::<Vec<_>>());
         let rows = include_str!("shader.rs").lines().filter_map(cells).filter(|cells| cells.len() == 4);

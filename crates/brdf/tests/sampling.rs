@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 
 use diffraction_brdf::direction::from_angles_deg;
 use diffraction_brdf::spectrum::Illuminant;
-use diffraction_brdf::{Brdf, Factor, FrontFactor, Material, Served, Vec3, Xyz};
+use diffraction_brdf::{Brdf, Factor, FrontFactor, Material, Restriction, Vec3, Xyz};
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{ReadConfig, read_scan};
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
@@ -302,7 +302,7 @@ fn where_tables_have_no_answer_nothing_is_drawn_and_the_density_is_zero() {
         1 => 0.8,
         _ => f32::from(u8::from(row > 3)),
     });
-    set.served = Some(Served { size: 65, first: [16, 24], range });
+    set.restriction = Some(Restriction { size: 65, first: [16, 24], range });
     let brdf = Brdf::new(set).unwrap();
     for angle in ANGLES_DEG {
         let wo = from_angles_deg(angle, 160.0);

@@ -7,5 +7,6 @@
 //! Pictures and a GPU's clock are lent by whoever can draw: see [`study::SceneSamples`] and [`study::GpuClock`].
 
 pub mod baselines;
+pub mod error;
 pub mod stability;
 pub mod study;

@@ -31,7 +31,7 @@ use timing::Clock;
 use serde::{Deserialize, Serialize};
 
 use crate::baselines::statistics::{SurfaceStatistics, surface_statistics};
-use diffraction_brdf::error::Result;
+use crate::error::Result;
 use diffraction_build::accuracy::directions::FLOOR_SHARE;
 use diffraction_build::ground::progress::Progress;
 use diffraction_build::height::HeightField;

@@ -7,14 +7,15 @@ use rayon::prelude::*;
 use crate::cli::directions;
 use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
+use crate::error::Result;
 use crate::manifest;
 use crate::manifest::illuminant;
 use crate::stages::archive::specimen_file;
 use crate::stages::ingest::{Scans, ingest};
 use diffraction_brdf::atlas;
 use diffraction_brdf::direction::{Vec3, Xyz};
-use diffraction_brdf::error::{Error, Result};
-use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, brdf_xyz_polarised, serves};
+use diffraction_brdf::error::{self, Error};
+use diffraction_brdf::evaluate::{Interpolation, answers, brdf_xyz, brdf_xyz_polarised};
 use diffraction_brdf::files;
 use diffraction_brdf::front_factor::{Factor, FrontFactor};
 use diffraction_brdf::spectral_storage::read_spectral;
@@ -110,7 +111,7 @@ impl EvalArgs {
     /// # Errors
     /// [`Error::Call`] where they do not fit together.
     pub(crate) fn source(&self) -> Result<EvalSource<'_>> {
-        let wrong = |message: &str| Err(Error::Call(message.to_owned()));
+        let wrong = |message: &str| Err(Error::Call(message.to_owned()).into());
         match (self.method, &self.atlas, &self.manifest) {
             (Method::Tables, _, Some(_)) => wrong("`--manifest` goes with `--method reference`"),
             (Method::Tables, None, None) => {
@@ -197,7 +198,8 @@ fn check_polarised(front: FrontFactor, specimen: &str) -> Result<()> {
     Err(Error::limit(
         format!("`{specimen}` {what}, and so knows no polarisation"),
         "leave `--polarised` out, or set optics.factor = \"vector\" and a material such as { n = 1.56 } for it",
-    ))
+    )
+    .into())
 }
 
 fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<Table> {
@@ -211,7 +213,7 @@ fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<
     warn_beyond(set.usable_radius, pairs);
     let interpolation = args.interpolation.look_up();
     let beyond: Vec<usize> = (0..pairs.len())
-        .filter(|&index| !serves(&set, interpolation, pairs[index].0, pairs[index].1))
+        .filter(|&index| !answers(&set, interpolation, pairs[index].0, pairs[index].1))
         .map(|index| index + 1)
         .collect();
     if let Some(first) = beyond.first() {
@@ -223,7 +225,8 @@ fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<
                 pairs.len()
             ),
             "set tables.serve = \"all\" and run the pipeline again, or evaluate with `--method reference`",
-        ));
+        )
+        .into());
     }
     if args.polarised {
         check_polarised(set.front_factor, &args.specimen)?;
@@ -241,7 +244,8 @@ fn from_spectral(folder: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Resu
         return Err(Error::limit(
             format!("`{}` has no spectral tables in this atlas", args.specimen),
             "run the pipeline with tables.hold = [\"spectral\", \"xyz\"], or evaluate with `--method reference`",
-        ));
+        )
+        .into());
     };
     let tables = read_spectral(folder, stored, file.optics.front_factor())?;
     warn_beyond(tables.usable_radius, pairs);
@@ -268,7 +272,8 @@ fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Resul
             path.display(),
             args.specimen,
             known.join(", ")
-        )));
+        ))
+        .into());
     };
     let Scans { fields, optics, .. } = ingest(specimen)?;
     let usable = fields.iter().map(|f| usable_radius(&optics, f.pitch_nm)).fold(2.0, f64::min);
@@ -278,20 +283,20 @@ fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Resul
         check_polarised(optics.front_factor(), &args.specimen)?;
         if names.is_empty() {
             let xyz = |&(wi, wo): &(Vec3, Vec3)| reference::brdf_xyz_polarised(&fields, &optics, wi, wo);
-            return Ok(polarised_table(&pairs.par_iter().map(xyz).collect::<Result<Vec<_>>>()?));
+            return Ok(polarised_table(&pairs.par_iter().map(xyz).collect::<error::Result<Vec<_>>>()?));
         }
         let spectrum = |&(wi, wo): &(Vec3, Vec3)| {
             let spectrum = reference::brdf_spectrum_polarised(&fields, &optics, wi, wo, &args.wavelengths_nm)?;
             Ok(spectrum.concat())
         };
-        let values = pairs.par_iter().map(spectrum).collect::<Result<_>>()?;
+        let values = pairs.par_iter().map(spectrum).collect::<error::Result<_>>()?;
         return Ok(Table { columns: polarised_columns(&names), values });
     }
     if names.is_empty() {
         return Ok(xyz_table(reference::brdf_xyz_batch(&fields, &optics, pairs)?));
     }
     let spectrum = |&(wi, wo): &(Vec3, Vec3)| reference::brdf_spectrum(&fields, &optics, wi, wo, &args.wavelengths_nm);
-    Ok(Table { columns: names, values: pairs.par_iter().map(spectrum).collect::<Result<_>>()? })
+    Ok(Table { columns: names, values: pairs.par_iter().map(spectrum).collect::<error::Result<_>>()? })
 }
 
 /// Values past the scan's sampling are too dark: said, not hidden.

@@ -4,11 +4,12 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
+use crate::error::Result;
 use crate::stages::archive::shader_data::write_shader_data;
 use crate::stages::archive::shader_export::{README, ShaderLanguage, shader};
 use crate::stages::archive::specimen_file;
 use diffraction_brdf::atlas;
-use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::error::{self, Error};
 use diffraction_brdf::files;
 use diffraction_brdf::storage::write_tables;
 use diffraction_build::optics::pigment::Surface;
@@ -70,7 +71,7 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
 }
 
 /// A folder of its own: nothing is overwritten.
-fn fresh_folder(folder: &Path) -> Result<()> {
+fn fresh_folder(folder: &Path) -> error::Result<()> {
     if folder.exists() {
         return Err(Error::Call(format!("{}: is there already; name another `--out`", folder.display())));
     }
@@ -82,10 +83,10 @@ fn export_shaders(out: &Path) -> Result<()> {
     for language in ShaderLanguage::ALL {
         files::replace(&out.join(language.file_name()), &shader(language)?)?;
     }
-    files::replace(&out.join("README.md"), README.as_bytes())
+    Ok(files::replace(&out.join("README.md"), README.as_bytes())?)
 }
 
-fn export_float(from: &Path, to: &Path) -> Result<()> {
+fn export_float(from: &Path, to: &Path) -> error::Result<()> {
     let (file, set) = specimen_file::load(from)?;
     let tables = write_tables(to, &set, Storage::Float)?;
     specimen_file::write(to, &specimen_file::SpecimenFile { tables, ..file })

@@ -7,7 +7,7 @@ use super::worked::{Lookup, WorkedNumber, work_number};
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
-use diffraction_brdf::storage::{StoredLobe, StoredServed, StoredTables};
+use diffraction_brdf::storage::{StoredLobe, StoredRestriction, StoredTables};
 use diffraction_build::optics::config::{Factor, Material};
 use diffraction_build::tables::model::Basis;
 
@@ -20,7 +20,7 @@ const WORKED_DEG: [f64; 4] = [35.0, 20.0, 61.0, 250.0];
 /// The disk's.
 pub(crate) fn write_format(specimen_folder: &Path, version_folder: &Path) -> Result<()> {
     let (file, set) = specimen_file::load(specimen_folder)?;
-    let angles = match (&set.served, file.check_values.first()) {
+    let angles = match (&set.restriction, file.check_values.first()) {
         (Some(_), Some(c)) => [c.theta_i_deg, c.phi_i_deg, c.theta_r_deg, c.phi_r_deg],
         _ => WORKED_DEG,
     };
@@ -74,8 +74,8 @@ is one, those of scenes that show several specimens; both are for looking at.
 }
 
 fn files_and_axes(tables: &StoredTables) -> String {
-    if let Some(served) = &tables.served {
-        return served_files(tables, served);
+    if let Some(restriction) = &tables.restriction {
+        return restricted_files(tables, restriction);
     }
     let size = tables.u.samples;
     let lobe = tables.lobe.as_ref().map_or(String::new(), lobe_files);
@@ -96,9 +96,9 @@ fn files_and_axes(tables: &StoredTables) -> String {
     )
 }
 
-/// The same for tables that serve certain scenes.
-fn served_files(tables: &StoredTables, served: &StoredServed) -> String {
-    let (columns, rows, [first_row, first_column]) = (tables.u.samples, tables.v.samples, served.first);
+/// The same for tables restricted to scenes.
+fn restricted_files(tables: &StoredTables, restriction: &StoredRestriction) -> String {
+    let (columns, rows, [first_row, first_column]) = (tables.u.samples, tables.v.samples, restriction.first);
     format!(
         "## Files
 
@@ -118,12 +118,12 @@ over [-2, 2] in u and v, from column {first_column} and row {first_row} on; ever
   management, no gamma.
 - Between texel centres interpolate linearly in both axes, tables and range alike.
 ",
-        size = served.size,
+        size = restriction.size,
         count = tables.tables.len(),
         u_first = tables.u.first,
         v_first = tables.v.first,
-        step = 4.0 / (served.size - 1) as f64,
-        last = served.size - 1,
+        step = 4.0 / (restriction.size - 1) as f64,
+        last = restriction.size - 1,
         lobe = tables.lobe.as_ref().map_or(String::new(), lobe_files),
     )
 }
@@ -151,7 +151,7 @@ fn lobe_files(lobe: &StoredLobe) -> String {
 
 fn evaluation(tables: &StoredTables) -> String {
     let steps = match tables.basis {
-        Basis::Chebyshev if tables.served.is_some() => {
+        Basis::Chebyshev if tables.restriction.is_some() => {
             "2. `t = |w| / sqrt(4 - u^2 - v^2)`, at most 1 (0 where the root is 0).
 3. `low` and `high` from `range.exr` at (u, v); `s = (t - low) / (high - low)`.
 4. `T_0 = 1`, `T_1 = x`, `T_n = 2 x T_(n-1) - T_(n-2)`; `diffuse` = sum over n of `T_n`, for `x = 2 s - 1`, times table n at
@@ -273,7 +273,7 @@ Specimen `{name}`, light at theta {theta_i}, phi {phi_i}, viewer at theta {theta
         t = digits(worked.t),
         x = digits(2.0 * worked.s - 1.0),
         place = place(&worked.lookup),
-        range = match example.tables.served {
+        range = match example.tables.restriction {
             None => String::new(),
             Some(_) => {
                 let [low, high] = worked.range.map(digits);

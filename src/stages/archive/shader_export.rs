@@ -4,7 +4,7 @@ use naga::back::{glsl, hlsl, msl, spv};
 use naga::proc::BoundsCheckPolicies;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-use diffraction_brdf::error::{Error, Result};
+use crate::error::{Error, Result};
 use diffraction_render::render::wgsl::{SHADE_MATERIAL, material};
 
 /// What an engine needs to know: bindings in every language, inputs and result.

@@ -43,7 +43,7 @@ pub struct SpecimenFile {
     pub spectral: Option<StoredSpectral>,
     /// Measured errors, by cause.
     pub errors: Value,
-    /// Share of the arriving light that is reflected, by angle of incidence; empty where the tables serve certain scenes only.
+    /// Share of the arriving light that is reflected, by angle of incidence; empty where the tables are restricted to scenes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub albedo: Vec<DirectionalAlbedo>,
     /// Directions with values, for testing a reader.

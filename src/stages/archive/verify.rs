@@ -7,9 +7,9 @@ use serde::Serialize;
 use super::specimen_file;
 use super::verify_files::{VerifyReport, verify_files};
 use super::verify_scans::{AgainstScans, ReferenceCheck, Sampling, against_scans};
+use crate::error::Result;
 use crate::stages::config::RunConfig;
 use diffraction_brdf::atlas;
-use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::specimen::CheckValue;
 use diffraction_build::ground::metrics;
@@ -75,7 +75,7 @@ pub(crate) fn verify(
 
 /// The version to check: the one named, or the newest of an atlas, complete or damaged. Other commands fall
 /// back on an older version where the newest is damaged; here that would hide the damage.
-pub(crate) fn target(path: &Path) -> Result<PathBuf> {
+pub(crate) fn target(path: &Path) -> diffraction_brdf::Result<PathBuf> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     if !path.is_dir() || atlas::version_number(&name).is_some() {
         let found = atlas::resolve(path).map(|found| found.folder);

@@ -1,6 +1,6 @@
 //! What a manifest asks of each specimen: which scenes its tables answer for, with which tolerance; and what nobody asks for.
 
-use crate::stages::config::{GpuCheck, RunConfig, Serve};
+use crate::stages::config::{Cover, GpuCheck, RunConfig};
 use crate::stages::pictures::sharing::scenes_for;
 use diffraction_build::tables::model::TablesConfig;
 use diffraction_render::scene::model::Scene;
@@ -8,10 +8,10 @@ use diffraction_render::scene::model::Scene;
 /// The scenes that a specimen's tables are restricted to, or its shares of them; `None` where they are not.
 pub fn restricted_to(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
     let shown = scenes_for(&config.scenes, specimen);
-    match &config.serve {
-        Serve::All => None,
-        Serve::Scenes => Some(shown),
-        Serve::Named(names) => Some(shown.into_iter().filter(|scene| names.contains(&scene.name)).collect()),
+    match &config.cover {
+        Cover::All => None,
+        Cover::Scenes => Some(shown),
+        Cover::Named(names) => Some(shown.into_iter().filter(|scene| names.contains(&scene.name)).collect()),
     }
 }
 
@@ -39,7 +39,7 @@ pub fn left_out(config: &RunConfig) -> Vec<String> {
     for specimen in config.specimens.iter().filter(|specimen| !is_asked_for(config, &specimen.name)) {
         rows.push(format!("the specimen {}: no scene that its tables are restricted to shows it", specimen.name));
     }
-    if let Serve::Named(names) = &config.serve {
+    if let Cover::Named(names) = &config.cover {
         for scene in config.scenes.iter().filter(|scene| !names.contains(&scene.name)) {
             rows.push(format!("the scene {}: tables.serve does not name it", scene.name));
         }

@@ -17,9 +17,9 @@ use diffraction_build::optics::window::placements;
 use diffraction_render::scene::light::{direction_to, sunflower};
 use diffraction_render::scene::model::Light;
 
-/// Amplitude error of the interpolation in depth, relative to the window's whole: weak orders keep their
+/// Amplitude error of the interpolation in the phase scale, relative to the window's whole: weak orders keep their
 /// digits.
-const DEPTH_TOLERANCE: f64 = 1e-7;
+const NODE_TOLERANCE: f64 = 1e-7;
 
 /// Fewest and most directions of a cone.
 const DIRECTIONS: [usize; 2] = [64, 1024];
@@ -160,7 +160,7 @@ fn spectra_config(rows: &[RowSamples], memory_bytes: u64) -> SpectraConfig {
     let mut config = SpectraConfig {
         phase_scale_per_nm: [0.0; 2],
         frequency: [[0.0; 2]; 2],
-        tolerance: DEPTH_TOLERANCE,
+        tolerance: NODE_TOLERANCE,
         memory_bytes,
     };
     for row in rows {

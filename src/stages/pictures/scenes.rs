@@ -210,7 +210,7 @@ impl SceneWork {
             exposure: f64::from(self.exposure),
             seconds: self.seconds,
             error: None,
-            unserved_pixels: self.uncovered,
+            uncovered_pixels: self.uncovered,
             table_png: file(".png"),
             side_by_side_png: None,
             difference_png: None,

@@ -39,7 +39,7 @@ pub(super) fn measure(
     clock: &mut Clock,
 ) -> Step<Measured> {
     let works = render(job, ingested, &stored, clock)?;
-    let directions = match job.config.serve.is_all() {
+    let directions = match job.config.cover.is_all() {
         true => ErrorDirections::of_regions(&stored.set),
         false => ErrorDirections::drawn(&stored.set, candidates_of(&stored.set, &works), DIRECTIONS),
     };

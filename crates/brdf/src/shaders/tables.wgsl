@@ -30,8 +30,8 @@ struct TableParams {
     // Refractive index n + ik.
     index_n: f32,
     index_k: f32,
-    // 1 where the tables serve certain scenes alone: one more layer of `tables` holds the range of t of each texel.
-    served: u32,
+    // 1 where the tables are restricted to scenes: one more layer of `tables` holds the range of t of each texel.
+    restricted: u32,
     // Texels along u and v of the whole grid less one, and where in it the tables' window begins.
     grid_last: f32,
     first_column: f32,
@@ -49,8 +49,8 @@ struct TableParams {
 
 @group(0) @binding(0) var<uniform> params: TableParams;
 // Half floats, one layer per basis function; texel (row, column) of the whole grid lies at u = -2 + 4 column / grid_last,
-// v = 2 - 4 row / grid_last. Where tables serve certain scenes, the layer after the last holds low, high and 1 where
-// a texel is served.
+// v = 2 - 4 row / grid_last. Where tables are restricted to scenes, the layer after the last holds low, high and 1 where
+// a texel is covered.
 @group(0) @binding(1) var tables: texture_2d_array<f32>;
 // Half floats, one layer per basis function, over [-radius_max, radius_max]².
 @group(0) @binding(2) var cross_terms: texture_2d_array<f32>;
@@ -59,8 +59,8 @@ struct TableParams {
 // Bilinear, clamped to the edges.
 @group(0) @binding(4) var bilinear: sampler;
 
-// What `brdf_xyz` gives for directions that the tables do not serve, in every channel: no answer.
-const UNSERVED: f32 = -1.0;
+// What `brdf_xyz` gives for directions that the tables do not cover, in every channel.
+const NO_ANSWER: f32 = -1.0;
 // How far t may lie outside of the range between the texels, as a share of the range.
 const RANGE_SLACK: f32 = 0.02;
 
@@ -236,13 +236,13 @@ fn powers(w: f32) -> Recurrence {
 // What the surface shows in 1/sr: the BRDF and, where there is one, the pigment below it. As `brdf_xyz` otherwise.
 fn surface_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     let brdf = brdf_xyz(wi, wo);
-    if params.pigment.w == 0.0 || !serves(brdf) {
+    if params.pigment.w == 0.0 || !has_answer(brdf) {
         return brdf;
     }
     return brdf + pigment_xyz(wi, wo);
 }
 
-// XYZ of the BRDF in 1/sr; 0 for directions not above the surface, UNSERVED for those that the tables do not serve.
+// XYZ of the BRDF in 1/sr; 0 for directions not above the surface, NO_ANSWER for those that the tables do not cover.
 fn brdf_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     if !(wi.z > 0.0 && wo.z > 0.0) {
         return vec3<f32>(0.0, 0.0, 0.0);
@@ -251,10 +251,10 @@ fn brdf_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     let t = normalised_abs_w(q);
     let at = 0.5 * q.xy;
     var s = t;
-    if params.served != 0u {
+    if params.restricted != 0u {
         s = share_of_range(at, t);
         if s < 0.0 {
-            return vec3<f32>(UNSERVED, UNSERVED, UNSERVED);
+            return vec3<f32>(NO_ANSWER, NO_ANSWER, NO_ANSWER);
         }
     }
     var basis = shifted_values(s);
@@ -267,11 +267,11 @@ fn brdf_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
 }
 
 // Whether a value is an answer.
-fn serves(xyz: vec3<f32>) -> bool {
-    return !(xyz.x == UNSERVED && xyz.y == UNSERVED && xyz.z == UNSERVED);
+fn has_answer(xyz: vec3<f32>) -> bool {
+    return !(xyz.x == NO_ANSWER && xyz.y == NO_ANSWER && xyz.z == NO_ANSWER);
 }
 
-// Where t lies in the range at a position, 0 to 1; negative outside of what is served.
+// Where t lies in the range at a position, 0 to 1; negative outside of what is covered.
 fn share_of_range(at: vec2<f32>, t: f32) -> f32 {
     let uv = table_place(at);
     let half_texel = 0.5 / vec2<f32>(textureDimensions(tables));

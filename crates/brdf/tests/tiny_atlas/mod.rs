@@ -37,7 +37,7 @@ pub fn tiny_tables() -> TableSet {
             shadowing: true,
             factor: Factor::Scalar,
         },
-        served: None,
+        restriction: None,
         usable_radius: 2.0,
     }
 }

@@ -53,10 +53,10 @@ pub struct Reflected {
 }
 
 /// What the tables reflect of light from the azimuth 0: the diffuse part over the viewer's hemisphere, the lobe over a fine
-/// patch around the mirror direction. Nothing where the tables do not serve the whole hemisphere.
+/// patch around the mirror direction. Nothing where the tables do not cover the whole hemisphere.
 pub fn reflected(set: &TableSet) -> Reflected {
     let mut found = Reflected::default();
-    if set.served.is_some() {
+    if set.restriction.is_some() {
         return found;
     }
     for theta_i_deg in THETAS_I_DEG {

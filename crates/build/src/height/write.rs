@@ -25,7 +25,7 @@ pub fn write_scan_tiff(path: &Path, field: &HeightField) -> Result<()> {
     files::replace(path, &scan_tiff(path, field)?)
 }
 
-/// The bytes of [`write_scan_tiff`]; `path` serves messages.
+/// The bytes of [`write_scan_tiff`]; `path` is for messages.
 ///
 /// # Errors
 /// As [`write_scan_tiff`], without [`Error::Disk`].

@@ -511,8 +511,8 @@ mod tests {
         let centres = (0..200).map(|i| 1.0 / (low_nm + (f64::from(i) + 0.5) / 200.0 * (high_nm - low_nm)));
         let pairs: Vec<[f64; 2]> = centres.map(|c| [&exact, &coarse].map(|q| luminance(q, c))).collect();
         let brightest = pairs.iter().map(|pair| pair[0]).fold(0.0, f64::max);
-        let lit = pairs.into_iter().filter(|pair| pair[0] > 1e-2 * brightest);
-        let mut errors: Vec<f64> = lit.map(|[exact, coarse]| (coarse / exact - 1.0).abs()).collect();
+        let bright = pairs.into_iter().filter(|pair| pair[0] > 1e-2 * brightest);
+        let mut errors: Vec<f64> = bright.map(|[exact, coarse]| (coarse / exact - 1.0).abs()).collect();
         errors.sort_by(f64::total_cmp);
         errors
     }

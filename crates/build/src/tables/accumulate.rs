@@ -36,7 +36,7 @@ const BLOCK: usize = 16;
 /// Sums of XYZ at the nodes of `w`: layout `[row][column][channel][node]` over the texels' window.
 #[derive(Debug, Clone)]
 pub struct PowerSums {
-    /// Nodes of `w` per texel, a multiple of [`SIMD_WIDTH`].
+    /// Nodes of `w` per texel, a multiple of the SIMD width.
     pub nodes: usize,
     /// The sums in 1/sr (before geometry and reflectance).
     pub data: Vec<f32>,

@@ -15,7 +15,7 @@ use diffraction_brdf::error::{Error, Result};
 /// Builds the tables of one specimen from its prepared scans, for every direction.
 ///
 /// # Errors
-/// Those of [`plan()`], transforms beyond the allowed memory, and for `Basis::Taylor` those of [`build_taylor`].
+/// Those of [`plan()`], transforms beyond the allowed memory, and for `Basis::Taylor` terms that would cancel in the wanted storage.
 pub fn build(input: &BuildInput, advance: Advance) -> Result<(TableSet, BuildRecord)> {
     build_planned(input, &plan(input)?, advance)
 }
@@ -87,7 +87,7 @@ fn build_chebyshev(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Re
         lobe: lobe.transpose()?,
         prefilter_width: plan.filter.width,
         front_factor: input.optics.front_factor(),
-        served: plan.coverage.as_ref().and_then(Coverage::range_texture),
+        restriction: plan.coverage.as_ref().and_then(Coverage::range_texture),
         usable_radius: input.usable_radius(),
     };
     Ok((set, record))

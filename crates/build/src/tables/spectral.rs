@@ -100,7 +100,7 @@ pub fn build_spectral_planned(input: &BuildInput, plan: &BuildPlan, advance: Adv
         }),
         prefilter_width: plan.filter.width,
         front_factor: input.optics.front_factor(),
-        served: None,
+        restriction: None,
         usable_radius: input.usable_radius(),
     };
     Ok(SpectralBuilt { grey, power: power_over_t(&phasors, input), record })

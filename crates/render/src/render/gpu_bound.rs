@@ -30,7 +30,7 @@ use diffraction_brdf::material::{Material, cos_half_angle, reflectance};
 use diffraction_brdf::shader::peak;
 use diffraction_brdf::storage::half_scale;
 use diffraction_build::optics::pigment::{Pigment, Surface};
-use diffraction_build::tables::model::{Basis, Lobe, Served, TableSet};
+use diffraction_build::tables::model::{Basis, Lobe, Restriction, TableSet};
 
 /// Rounding to nearest in 32 bits.
 const U: f64 = 1.0 / (1 << 24) as f64;
@@ -99,10 +99,10 @@ fn sample_bound(set: &TableSet, tables: &Layers, cross: &Layers, wi: Vec3, wo: V
     let last = (set.size() - 1) as f64;
     let grid_place = [0.5 - 0.25 * q[1], 0.5 + 0.25 * q[0]].map(|x| x.clamp(0.0, 1.0) * last);
     let place_error = set.size() as f64 / (1 << 22) as f64;
-    if let Some(served) = &set.served {
-        first = served.first;
+    if let Some(restriction) = &set.restriction {
+        first = restriction.first;
         let at = std::array::from_fn(|axis| grid_place[axis] - first[axis] as f64);
-        (s, s_error) = range_error(served, at, place_error, t, t_error);
+        (s, s_error) = range_error(restriction, at, place_error, t, t_error);
     }
     let basis = match set.basis {
         Basis::Chebyshev => chebyshev_values(tables.tables.len(), s, s_error),
@@ -216,24 +216,24 @@ fn reflectance_error(material: Material, cosine: f64, cosine_error: f64) -> f64 
     2.0 * value.sqrt() * amplitude_error + amplitude_error.powi(2) + moved[0].max(moved[1])
 }
 
-/// Where `t` lies in the range of what is served at a position in texels, and how far that may be off: by the error of
+/// Where `t` lies in the range of what is covered at a position in texels, and how far that may be off: by the error of
 /// `t`, and by those of the two filtered ends.
-fn range_error(served: &Served, at: [f64; 2], place_error: f64, t: f64, t_error: f64) -> (f64, f64) {
-    let (rows, columns, _) = served.range.dim();
+fn range_error(restriction: &Restriction, at: [f64; 2], place_error: f64, t: f64, t_error: f64) -> (f64, f64) {
+    let (rows, columns, _) = restriction.range.dim();
     let mut ends_error = 0.0f64;
     for row in cells(at[0], place_error, rows) {
         for column in cells(at[1], place_error, columns) {
             let second = [(row + 1).min(rows - 1), (column + 1).min(columns - 1)];
             let share = [(at[0] - row as f64).clamp(0.0, 1.0), (at[1] - column as f64).clamp(0.0, 1.0)];
             for end in 0..2 {
-                let texel = |r: usize, c: usize| f64::from(served.range[[r, c, end]]);
+                let texel = |r: usize, c: usize| f64::from(restriction.range[[r, c, end]]);
                 let corners =
                     [texel(row, column), texel(row, second[1]), texel(second[0], column), texel(second[0], second[1])];
                 ends_error = ends_error.max(slope_error(corners, share, [SHARE_ERROR + place_error; 2]) + 4.0 * ULP);
             }
         }
     }
-    let range = sample(served.range.view(), Interpolation::Bilinear, at);
+    let range = sample(restriction.range.view(), Interpolation::Bilinear, at);
     let length = (range[1] - range[0]).max(f64::MIN_POSITIVE);
     (((t - range[0]) / length).clamp(0.0, 1.0), ((t_error + ends_error + 4.0 * ULP) / length).min(1.0))
 }

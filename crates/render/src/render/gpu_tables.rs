@@ -5,8 +5,8 @@ use ndarray::Array3;
 use super::gpu::Gpu;
 use super::gpu_layout::{CHUNK_SAMPLES_MAX, Chunk, RUN_SAMPLES_MAX, Run, ShadingSample, chunks, packed_samples};
 use super::wgsl;
+use crate::error::Result;
 use crate::scene::samples::ShadingSamples;
-use diffraction_brdf::error::Result;
 use diffraction_brdf::shader::{HalfLayers, TableImage};
 
 /// A table set in the GPU's memory.
@@ -236,7 +236,7 @@ impl RunPass {
         let bytes = gpu.read(&self.readback, sums_bytes, "read shaded samples")?;
         let floats = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
         let floats: Vec<f32> = floats.collect();
-        // The fourth number counts samples that the tables do not serve: their sum is no answer, as on the CPU.
+        // The fourth number counts samples without an answer in the tables: their sum is none, as on the CPU.
         let total = |sum: &[f32]| if sum[3] == 0.0 { [sum[0], sum[1], sum[2]] } else { [f32::NAN; 3] };
         Ok(floats.chunks_exact(4).map(total).collect())
     }

@@ -246,7 +246,7 @@ fn without_tables(set: &TableSet, storage: Storage) -> TableSet {
         lobe,
         prefilter_width: set.prefilter_width,
         front_factor: set.front_factor,
-        served: None,
+        restriction: None,
         usable_radius: set.usable_radius,
     }
 }
@@ -277,7 +277,7 @@ mod tests {
                 shadowing: false,
                 factor: Factor::Scalar,
             },
-            served: None,
+            restriction: None,
             usable_radius: 2.0,
         }
     }
