@@ -6,7 +6,7 @@ use super::input::BuildInput;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::max_abs_w;
 use diffraction_brdf::error::Result;
-use diffraction_brdf::spectrum::{SpectralQuadrature, uniform_wavenumbers, wavenumbers_for_pulses};
+use diffraction_brdf::spectrum::{SpectralQuadrature, wavenumbers_for_pulses};
 
 /// An annulus of (u, v) whose texels share their wavelengths.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,12 +83,12 @@ pub(super) fn wavelengths_of(input: &BuildInput, [inner, outer]: [f64; 2]) -> us
     }
 }
 
-/// So many wavelengths, evenly spaced in wavenumber, with their XYZ weights.
+/// So many wavelengths, evenly spaced in wavenumber, with their XYZ weights, which hold the material's colour where it has one.
 ///
 /// # Errors
 /// `Error::Call` for an invisible light.
 pub(super) fn quadrature(input: &BuildInput, count: usize) -> Result<SpectralQuadrature> {
-    uniform_wavenumbers(&input.optics.illuminant, input.optics.wavelength_nm, count)
+    input.optics.tables_quadrature(count)
 }
 
 /// Rings for every direction from the outside in, each narrower by the root of two, until the fewest wavelengths suffice.
