@@ -37,6 +37,7 @@ fn optics() -> OpticsConfig {
         edge: Edge::Fade,
         windows: Windows::Centre,
         material: Material::Dielectric { n: 1.56 },
+        dispersion: None,
         shadowing: false,
         factor: Factor::Scalar,
     }

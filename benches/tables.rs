@@ -32,6 +32,7 @@ fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
         edge,
         windows,
         material: Material::Dielectric { n: 1.56 },
+        dispersion: None,
         shadowing: false,
         factor: Factor::Scalar,
     }

@@ -47,6 +47,7 @@
 //!     edge: Edge::Tile,
 //!     windows: Windows::Grid,
 //!     material: Material::Ideal,
+//!     dispersion: None,
 //!     shadowing: false,
 //!     factor: Factor::Scalar,
 //! };

@@ -61,6 +61,7 @@ fn daylight(sigma_nm: f64, edge: Edge, windows: Windows) -> OpticsConfig {
         edge,
         windows,
         material,
+        dispersion: None,
         shadowing: false,
         factor: Factor::Scalar,
     }

@@ -78,6 +78,7 @@ pub fn optics() -> OpticsConfig {
         edge: Edge::Auto,
         windows: Windows::Grid,
         material: Material::Ideal,
+        dispersion: None,
         shadowing: false,
         factor: Factor::Vector,
     }

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::keys;
 use super::reader::Item;
+use super::spectrum_csv;
 use crate::error::Result;
 use diffraction_brdf::spectrum::{Illuminant, Line};
 
@@ -15,9 +16,6 @@ pub(crate) const VISIBLE_NM: [f64; 2] = [380.0, 780.0];
 
 /// Names of the CIE illuminants.
 const NAMES: &[&str] = &["D65", "A", "E", "F1", "F2", "F3", "F4", "F5", "F6", "F7", "F8", "F9", "F10", "F11", "F12"];
-
-/// Largest CSV file read: a spectrum at 0.01 nm is a tenth of it.
-const CSV_BYTES_MAX: u64 = 16 << 20;
 
 /// Most laser lines.
 const LINES_MAX: usize = 1000;
@@ -111,41 +109,17 @@ fn lines(item: &Item) -> Result<Illuminant> {
     Ok(Illuminant::Lines(lines))
 }
 
-/// Reads `wavelength_nm,power` rows; `#` starts a comment line.
 fn csv(path: &Path) -> std::result::Result<Illuminant, String> {
-    let about = std::fs::metadata(path).map_err(|error| format!("cannot read the file: {error}"))?;
-    if !about.is_file() {
-        return Err("is not a file".to_owned());
-    }
-    if about.len() > CSV_BYTES_MAX {
-        return Err(format!("has {} bytes; at most {CSV_BYTES_MAX} are read", about.len()));
-    }
-    let text = std::fs::read_to_string(path).map_err(|error| format!("cannot read the file: {error}"))?;
-    parse_csv(&text)
+    parse_csv(&spectrum_csv::text_of(path)?.0)
 }
 
+/// Reads `wavelength_nm,power` rows.
 fn parse_csv(text: &str) -> std::result::Result<Illuminant, String> {
-    let mut rows = text
-        .trim_start_matches('\u{feff}')
-        .lines()
-        .enumerate()
-        .map(|(index, row)| (index + 1, row.trim()))
-        .filter(|(_, row)| !row.is_empty() && !row.starts_with('#'));
-    let header: Vec<String> =
-        rows.next().map(|(_, row)| row.split(',').map(|cell| cell.trim().to_lowercase()).collect()).unwrap_or_default();
-    if header != ["wavelength_nm", "power"] {
-        return Err("the first line must be `wavelength_nm,power`".to_owned());
-    }
     let (mut wavelength_nm, mut power) = (Vec::new(), Vec::new());
-    for (line, row) in rows {
-        let cells: Vec<f64> = row.split(',').map(|cell| cell.trim().parse().unwrap_or(f64::NAN)).collect();
-        let &[w, p] = &cells[..] else {
-            return Err(format!("line {line}: expected two numbers; found `{}`", shortened(row)));
-        };
+    for (line, [w, p], shown) in spectrum_csv::rows(text, ["wavelength_nm", "power"], "two numbers")? {
         if !(w.is_finite() && w > 0.0 && p.is_finite() && p >= 0.0) {
             return Err(format!(
-                "line {line}: expected a wavelength above 0 and a power of at least 0; found `{}`",
-                shortened(row)
+                "line {line}: expected a wavelength above 0 and a power of at least 0; found `{shown}`"
             ));
         }
         if wavelength_nm.last().is_some_and(|last| *last >= w) {
@@ -158,10 +132,6 @@ fn parse_csv(text: &str) -> std::result::Result<Illuminant, String> {
         return Err("holds fewer than two samples".to_owned());
     }
     Ok(Illuminant::Tabulated { wavelength_nm, power })
-}
-
-fn shortened(row: &str) -> String {
-    row.chars().take(40).collect()
 }
 
 /// Whether some light falls on the visible part of a range, so that XYZ exists.

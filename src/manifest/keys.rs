@@ -31,7 +31,7 @@ pub(crate) const LINES: Keys = Keys { table: "illuminant", names: &["lines_nm", 
 pub(crate) const COHERENCE: Keys = Keys { table: "coherence", names: &["sigma_um", "edge"] };
 
 /// Refractive index.
-pub(crate) const MATERIAL: Keys = Keys { table: "material", names: &["n", "k"] };
+pub(crate) const MATERIAL: Keys = Keys { table: "material", names: &["n", "k", "metal", "substance", "file"] };
 
 /// What is asked of the tables.
 pub(crate) const TABLES: Keys = Keys {

@@ -9,6 +9,7 @@ mod defaults;
 mod files;
 pub(crate) mod illuminant;
 pub mod keys;
+mod material;
 mod mesh;
 mod model;
 mod name;
@@ -17,6 +18,7 @@ mod reader;
 mod scene;
 mod source;
 mod specimen;
+mod spectrum_csv;
 mod tables;
 
 use std::io::Read;

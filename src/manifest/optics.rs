@@ -5,17 +5,15 @@ use std::path::Path;
 use super::defaults;
 use super::illuminant::{self, VISIBLE_NM, WAVELENGTH_NM};
 use super::keys;
+use super::material;
 use super::reader::{Item, Section};
 use crate::error::Result;
 use diffraction_brdf::spectrum::Illuminant;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Factor, OpticsConfig, Windows};
 use diffraction_build::tables::model::Basis;
 
 /// Smallest and largest sigma: from well below a wavelength to far beyond any scan.
 const SIGMA_UM: [f64; 2] = [0.1, 10_000.0];
-
-/// Largest refractive index, real or imaginary.
-const INDEX_MAX: f64 = 100.0;
 
 /// Reads `[optics]`; paths start at `base`.
 pub fn read(item: &Item, base: &Path) -> Result<OpticsConfig> {
@@ -49,7 +47,7 @@ pub fn read(item: &Item, base: &Path) -> Result<OpticsConfig> {
     if let Some(item) = section.get("shadowing") {
         optics.shadowing = item.boolean()?;
     }
-    read_overrides(&section, &mut optics)?;
+    read_overrides(&section, base, &mut optics)?;
     Ok(optics)
 }
 
@@ -70,8 +68,8 @@ pub fn factor(optics: Option<&Item>, basis: Basis) -> Result<Factor> {
     Ok(factor)
 }
 
-/// Reads `coherence`, `windows`, and `material`, which `[optics]` and `[[specimen]]` share.
-pub(crate) fn read_overrides(section: &Section, optics: &mut OpticsConfig) -> Result<()> {
+/// Reads `coherence`, `windows`, and `material`, which `[optics]` and `[[specimen]]` share; paths start at `base`.
+pub(crate) fn read_overrides(section: &Section, base: &Path, optics: &mut OpticsConfig) -> Result<()> {
     if let Some(item) = section.get("coherence") {
         let section = item.section(&keys::COHERENCE, "{ sigma_um = 16.25, edge = \"auto\" }")?;
         if let Some(item) = section.get("sigma_um") {
@@ -85,29 +83,9 @@ pub(crate) fn read_overrides(section: &Section, optics: &mut OpticsConfig) -> Re
         optics.windows = item.choice(&[("grid", Windows::Grid), ("centre", Windows::Centre)])?;
     }
     if let Some(item) = section.get("material") {
-        optics.material = material(&item)?;
+        material::read(&item, base, optics)?;
     }
     Ok(())
-}
-
-fn material(item: &Item) -> Result<Material> {
-    if !item.is_table() {
-        if item.as_text() == Some("ideal") {
-            return Ok(Material::Ideal);
-        }
-        return Err(item.error("must be \"ideal\", { n = 1.56 }, or { n = 0.2, k = 3.4 }"));
-    }
-    let section = item.section(&keys::MATERIAL, "{ n = 1.56 }")?;
-    let n = section.require("n", "{ n = 1.56 }")?;
-    match section.get("k") {
-        None => Ok(Material::Dielectric {
-            n: n.number_within(1.0, INDEX_MAX, "for a transparent material (a metal needs `k` too)")?,
-        }),
-        Some(k) => Ok(Material::Conductor {
-            n: n.number_above(0.0, INDEX_MAX, "")?,
-            k: k.number_above(0.0, INDEX_MAX, "(leave `k` out for a transparent material)")?,
-        }),
-    }
 }
 
 fn wavelength_range(item: &Item) -> Result<[f64; 2]> {

@@ -70,7 +70,7 @@ fn of_section(section: &Section, name: &Item, optics: &OpticsConfig, base: &Path
 }
 
 fn read(section: &Section, name: String, mut optics: OpticsConfig, base: &Path) -> Result<SpecimenConfig> {
-    optics::read_overrides(section, &mut optics)?;
+    optics::read_overrides(section, base, &mut optics)?;
     let species = section.get("species").map(|item| item.text_not_empty());
     let page = section.get("page").map(|item| item.integer_within(0, PAGE_MAX, ""));
     let blend = section.get("blend_nm").map(|item| item.number_above(0.0, LATERAL_MAX_NM, "nm"));

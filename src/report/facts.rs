@@ -3,11 +3,13 @@
 use crate::report::frames::period_letter;
 use crate::report::numbers;
 use crate::stages::results::{BuildResult, Period, SpecimenResult, Statistics};
+use diffraction_brdf::dispersion::Origin;
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::accuracy::power_sums::DirectionalAlbedo;
 use diffraction_build::accuracy::rows::{Cause, ErrorRow};
 use diffraction_build::height::statistics::STEEP_SLOPE;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::dispersive::Dispersive;
 use diffraction_build::tables::model::{Basis, Rounding, Storage};
 
 /// A name and what is to be said about it.
@@ -297,8 +299,24 @@ fn material(optics: &OpticsConfig) -> String {
             format!("absorbing, n = {}, k = {}", numbers::round_number(n, 4), numbers::round_number(k, 4))
         }
     };
+    let material = match &optics.dispersion {
+        None => material,
+        Some(Dispersive { reference_nm, table }) => format!(
+            "{} ({}), its index by wavelength; front factor at {}: {material}",
+            table.name(),
+            source(table.origin()),
+            numbers::with_unit(*reference_nm, 4, "nm")
+        ),
+    };
     let shadowing = if optics.shadowing { "V-cavity shadowing" } else { "no shadowing" };
     format!("{material}; {shadowing}")
+}
+
+fn source(origin: &Origin) -> &str {
+    match origin {
+        Origin::Literature(citation) => citation,
+        Origin::File { path, .. } => path,
+    }
 }
 
 fn tables(built: &BuildResult) -> String {

@@ -23,6 +23,7 @@ fn optics(shadowing: bool) -> OpticsConfig {
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Dielectric { n: 1.56 },
+        dispersion: None,
         shadowing,
         factor: Factor::Scalar,
     }

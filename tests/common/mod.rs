@@ -37,6 +37,7 @@ pub fn reference_optics(sigma_nm: f64, edge: Edge) -> OpticsConfig {
         edge,
         windows: Windows::Centre,
         material: Material::Ideal,
+        dispersion: None,
         shadowing: false,
         factor: Factor::Scalar,
     }

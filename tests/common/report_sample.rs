@@ -227,6 +227,7 @@ fn optics() -> OpticsConfig {
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Dielectric { n: 1.56 },
+        dispersion: None,
         shadowing: false,
         factor: Factor::Scalar,
     }

@@ -24,6 +24,7 @@ pub fn laser(wavelengths_nm: &[f64], sigma_nm: f64, edge: Edge, windows: Windows
         edge,
         windows,
         material: Material::Ideal,
+        dispersion: None,
         shadowing: false,
         factor: Factor::Scalar,
     }

@@ -46,6 +46,7 @@ pub fn optics(windows: Windows, material: Material, shadowing: bool) -> OpticsCo
         edge: Edge::Tile,
         windows,
         material,
+        dispersion: None,
         shadowing,
         factor: Factor::Scalar,
     }

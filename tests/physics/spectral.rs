@@ -27,6 +27,7 @@ fn optics(edge: Edge, windows: Windows, sigma_nm: f64, factor: Factor) -> Optics
         edge,
         windows,
         material: Material::Dielectric { n: 1.56 },
+        dispersion: None,
         shadowing: false,
         factor,
     }

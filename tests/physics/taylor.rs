@@ -33,6 +33,7 @@ fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
         edge,
         windows,
         material: Material::Ideal,
+        dispersion: None,
         shadowing: false,
         factor: Factor::Scalar,
     }

@@ -25,6 +25,7 @@ fn daylight() -> OpticsConfig {
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Ideal,
+        dispersion: None,
         shadowing: false,
         factor: Factor::Scalar,
     }

@@ -35,6 +35,7 @@ fn specimen(depth_nm: f64) -> StudySpecimen {
             edge: Edge::Tile,
             windows: Windows::Grid,
             material: Material::Ideal,
+            dispersion: None,
             shadowing: false,
             factor: Factor::Scalar,
         },

@@ -56,6 +56,8 @@ mod brdf;
 pub mod chebyshev;
 mod cie_data;
 pub mod direction;
+pub mod dispersion;
+mod dispersion_data;
 pub mod error;
 pub mod evaluate;
 mod exr_header;
@@ -78,6 +80,7 @@ pub mod table_set;
 
 pub use brdf::{Brdf, Sample};
 pub use direction::{Vec3, Xyz};
+pub use dispersion::Dispersion;
 pub use error::{Error, Result};
 pub use evaluate::Interpolation;
 pub use front_factor::{Factor, FrontFactor};

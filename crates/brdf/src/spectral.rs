@@ -10,6 +10,7 @@ use ndarray::Array3;
 
 use crate::chebyshev;
 use crate::direction::{Vec3, normalised_abs_w, wave_vector_change};
+use crate::dispersion::Dispersion;
 use crate::error::{Error, Result};
 use crate::evaluate::{Interpolation, sample};
 use crate::front_factor::{Factor, FrontFactor, image_radius2};
@@ -43,6 +44,8 @@ pub struct SpectralTables {
     pub prefilter_width: f64,
     /// What stands in front of the tables' values.
     pub front_factor: FrontFactor,
+    /// How the material's index depends on the wavelength; `None` where it is that of `front_factor` at every one.
+    pub dispersion: Option<Dispersion>,
     /// Radius of the (u', v') disc that the scans' sampling can answer for.
     pub usable_radius: f64,
     /// Standard deviation in nm of the coherence window of the diffuse part.
@@ -101,13 +104,21 @@ impl SpectralTables {
         if !(r > 0.0 && r <= 1.0 + 1e-9) {
             return f64::NAN;
         }
+        let Some([front_diffuse, front_coherent]) = self.front_at(pair, wavelength_nm) else { return f64::NAN };
         let q = pair.q.map(|part| part * r.min(1.0));
         let mut diffuse = self.diffuse_at(interpolation, q);
-        let Some(lobe) = &self.lobe else { return r.powi(4) * pair.diffuse * diffuse };
+        let Some(lobe) = &self.lobe else { return r.powi(4) * front_diffuse * diffuse };
         diffuse += lobe.cross.as_ref().map_or(0.0, |cross| cross.value(interpolation, q));
         let shape = |radius: f64| (-(TAU * lobe.sigma_nm * radius / wavelength_nm).powi(2)).exp();
         let shape = shape(pair.radius) + pair.image_radius.map_or(0.0, shape);
-        r.powi(4) * pair.diffuse * diffuse + r * r * pair.coherent * lobe.power_at(q[2].abs()) * shape
+        r.powi(4) * front_diffuse * diffuse + r * r * front_coherent * lobe.power_at(q[2].abs()) * shape
+    }
+
+    /// `D` and `C` at a wavelength in nm; `None` where the material is not known.
+    fn front_at(&self, pair: &Pair, wavelength_nm: f64) -> Option<[f64; 2]> {
+        let Some(dispersion) = &self.dispersion else { return Some([pair.diffuse, pair.coherent]) };
+        let front = FrontFactor { material: dispersion.material_at(wavelength_nm)?, ..self.front_factor };
+        Some([front.diffuse(pair.wi, pair.wo), front.coherent(pair.wi, pair.wo)])
     }
 
     /// The tables' part alone at a wavelength in nm, in 1/sr: without the cross term, the lobe, `D` and `r⁴`.
@@ -137,6 +148,12 @@ impl SpectralTables {
         if !(self.half_height_range_nm >= 0.0 && self.half_height_range_nm.is_finite()) {
             return Err(format!("its range of heights is {}", self.half_height_range_nm));
         }
+        if let Some(dispersion) = &self.dispersion {
+            let [low, high] = dispersion.range_nm();
+            if !(low <= self.shortest_nm && self.longest_nm <= high) {
+                return Err(format!("the index of {} is known from {low} to {high} nm only", dispersion.name()));
+            }
+        }
         check_packed("spectral tables", self.count, &self.images)?;
         let Some(lobe) = &self.lobe else { return Ok(()) };
         positive("coherence of the light", lobe.sigma_nm)?;
@@ -153,6 +170,15 @@ impl SpectralTables {
     /// # Errors
     /// [`Error::Call`] that names the first of them.
     pub fn check_wavelengths(&self, wavelengths_nm: &[f64]) -> Result<()> {
+        if let Some(dispersion) = &self.dispersion
+            && let Some(nm) = wavelengths_nm.iter().find(|nm| dispersion.index_at(**nm).is_none())
+        {
+            let [low, high] = dispersion.range_nm();
+            return Err(Error::Call(format!(
+                "the refractive index of {} is known from {low} to {high} nm, not at {nm} nm",
+                dispersion.name()
+            )));
+        }
         match wavelengths_nm.iter().find(|nm| !(**nm >= self.shortest_nm * (1.0 - 1e-9) && nm.is_finite())) {
             None => Ok(()),
             Some(nm) => Err(Error::Call(format!(
@@ -213,11 +239,15 @@ fn packed_expansion(images: &[Array3<f32>], basis: &[f64], interpolation: Interp
 /// What a pair of directions above the surface has at every wavelength.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Pair {
+    wi: Vec3,
+    wo: Vec3,
     q: Vec3,
     radius: f64,
     /// That of the lobe's image in the horizon; none with the scalar factor.
     image_radius: Option<f64>,
+    /// `D` of the constant material.
     diffuse: f64,
+    /// `C` of it.
     coherent: f64,
 }
 
@@ -225,6 +255,8 @@ impl Pair {
     pub(crate) fn of(front: FrontFactor, wi: Vec3, wo: Vec3) -> Self {
         let q = wave_vector_change(wi, wo);
         Self {
+            wi,
+            wo,
             q,
             radius: q[0].hypot(q[1]),
             image_radius: (front.factor == Factor::Vector).then(|| image_radius2(wi, wo).sqrt()),

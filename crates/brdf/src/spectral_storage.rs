@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 
 use crate::direction::Vec3;
+use crate::dispersion::Dispersion;
 use crate::error::{Error, Result};
 use crate::exr_image::{self, Precision};
 use crate::front_factor::FrontFactor;
@@ -62,6 +63,9 @@ pub struct StoredSpectral {
     pub sigma_nm: f64,
     /// Half the scans' range of heights in nm.
     pub half_height_range_nm: f64,
+    /// The material's index by wavelength; absent where it is that of `optics.material` at every one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dispersion: Option<Dispersion>,
     /// Number of tables.
     pub tables: usize,
     /// Their images: table `3 i + c` is channel `c`, R before G before B, of image `i`.
@@ -174,6 +178,7 @@ pub fn write_spectral(folder: &Path, tables: &SpectralTables, storage: Storage) 
         usable_radius: tables.usable_radius,
         sigma_nm: tables.sigma_nm,
         half_height_range_nm: tables.half_height_range_nm,
+        dispersion: tables.dispersion.clone(),
         tables: tables.count,
         images: stored,
         lobe,
@@ -271,6 +276,7 @@ pub fn read_spectral(folder: &Path, stored: &StoredSpectral, front_factor: Front
         usable_radius: stored.usable_radius,
         sigma_nm: stored.sigma_nm,
         half_height_range_nm: stored.half_height_range_nm,
+        dispersion: stored.dispersion.clone(),
     };
     let bad = |what: String| Error::bad_file(&folder.join("specimen.json"), what, FIX);
     tables.check().map_err(|what| bad(format!("it describes tables that cannot be evaluated: {what}")))?;

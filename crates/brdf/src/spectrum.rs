@@ -8,7 +8,7 @@ mod wavenumbers;
 pub use illuminant::{Illuminant, Line, observer_2deg};
 pub use pulses::wavenumbers_for_pulses;
 pub use quadrature::{SpectralQuadrature, uniform_wavelengths};
-pub use wavenumbers::uniform_wavenumbers;
+pub use wavenumbers::{filtered_wavenumbers, uniform_wavenumbers};
 
 #[cfg(test)]
 mod tests {

@@ -44,6 +44,7 @@ fn built(name: &str, material: Material, level: Level, blend_nm: Option<f64>) ->
         edge: Edge::Tile,
         windows: Windows::Grid,
         material,
+        dispersion: None,
         shadowing: false,
         factor: Factor::Scalar,
     };

@@ -26,7 +26,7 @@ use std::collections::btree_map::Entry;
 
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
-use diffraction_brdf::spectrum::{SpectralQuadrature, uniform_wavenumbers};
+use diffraction_brdf::spectrum::SpectralQuadrature;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::reference::{FULL_STEP, resolving_count};
 
@@ -71,7 +71,7 @@ pub fn integrate_spectra(
         let count = resolving_count(optics, q, half_range_nm, FULL_STEP);
         let quadrature = match by_count.entry(count) {
             Entry::Occupied(found) => found.into_mut(),
-            Entry::Vacant(free) => free.insert(uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, count)?),
+            Entry::Vacant(free) => free.insert(optics.tables_quadrature(count)?),
         };
         let powers = power_nm2(pair, &quadrature.wavelengths_nm);
         for ((&nm, weight), power) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights).zip(powers) {

@@ -9,6 +9,7 @@ use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
 use diffraction_brdf::storage::{StoredLobe, StoredRestriction, StoredTables};
 use diffraction_build::optics::config::{Factor, Material};
+use diffraction_build::optics::dispersive::Dispersive;
 use diffraction_build::tables::model::Basis;
 
 /// Directions of the worked number in degrees, where tables answer for every direction.
@@ -190,6 +191,14 @@ fn factors(example: &SpecimenFile) -> String {
         Material::Ideal => "here the material is ideal, `R = 1`".to_owned(),
         Material::Dielectric { n } => format!("here `n = {n}`, `k = 0`"),
         Material::Conductor { n, k } => format!("here `n = {n}`, `k = {k}`"),
+    };
+    let material = match &example.optics.dispersion {
+        None => material,
+        Some(Dispersive { reference_nm, table }) => format!(
+            "{material}: {}, whose index depends on the wavelength, at {reference_nm:.1} nm; the tables hold how `R` at normal \
+             incidence changes with the wavelength, the rest of `D` and `C` is taken to change with it",
+            table.name()
+        ),
     };
     let shadowing = if example.optics.shadowing { "switched on" } else { "switched off" };
     let factor = match example.optics.factor {

@@ -19,6 +19,7 @@ use diffraction_build::accuracy::directions::ErrorDirections;
 use diffraction_build::accuracy::reference::{self as accuracy_reference, Reference};
 use diffraction_build::accuracy::rows::{self, ErrorRow};
 use diffraction_build::height::HeightField;
+use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::reference;
 use diffraction_build::tables::coverage::ranges::Coverage;
 use diffraction_build::tables::input::BuildInput;
@@ -113,7 +114,7 @@ impl<'a> Known<'a> {
             .copied()
             .filter(|pair| !known.contains_key(&bits(pair)) && asked.insert(bits(pair)))
             .collect();
-        let counted = self.cache.load(&errors_key).and_then(|bytes| decode_counted(&bytes, &errors));
+        let counted = self.cache.load(&errors_key).and_then(|bytes| decode_counted(&bytes, &errors, input.optics));
         let (fixed, is_counted) = (errors.pairs.len(), counted.is_some());
         self.count(|used| {
             let computed = missing.len() + if is_counted { 0 } else { fixed };
@@ -266,19 +267,23 @@ fn decode_pairs(bytes: &[u8]) -> Option<HashMap<[u64; 6], Xyz>> {
 
 fn encode_counted(reference: &Reference) -> Vec<u8> {
     let numbers = reference.xyz.iter().flatten().chain(reference.diffuse.iter().flatten());
+    let numbers = numbers.chain(reference.as_tables.iter().flatten());
     numbers.flat_map(|number| number.to_le_bytes()).collect()
 }
 
-fn decode_counted(bytes: &[u8], errors: &ErrorDirections) -> Option<Reference> {
+fn decode_counted(bytes: &[u8], errors: &ErrorDirections, optics: &OpticsConfig) -> Option<Reference> {
+    let as_tables = if optics.dispersion.is_some() { 3 } else { 0 };
     let (numbers, fixed) = (numbers(bytes)?, errors.pairs.len());
-    if numbers.len() != 6 * fixed {
+    if numbers.len() != (6 + as_tables) * fixed {
         return None;
     }
-    let (xyz, diffuse) = numbers.split_at(3 * fixed);
+    let (xyz, rest) = numbers.split_at(3 * fixed);
+    let (diffuse, as_tables) = rest.split_at(3 * fixed);
     Some(Reference {
         groups: errors.groups.clone(),
         pairs: errors.pairs.clone(),
         xyz: triples(xyz, fixed)?,
+        as_tables: triples(as_tables, as_tables.len() / 3)?,
         diffuse: [0, 1, 2].map(|n| diffuse[n * fixed..(n + 1) * fixed].to_vec()),
     })
 }

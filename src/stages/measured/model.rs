@@ -56,7 +56,7 @@ struct RowSamples {
 /// The model at every row.
 ///
 /// # Errors
-/// As the transforms, and [`Error::Limit`] for too many evaluations.
+/// As the transforms, a wavelength at which the material is not known, and [`Error::Limit`] for too many evaluations.
 pub fn modelled(
     fields: &[HeightField],
     optics: &OpticsConfig,
@@ -70,6 +70,9 @@ pub fn modelled(
             row_samples(place, config.acceptance_deg, config.bandwidth_nm, optics.sigma_nm)
         })
         .collect();
+    for row in &rows {
+        optics.check_material_at(&row.wavelengths_nm)?;
+    }
     let mut windows = Vec::new();
     for (scan, field) in fields.iter().enumerate() {
         windows.extend(placements(field, optics)?.into_iter().map(|placement| (scan, placement)));

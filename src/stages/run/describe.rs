@@ -22,6 +22,7 @@ use crate::stages::pictures::shared_scenes::{self, Share};
 use crate::stages::results::{BuildResult, HeightMapFile, LobeResult, SceneResult, SpecimenResult, SpectrumFile};
 use crate::stages::stage::Stage;
 use diffraction_brdf::atlas::InputRecord;
+use diffraction_brdf::dispersion::Origin;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::spectral_storage::StoredSpectral;
 use diffraction_build::accuracy::power_sums::too_bright;
@@ -172,7 +173,12 @@ fn inputs(job: &Job, ingested: &Ingested) -> Vec<InputRecord> {
         |path: &Path, sha256: &str| InputRecord { path: job.config.relative_name(path), sha256: sha256.into() };
     let scans = job.specimen.scans.iter().zip(&ingested.scans.provenance);
     let scans = scans.map(|(path, provenance)| record(path, &provenance.sha256));
-    scans.chain(ingested.measurement.as_ref().map(|m| record(&m.config.file, &m.sha256))).collect()
+    let material = match ingested.scans.optics.dispersion.as_ref().map(|dispersive| dispersive.table.origin()) {
+        Some(Origin::File { path, sha256 }) => Some(record(&job.config.base.join(path), sha256)),
+        _ => None,
+    };
+    let measurement = ingested.measurement.as_ref().map(|m| record(&m.config.file, &m.sha256));
+    scans.chain(measurement).chain(material).collect()
 }
 
 fn result(

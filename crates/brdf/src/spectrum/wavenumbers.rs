@@ -37,6 +37,29 @@ pub fn uniform_wavenumbers(illuminant: &Illuminant, range_nm: [f64; 2], count: u
     normalised((0..nodes.count).map(|j| nodes.wavelength_nm(j)).collect(), nodes.weights(illuminant))
 }
 
+/// [`uniform_wavenumbers`] with the light seen through a filter, which passes `share` of a wavelength in nm: the weights hold it
+/// exactly, however few they are, and are normalised by the light without it.
+///
+/// # Errors
+/// As [`uniform_wavenumbers`].
+pub fn filtered_wavenumbers(
+    illuminant: &Illuminant,
+    range_nm: [f64; 2],
+    count: usize,
+    share: impl Fn(f64) -> f64,
+) -> Result<SpectralQuadrature> {
+    let plain = uniform_wavenumbers(illuminant, range_nm, count)?;
+    if let Illuminant::Lines(_) = illuminant {
+        let weights =
+            plain.wavelengths_nm.iter().zip(&plain.weights).map(|(&nm, weight)| weight.map(|w| w * share(nm)));
+        return Ok(SpectralQuadrature { weights: weights.collect(), ..plain });
+    }
+    let nodes = Nodes::new(range_nm, count);
+    let luminous: f64 = nodes.weights(illuminant).iter().map(|weight| weight[1]).sum();
+    let weights = nodes.weights_through(illuminant, share).into_iter().map(|weight| weight.map(|w| w / luminous));
+    Ok(SpectralQuadrature { weights: weights.collect(), ..plain })
+}
+
 /// Uniform wavenumbers from the longest wavelength to the shortest.
 pub(super) struct Nodes {
     range_nm: [f64; 2],
@@ -62,6 +85,11 @@ impl Nodes {
 
     /// Weights for X, Y, Z before they are normalised.
     pub(super) fn weights(&self, illuminant: &Illuminant) -> Vec<Xyz> {
+        self.weights_through(illuminant, |_| 1.0)
+    }
+
+    /// The same of the light that a filter passes.
+    fn weights_through(&self, illuminant: &Illuminant, share: impl Fn(f64) -> f64) -> Vec<Xyz> {
         let mut weights = vec![[0.0; 3]; self.count];
         let polynomials: Vec<Vec<f64>> = (0..=NODES_MOST).map(barycentric).collect();
         let mut cardinals = [0.0; NODES_MOST];
@@ -73,6 +101,7 @@ impl Nodes {
             let start = below.saturating_sub(through / 2).min(self.count - through);
             let cardinals = &mut cardinals[..through];
             interpolate(&polynomials[through], position - start as f64, cardinals);
+            let density = density.map(|d| d * share(nm));
             for (weight, cardinal) in weights[start..].iter_mut().zip(cardinals) {
                 for (sum, d) in weight.iter_mut().zip(density) {
                     *sum += *cardinal * d;
@@ -172,6 +201,26 @@ mod tests {
                 assert!((coarse[c] - fine[c]).abs() < 1e-3, "{illuminant:?} {coarse:?} {fine:?}");
             }
         }
+    }
+
+    #[test]
+    fn a_filter_is_in_the_weights_however_few_they_are() {
+        let edge = |nm: f64| 0.5 + 0.5 * ((nm - 520.0) / 8.0).tanh();
+        for (illuminant, count) in [(Illuminant::D65, 8), (Illuminant::F(11), 8), (Illuminant::D65, 400)] {
+            let fine = integrate(&uniform_wavelengths(&illuminant, [380.0, 780.0], 0.05).unwrap(), edge);
+            let few = filtered_wavenumbers(&illuminant, [380.0, 780.0], count, edge).unwrap();
+            let found = integrate(&few, |_| 1.0);
+            let apart = integrate(&uniform_wavenumbers(&illuminant, [380.0, 780.0], 8).unwrap(), edge);
+            for c in 0..3 {
+                assert!((found[c] - fine[c]).abs() < 2e-5, "{illuminant:?} {found:?} {fine:?}");
+            }
+            assert!((apart[1] - fine[1]).abs() > 1e-3, "eight values of an edge are not the edge: {apart:?} {fine:?}");
+        }
+        let line = |nm| Illuminant::Lines(vec![super::super::Line { wavelength_nm: nm, power: 2.0 }]);
+        let q = filtered_wavenumbers(&line(520.0), [380.0, 780.0], 9, edge).unwrap();
+        assert!((q.weights[0][1] - 0.5).abs() < 1e-15);
+        let same = filtered_wavenumbers(&Illuminant::D65, [380.0, 780.0], 40, |_| 1.0).unwrap();
+        assert_eq!(same, uniform_wavenumbers(&Illuminant::D65, [380.0, 780.0], 40).unwrap());
     }
 
     #[test]

@@ -185,6 +185,7 @@ mod tests {
             edge: Edge::Auto,
             windows: Windows::Grid,
             material,
+            dispersion: None,
             shadowing: false,
             factor: Factor::Vector,
         };

@@ -7,7 +7,8 @@ use rayon::prelude::*;
 use super::directions::{ErrorDirections, ErrorGroup};
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
-use crate::optics::reference::{FULL_STEP, PICTURE_STEP, resolving_wavelengths};
+use crate::optics::factors::PairFactors;
+use crate::optics::reference::{FULL_STEP, PICTURE_STEP, resolving_count};
 use crate::optics::spectra::{self, Spectra};
 use crate::optics::spectral;
 use crate::tables::plan::BuildPlan;
@@ -24,6 +25,9 @@ pub struct Reference {
     pub pairs: Vec<(Vec3, Vec3)>,
     /// XYZ of the BRDF at each, in 1/sr.
     pub xyz: Vec<Xyz>,
+    /// The same at the pairs of the groups with the front factor at one wavelength, as tables have it; empty where the material is
+    /// the same at every wavelength.
+    pub as_tables: Vec<Xyz>,
     /// Diffuse luminance at the regions' pairs: exact, with the tables' wavelengths, and with the tables'
     /// interpolation in `w` too; geometry and reflectance left out.
     pub diffuse: [Vec<f64>; 3],
@@ -53,14 +57,22 @@ pub fn evaluate(
     let fixed = errors.pairs.len();
     let ErrorDirections { groups, mut pairs } = errors;
     pairs.extend(pictures);
-    let mut reference =
-        Reference { groups, xyz: vec![[0.0; 3]; pairs.len()], pairs, diffuse: [(); 3].map(|()| vec![0.0; fixed]) };
+    let counted_as_tables = if optics.dispersion.is_some() { fixed } else { 0 };
+    let mut reference = Reference {
+        groups,
+        xyz: vec![[0.0; 3]; pairs.len()],
+        pairs,
+        as_tables: vec![[0.0; 3]; counted_as_tables],
+        diffuse: [(); 3].map(|()| vec![0.0; fixed]),
+    };
     let share = 1.0 / plan.windows.len().max(1) as f64;
     for &(scan, placement) in &plan.windows {
         let spectra = spectra::transform(&fields[scan], placement, optics, &plan.spectra)?;
         let (exact, pictures) = reference.xyz.split_at_mut(fixed);
         spectral::add_window(&spectra, optics, &reference.pairs[..fixed], FULL_STEP, exact)?;
         spectral::add_window(&spectra, optics, &reference.pairs[fixed..], PICTURE_STEP, pictures)?;
+        let as_tables = (&reference.pairs[..counted_as_tables], &mut reference.as_tables);
+        spectral::add_window_with(&spectra, optics, as_tables.0, FULL_STEP, PairFactors::as_tables, as_tables.1)?;
         let rows: Vec<[f64; 3]> = reference.pairs[..fixed]
             .par_iter()
             .map(|&(wi, wo)| diffuse_shares(&spectra, optics, plan, nodes, wave_vector_change(wi, wo)))
@@ -71,7 +83,7 @@ pub fn evaluate(
             }
         }
     }
-    reference.xyz.iter_mut().for_each(|xyz| *xyz = xyz.map(|x| x * share));
+    reference.xyz.iter_mut().chain(&mut reference.as_tables).for_each(|xyz| *xyz = xyz.map(|x| x * share));
     Ok(reference)
 }
 
@@ -84,12 +96,8 @@ fn diffuse_shares(
     q: Vec3,
 ) -> Result<[f64; 3]> {
     let (uv, w) = ([q[0], q[1]], q[2].abs());
-    let exact = spectral::diffuse_power(
-        spectra,
-        &resolving_wavelengths(optics, q, spectra.half_range_nm, FULL_STEP)?,
-        uv,
-        &[w],
-    )[0][1];
+    let fine = optics.tables_quadrature(resolving_count(optics, q, spectra.half_range_nm, FULL_STEP))?;
+    let exact = spectral::diffuse_power(spectra, &fine, uv, &[w])[0][1];
     let radius = uv[0].hypot(uv[1]);
     let Some(ring) = plan.ring_at(radius) else {
         return Ok([exact; 3]);

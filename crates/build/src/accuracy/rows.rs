@@ -36,6 +36,10 @@ pub enum Cause {
     Grid,
     /// Rounding of stored values.
     Storage,
+    /// One front factor for all wavelengths, where the material's index depends on them; held exactly is the colour at normal
+    /// incidence alone.
+    #[serde(rename = "front factor at one wavelength")]
+    OneWavelength,
     /// None of the tables': the scan against every second sample of itself.
     #[serde(rename = "sampling of the scan")]
     Sampling,
@@ -54,6 +58,7 @@ impl Cause {
             Self::Basis => "basis",
             Self::Grid => "grid",
             Self::Storage => "storage",
+            Self::OneWavelength => "front factor at one wavelength",
             Self::Sampling => "sampling of the scan",
             Self::Reference => "reference against direct sum",
         }
@@ -145,6 +150,10 @@ fn rows_of(
         row(Cause::Total, group, &exact, &total(Interpolation::Bilinear)),
         row(Cause::TotalCubic, group, &exact, &total(Interpolation::Cubic)),
     ];
+    if let Some(as_tables) = reference.as_tables.get(range.clone()).filter(|xyz| !xyz.is_empty()) {
+        let as_tables: Vec<f64> = as_tables.iter().map(|xyz| xyz[1]).collect();
+        rows.push(row(Cause::OneWavelength, group, &exact, &as_tables));
+    }
     // The shares below are those of the diffuse part under interpolation in `w`: a power series keeps neither apart.
     if stored.basis == Basis::Taylor {
         return rows;

@@ -95,6 +95,7 @@ mod tests {
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Dielectric { n: 1.5 },
+        dispersion: None,
         shadowing: false,
         factor: Factor::Vector,
     };
@@ -120,7 +121,7 @@ mod tests {
             floor_per_sr: 1e-9,
         };
         let xyz = brdf_xyz_batch(fields, &OPTICS, &pairs).unwrap();
-        let reference = Reference { groups: vec![group], pairs, xyz, diffuse: Default::default() };
+        let reference = Reference { groups: vec![group], pairs, xyz, ..Reference::default() };
         let thin = thinned(fields, OPTICS.edge).unwrap();
         assert_eq!(thin[0].size(), field.size().map(|count| count / 2));
         assert_eq!(thin[0].extent_nm(), field.extent_nm());

@@ -4,6 +4,7 @@ pub use diffraction_brdf::front_factor::Factor;
 use diffraction_brdf::front_factor::FrontFactor;
 pub use diffraction_brdf::material::Material;
 
+use super::dispersive::Dispersive;
 use crate::height::HeightField;
 use crate::height::statistics::is_whole_grating;
 use diffraction_brdf::spectrum::Illuminant;
@@ -48,8 +49,11 @@ pub struct OpticsConfig {
     pub edge: Edge,
     /// Which window positions are averaged.
     pub windows: Windows,
-    /// Sets the Fresnel reflectance.
+    /// Sets the Fresnel reflectance; where the index depends on the wavelength, that at one of them.
     pub material: Material,
+    /// How the material's index depends on the wavelength; `None` where it does not. Set by `OpticsConfig::set_dispersion`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dispersion: Option<Dispersive>,
     /// Whether the V-cavity shadowing factor is applied.
     pub shadowing: bool,
     /// Which model of reflection stands in front of the tables; scalar where an older atlas does not say.

@@ -1,9 +1,11 @@
 //! Optics floor: a pigment below, coherence windows, the transforms of `exp(i s h)`, the reference.
 
 pub mod config;
+pub mod dispersive;
 pub mod factors;
 pub mod kernel;
 pub mod lines;
+pub mod materials;
 pub mod pigment;
 pub mod powers;
 pub mod reference;

@@ -129,6 +129,7 @@ mod tests {
             edge: Edge::Tile,
             windows: Windows::Grid,
             material,
+            dispersion: None,
             shadowing: false,
             factor: Factor::Scalar,
         }

@@ -122,7 +122,7 @@ pub fn brdf_xyz_batch(fields: &[HeightField], optics: &OpticsConfig, pairs: &[(V
 /// The BRDF in 1/sr at each wavelength.
 ///
 /// # Errors
-/// A scan too small for the window.
+/// A scan too small for the window, and a wavelength at which the material is not known.
 pub fn brdf_spectrum(
     fields: &[HeightField],
     optics: &OpticsConfig,
@@ -130,6 +130,7 @@ pub fn brdf_spectrum(
     wo: Vec3,
     wavelengths_nm: &[f64],
 ) -> Result<Vec<f64>> {
+    optics.check_material_at(wavelengths_nm)?;
     let Some(factors) = PairFactors::of(optics, wi, wo) else { return Ok(vec![0.0; wavelengths_nm.len()]) };
     let spectrum = spectra_of(fields, optics, [factors], wavelengths_nm)?;
     Ok(spectrum.into_iter().map(|[f]| f).collect())
@@ -138,7 +139,7 @@ pub fn brdf_spectrum(
 /// The BRDF in 1/sr at each wavelength by polarisation: ss, sp, ps, pp, the incident one first.
 ///
 /// # Errors
-/// A scan too small for the window, and a factor that does not know polarisation.
+/// As [`brdf_spectrum`], and a factor that does not know polarisation.
 pub fn brdf_spectrum_polarised(
     fields: &[HeightField],
     optics: &OpticsConfig,
@@ -146,6 +147,7 @@ pub fn brdf_spectrum_polarised(
     wo: Vec3,
     wavelengths_nm: &[f64],
 ) -> Result<Vec<[f64; 4]>> {
+    optics.check_material_at(wavelengths_nm)?;
     if optics.front_factor().polarised(wi, wo).is_none() {
         return Err(Error::Call("the scalar factor and ideal reflectors know no polarisation".into()));
     }
@@ -528,6 +530,7 @@ mod tests {
                 edge: Edge::Tile,
                 windows: Windows::Grid,
                 material: Material::Ideal,
+                dispersion: None,
                 shadowing: false,
                 factor: Factor::Scalar,
             };

@@ -54,10 +54,25 @@ pub fn add_window(
     step: WavenumberStep,
     sums: &mut [Xyz],
 ) -> Result<()> {
+    add_window_with(spectra, optics, pairs, step, PairFactors::of, sums)
+}
+
+/// [`add_window`] with other factors of a pair than the exact ones.
+///
+/// # Errors
+/// As [`add_window`].
+pub fn add_window_with<'a>(
+    spectra: &Spectra,
+    optics: &'a OpticsConfig,
+    pairs: &[(Vec3, Vec3)],
+    step: WavenumberStep,
+    factors: impl Fn(&'a OpticsConfig, Vec3, Vec3) -> Option<PairFactors<'a>>,
+    sums: &mut [Xyz],
+) -> Result<()> {
     // Directions with equally many wavelengths share them; one set is held at a time.
     let mut by_count: BTreeMap<usize, Vec<(&mut Xyz, PairFactors)>> = BTreeMap::new();
     for (sum, &(wi, wo)) in sums.iter_mut().zip(pairs) {
-        let Some(factors) = PairFactors::of(optics, wi, wo) else { continue };
+        let Some(factors) = factors(optics, wi, wo) else { continue };
         let count = resolving_count(optics, factors.q, spectra.half_range_nm, step);
         by_count.entry(count).or_default().push((sum, factors));
     }
@@ -141,6 +156,7 @@ mod tests {
                 edge,
                 windows,
                 material: Material::Ideal,
+                dispersion: None,
                 shadowing: false,
                 factor: Factor::Scalar,
             };

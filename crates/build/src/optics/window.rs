@@ -241,6 +241,7 @@ mod tests {
             edge: Edge::Fade,
             windows,
             material: Material::Ideal,
+            dispersion: None,
             shadowing: false,
             factor: Factor::Scalar,
         }

@@ -6,7 +6,7 @@ use super::input::BuildInput;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::max_abs_w;
 use diffraction_brdf::error::Result;
-use diffraction_brdf::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers, wavenumbers_for_pulses};
+use diffraction_brdf::spectrum::{Illuminant, SpectralQuadrature, wavenumbers_for_pulses};
 
 /// An annulus of (u, v) whose texels share their wavelengths.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,7 +83,7 @@ pub(super) fn wavelengths_of(input: &BuildInput, [inner, outer]: [f64; 2]) -> us
     }
 }
 
-/// So many wavelengths, evenly spaced in wavenumber, with their XYZ weights.
+/// So many wavelengths, evenly spaced in wavenumber, with their XYZ weights, which hold the material's colour where it has one.
 ///
 /// # Errors
 /// `Error::Call` for an invisible light.
@@ -93,7 +93,7 @@ pub(super) fn quadrature(input: &BuildInput, count: usize) -> Result<SpectralQua
         let weights = vec![[1.0; 3]; wavelengths_nm.len()];
         return Ok(SpectralQuadrature { wavelengths_nm, weights });
     }
-    uniform_wavenumbers(&input.optics.illuminant, input.optics.wavelength_nm, count)
+    input.optics.tables_quadrature(count)
 }
 
 /// Rings for every direction from the outside in, each narrower by the root of two, until the fewest wavelengths suffice.

@@ -65,11 +65,15 @@ impl SpectralInput {
     }
 }
 
-/// The wavelengths in nm that spectral tables answer for: those of the manifest, and laser lines outside of them.
+/// The wavelengths in nm that spectral tables answer for: those of the manifest, and laser lines outside of them, as far as the
+/// material is known.
 pub fn range_nm(optics: &OpticsConfig) -> [f64; 2] {
     let [low, high] = optics.wavelength_nm;
     let [first, last] = optics.illuminant.reach_nm(optics.wavelength_nm);
-    [low.min(first), high.max(last)]
+    let all = [low.min(first), high.max(last)];
+    // The light's own wavelengths are known of every material.
+    let known = optics.dispersion.as_ref().map_or(all, |dispersive| dispersive.table.range_nm());
+    [all[0].max(known[0]), all[1].min(known[1])]
 }
 
 /// Plans and builds the spectral tables of one specimen for every direction; `input` is that of the tables of XYZ.
@@ -131,6 +135,7 @@ impl SpectralBuilt {
             }),
             prefilter_width: grey.prefilter_width,
             front_factor: grey.front_factor,
+            dispersion: spectral.optics.dispersion.as_ref().map(|dispersive| dispersive.table.clone()),
             usable_radius: grey.usable_radius,
             sigma_nm: spectral.optics.sigma_nm,
             half_height_range_nm: input.half_height_range_nm,

@@ -89,6 +89,7 @@ mod tests {
             edge: Edge::Fade,
             windows: Windows::Centre,
             material: Material::Ideal,
+            dispersion: None,
             shadowing: false,
             factor: Factor::Scalar,
         };

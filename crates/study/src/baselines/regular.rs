@@ -126,6 +126,7 @@ mod tests {
             edge: Edge::Tile,
             windows: Windows::Grid,
             material: Material::Ideal,
+            dispersion: None,
             shadowing: false,
             factor: Factor::Scalar,
         };

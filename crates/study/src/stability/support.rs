@@ -75,6 +75,7 @@ pub fn optics(sigma_nm: f64) -> OpticsConfig {
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Ideal,
+        dispersion: None,
         shadowing: false,
         factor: Factor::Scalar,
     }

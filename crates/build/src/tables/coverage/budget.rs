@@ -250,7 +250,8 @@ fn under_daylight(optics: &OpticsConfig) -> OpticsConfig {
     if !is_laser(optics) {
         return optics.clone();
     }
-    OpticsConfig { illuminant: Illuminant::D65, wavelength_nm: VISIBLE_NM, ..optics.clone() }
+    // Whether the material is known at all of them changes no number of texels, wavelengths or nodes.
+    OpticsConfig { illuminant: Illuminant::D65, wavelength_nm: VISIBLE_NM, dispersion: None, ..optics.clone() }
 }
 
 fn is_laser(optics: &OpticsConfig) -> bool {
