@@ -22,6 +22,7 @@ fn daylight() -> OpticsConfig {
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 1500.0,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Ideal,

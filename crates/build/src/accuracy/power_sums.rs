@@ -182,6 +182,7 @@ mod tests {
             wavelength_nm: [380.0, 780.0],
             sigma_nm: 4_000.0,
             lobe_sigma_nm: None,
+            source_deg: None,
             edge: Edge::Auto,
             windows: Windows::Grid,
             material,
