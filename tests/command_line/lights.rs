@@ -54,7 +54,7 @@ fn the_published_basis_knows_no_source() {
     let place = Place::with_scans();
     place.write("m.toml", &[HEAD, &SOURCE.replace("size = 401", "basis = \"taylor\""), WAVE].concat());
     let run = place.call("run m.toml").ended(2);
-    assert!(run.stderr.contains("m.toml:10:9") && run.stderr.contains("`tables.basis`"), "{}", run.stderr);
+    assert!(run.stderr.contains("m.toml:11:9") && run.stderr.contains("`tables.basis`"), "{}", run.stderr);
     assert!(run.stderr.contains("\"wave\"") && run.stderr.contains("sigma_um"), "{}", run.stderr);
 }
 
@@ -104,7 +104,7 @@ fn a_picture_of_several_specimens_has_one_light() {
     place.write("squares.obj", SQUARES);
     place.write("m.toml", &[HEAD, LASERS, &own_light(), WAVE, SHARED].concat());
     let run = place.call("run m.toml").ended(2);
-    assert!(run.stderr.contains("m.toml:23:1") && run.stderr.contains("materials"), "{}", run.stderr);
+    assert!(run.stderr.contains("m.toml:24:1") && run.stderr.contains("materials"), "{}", run.stderr);
     for word in ["\"both\"", "\"rough\"", "\"wave\"", "illuminant"] {
         assert!(run.stderr.contains(word), "{word}: {}", run.stderr);
     }

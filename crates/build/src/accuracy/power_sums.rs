@@ -254,4 +254,27 @@ mod tests {
             assert!((at.albedo / expected - 1.0).abs() < 0.01, "{at:?} {expected}");
         }
     }
+
+    #[test]
+    fn zz_dense() {
+        for (name, m) in [
+            ("blazed_2500nm.tif", Material::Ideal),
+            ("grating_nanosurf_314nm.tif", Material::Ideal),
+            ("cd_track_like.tif", Material::Ideal),
+            ("corn_snake_like.tif", Material::Ideal),
+        ] {
+            let set = tables(&bundled(name, Level::None), m);
+            let t = std::time::Instant::now();
+            for phi in [0.0, 45.0, 90.0, 180.0, 183.0] {
+                let a: Vec<String> = (0..90)
+                    .map(|d| {
+                        let [x, y] = parts(&set, from_angles_deg(f64::from(d), phi));
+                        format!("{:.3}", x[0] + y[0])
+                    })
+                    .collect();
+                println!("{name} {phi}: {}", a.join(" "));
+            }
+            println!("{:?} per direction", t.elapsed() / 450);
+        }
+    }
 }
