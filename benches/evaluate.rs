@@ -34,6 +34,7 @@ fn optics() -> OpticsConfig {
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 2_000.0,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge: Edge::Fade,
         windows: Windows::Centre,
         material: Material::Dielectric { n: 1.56 },

@@ -29,6 +29,7 @@ fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
         // The 16 µm tile holds 8 sigma.
         sigma_nm: 2_000.0,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge,
         windows,
         material: Material::Dielectric { n: 1.56 },

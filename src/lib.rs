@@ -44,6 +44,7 @@
 //!     wavelength_nm: [380.0, 780.0],
 //!     sigma_nm: 1_500.0,
 //!     lobe_sigma_nm: None,
+//!     source_deg: None,
 //!     edge: Edge::Tile,
 //!     windows: Windows::Grid,
 //!     material: Material::Ideal,

@@ -58,6 +58,7 @@ fn daylight(sigma_nm: f64, edge: Edge, windows: Windows) -> OpticsConfig {
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge,
         windows,
         material,

@@ -32,6 +32,7 @@ use crate::error::{self, Result};
 use crate::stages::cache::store::CacheConfig;
 use crate::stages::config::{Cover, FrameTiming, GpuCheck, ReportConfig};
 use diffraction_brdf::error::Error;
+use diffraction_build::tables::model::Basis;
 use reader::Section;
 use source::Source;
 
@@ -101,12 +102,19 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
     };
     optics.factor = optics::factor(top.get("optics").as_ref(), tables.basis)?;
     let specimens = top.require("specimen", "[[specimen]]")?;
-    let specimens = specimen::read_all(&specimens, &optics, base)?;
+    let written_nm = optics::written_range(top.get("optics").as_ref())?;
+    let specimens = specimen::read_all(&specimens, specimen::Common { optics: &optics, written_nm, base })?;
+    if let (Some(item), Basis::Taylor) = (top.get("tables"), tables.basis) {
+        tables::refuse_sources(&item, &specimens)?;
+    }
     let names: Vec<&str> = specimens.iter().map(|specimen| specimen.name.as_str()).collect();
     let scenes = match top.get("scene") {
         Some(item) => scene::read_all(&item, &names, base)?,
         None => Vec::new(),
     };
+    if let Some(item) = top.get("scene") {
+        scene::refuse_mixed_lights(&item, &scenes, &specimens)?;
+    }
     let gpu = match top.get("gpu") {
         Some(item) => gpu(&item.section(&keys::GPU, "[gpu]")?)?,
         None => defaults::GPU,

@@ -4,7 +4,7 @@ use super::defaults;
 use super::keys;
 use super::reader::Item;
 use crate::error::Result;
-use crate::stages::config::Cover;
+use crate::stages::config::{Cover, SpecimenConfig};
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
 /// Tolerances lie above the first, at which double precision is spent, and up to the second.
@@ -52,6 +52,18 @@ pub fn read(item: &Item) -> Result<TablesConfig> {
         tables.memory_mib = item.integer_within(MEMORY_MIB[0], MEMORY_MIB[1], "MiB")?;
     }
     Ok(tables)
+}
+
+/// Refuses the published basis for specimens under a source of fixed size, which it knows nothing of.
+pub(crate) fn refuse_sources(item: &Item, specimens: &[SpecimenConfig]) -> Result<()> {
+    let Some(specimen) = specimens.iter().find(|specimen| specimen.optics.source_deg.is_some()) else { return Ok(()) };
+    let message = format!(
+        "knows one coherence for all wavelengths, and specimen \"{}\" has `coherence.source_deg`; use \"chebyshev\", or give \
+         `coherence.sigma_um`",
+        specimen.name
+    );
+    let section = item.section(&keys::TABLES, "[tables]")?;
+    Err(section.get("basis").unwrap_or_else(|| item.clone()).error(message))
 }
 
 /// Reads a tolerance.

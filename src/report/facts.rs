@@ -281,9 +281,24 @@ fn coherence(optics: &OpticsConfig) -> String {
         Windows::Centre => "one window in the middle",
     };
     let sigma = |nm: f64| numbers::round_number(nm * 1e-3, 4);
-    match optics.lobe_sigma_nm {
-        None => format!("σ = {} µm, {edge}, {windows}", sigma(optics.sigma_nm)),
-        Some(light_nm) => format!(
+    let light = optics.source_deg.map(|source_deg| {
+        let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
+        let at = |nm: f64| sigma(optics.lobe_coherence().sigma_nm_at(nm));
+        format!(
+            "a source {} degrees wide: σ = {} µm at {low_nm:.0} nm, {} µm at {high_nm:.0} nm, in proportion to the wavelength",
+            numbers::round_number(source_deg, 4),
+            at(low_nm),
+            at(high_nm)
+        )
+    });
+    match (light, optics.lobe_sigma_nm) {
+        (Some(light), None) => format!("{light}, {edge}, {windows}"),
+        (Some(light), Some(_)) => format!(
+            "{light} for the coherent lobe, {} µm at most for the rest (as much as the scan resolves), {edge}, {windows}",
+            sigma(optics.sigma_nm)
+        ),
+        (None, None) => format!("σ = {} µm, {edge}, {windows}", sigma(optics.sigma_nm)),
+        (None, Some(light_nm)) => format!(
             "σ = {} µm for the coherent lobe (the light's), {} µm for the rest (as much as the scan resolves), {edge}, {windows}",
             sigma(light_nm),
             sigma(optics.sigma_nm)

@@ -18,6 +18,7 @@ mod faults;
 mod forecast_reference;
 mod general;
 mod interruption;
+mod lights;
 mod manifest_errors;
 mod manifest_values;
 mod measured;

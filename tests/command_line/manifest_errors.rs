@@ -67,6 +67,15 @@ const CASES: &[Case] = &[
     ("coherence = { sigma_um = 16.25, edge = \"tile\" }", "coherence = 16.25", "10:13", "16.25", &["table"]),
     ("[[scene]]\nname = \"sphere\"", "[scene]\nname = \"sphere\"", "37:3", "scene", &["TOML"]),
     ("scans = [\"snake.tif\"]\npitch", "scans = 5\npitch", "20:9", "5", &["string"]),
+    // A source of fixed size.
+    ("sigma_um = 16.25, edge = \"tile\"", "source_deg = 0.53, sigma_um = 16.25", "10:28", "0.53", &["`optics.coherence.source_deg`", "`sigma_um`"]),
+    ("sigma_um = 16.25, edge = \"tile\"", "source_deg = 0.53, edge = \"fade\"", "10:1", "coherence", &["\"auto\"", "\"tile\"", "`sigma_um`"]),
+    ("sigma_um = 16.25, edge = \"tile\" }\nwindows = \"grid\"", "source_deg = 0.53 }\nwindows = \"centre\"", "11:1", "windows", &["windows = \"grid\"", "`sigma_um`"]),
+    ("sigma_um = 16.25", "source_deg = 0", "10:28", "0", &["`optics.coherence.source_deg`", "20 degrees"]),
+    ("level = \"plane\"", "coherence = { source_deg = 2, edge = \"fade\" }", "23:1", "coherence", &["edge = \"auto\""]),
+    // A specimen's own light.
+    ("level = \"plane\"", "illuminant = \"D66\"", "23:14", "\"D66\"", &["`specimen[0].illuminant`", "\"D65\""]),
+    ("level = \"plane\"", "illuminant = { lines_nm = [800, 600] }", "23:14", "{ lines_nm = [800, 600] }", &["800 nm", "`optics.wavelength_nm`"]),
     // Numbers out of range.
     ("[48.8, 48.8]", "-48.8", "21:12", "-48.8", &["`specimen[0].pitch_nm`", "above 0", "-48.8"]),
     ("[48.8, 48.8]", "0", "21:12", "0", &["above 0"]),

@@ -34,6 +34,7 @@ pub fn reference_optics(sigma_nm: f64, edge: Edge) -> OpticsConfig {
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge,
         windows: Windows::Centre,
         material: Material::Ideal,

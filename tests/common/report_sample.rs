@@ -224,6 +224,7 @@ fn optics() -> OpticsConfig {
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 16_250.0,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Dielectric { n: 1.56 },

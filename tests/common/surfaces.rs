@@ -21,6 +21,7 @@ pub fn laser(wavelengths_nm: &[f64], sigma_nm: f64, edge: Edge, windows: Windows
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge,
         windows,
         material: Material::Ideal,

@@ -43,6 +43,7 @@ pub fn optics(windows: Windows, material: Material, shadowing: bool) -> OpticsCo
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 1_500.0,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge: Edge::Tile,
         windows,
         material,

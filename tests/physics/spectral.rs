@@ -24,6 +24,7 @@ fn optics(edge: Edge, windows: Windows, sigma_nm: f64, factor: Factor) -> Optics
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge,
         windows,
         material: Material::Dielectric { n: 1.56 },

@@ -30,6 +30,7 @@ fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge,
         windows,
         material: Material::Ideal,

@@ -3,12 +3,13 @@
 use std::f64::consts::TAU;
 
 use crate::common::surfaces::{random, sampled, tables_config};
+use diffraction_brdf::direction::wave_vector_change;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::accuracy::directions::{Candidates, ErrorDirections, Group};
 use diffraction_build::accuracy::reference;
 use diffraction_build::accuracy::rows::{Cause, ErrorRow, error_rows};
-use diffraction_build::ground::sampling::{Region, direction_pairs};
+use diffraction_build::ground::sampling::{Region, direction_pairs, near_specular_pairs};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::build;
@@ -22,6 +23,7 @@ fn daylight() -> OpticsConfig {
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 1500.0,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Ideal,
@@ -71,6 +73,52 @@ fn a_grating_shows_as_many_lit_directions_as_anything() {
     assert!(unselected < 32 && total(&found, Region::Hemisphere).share_above < 0.25, "{unselected}");
     // 1 % of a matt surface that reflects everything, or more.
     assert!(floor >= 1e-2 / std::f64::consts::PI);
+}
+
+/// A lobe that reaches far beyond five degrees: what is said of "near specular" holds on its flank too.
+#[test]
+fn errors_near_the_mirror_are_those_of_the_lobes_flank() {
+    let smooth = random([96, 96], [100.0, 100.0], 400.0, 15.0, 3);
+    let optics = OpticsConfig { sigma_nm: 700.0, ..daylight() };
+    let fields = std::slice::from_ref(&smooth);
+    let config = tables_config(1e-3, Some(201));
+    let input = BuildInput::new(fields, &optics, &config);
+    let set = build(&input, &|_| ()).unwrap().0;
+    let plan = plan(&input).unwrap();
+    let spectra = diffraction_build::optics::spectral::brdf_xyz_batch;
+    // Where the lobe has fallen to a hundredth to a millionth of its peak, three deviations and more from the mirror.
+    let deviation = 550.0 / (TAU * std::f64::consts::SQRT_2 * optics.sigma_nm);
+    let flank = |&(wi, wo): &(_, _)| {
+        let [u, v, _] = wave_vector_change(wi, wo);
+        (3.0..5.0).contains(&(u.hypot(v) / deviation))
+    };
+    let on_flank: Vec<_> =
+        near_specular_pairs(60.0, 1 << 20..(1 << 20) + 4000).into_iter().filter(flank).take(160).collect();
+    let exact = spectra(fields, &optics, &plan.spectra, &on_flank).unwrap();
+    let mut errors: Vec<f64> = on_flank
+        .iter()
+        .zip(&exact)
+        .map(|(&(wi, wo), exact)| (brdf_xyz(&set, Interpolation::Cubic, wi, wo)[1] / exact[1] - 1.0).abs())
+        .collect();
+    errors.sort_by(f64::total_cmp);
+    let true_p95 = errors[errors.len() * 95 / 100];
+    let stated = |candidates: Vec<Candidates>| {
+        let directions = ErrorDirections::drawn(&set, candidates, 128);
+        let reference = reference::evaluate(fields, &optics, &plan, set.tables.len(), directions, []).unwrap();
+        total(&error_rows(&reference, &set, &set), Region::NearSpecular).clone()
+    };
+    let candidates = || Candidates::of_regions(&set, 0);
+    let told = stated(candidates());
+    let narrow = |of: Candidates| match of.group {
+        Group::Region(Region::NearSpecular) => {
+            Candidates { pairs: direction_pairs(Region::NearSpecular, of.pairs.len()), ..of }
+        }
+        _ => of,
+    };
+    let before = stated(candidates().into_iter().map(narrow).collect());
+    println!("flank {true_p95:.1e}; stated {:.1e}, within five degrees {:.1e}", told.p95, before.p95);
+    assert!(told.p95 > 0.5 * true_p95, "{} {true_p95}", told.p95);
+    assert!(before.p95 < 0.5 * true_p95, "{} {true_p95}", before.p95);
 }
 
 #[test]

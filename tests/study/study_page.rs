@@ -32,6 +32,7 @@ fn specimen(depth_nm: f64) -> StudySpecimen {
             wavelength_nm: [380.0, 780.0],
             sigma_nm: 900.0,
             lobe_sigma_nm: None,
+            source_deg: None,
             edge: Edge::Tile,
             windows: Windows::Grid,
             material: Material::Ideal,

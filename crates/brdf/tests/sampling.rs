@@ -41,6 +41,7 @@ fn built(name: &str, material: Material, level: Level, blend_nm: Option<f64>) ->
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 1_500.0,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material,

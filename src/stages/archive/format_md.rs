@@ -60,6 +60,8 @@ specimen stand in its `specimen.json`, and each EXR header repeats what concerns
   shift by less than `tables.rounding.half`; a renderer that keeps tables in textures of 16-bit floats shows that.
 - `optics.material`: `\"ideal\"` (`R = 1`), or `{{ \"dielectric\": {{ \"n\" }} }}`, or `{{ \"conductor\": {{ \"n\", \"k\" }} }}` of
   index `n + i k`; `optics.factor`: `\"vector\"` or `\"scalar\"`, see Factors; `optics.shadowing`.
+- `optics.sigma_nm`, `lobe_sigma_nm`, `source_deg`: the coherence that the tables were made for. They hold its blur, the lobe's too:
+  nothing of it is left to evaluate.
 - `check_values`: directions and X, Y, Z to test an implementation with, from linear look-ups.
 - `errors`: measured errors of Y against the reference, by cause (`what`) and region, relative to the value itself: quantiles
   `p50`, `p95`, `p99` and `worst` of the `directions` that are brighter than `floor_per_sr`, and `relative_l2` over all
@@ -236,7 +238,7 @@ fn use_in_a_renderer(example: &SpecimenFile) -> String {
 
 - Radiance `= f cos(theta_i) E`, with `E` the light's irradiance on a plane facing it; integrate over extended lights. `f` does
   not contain the cosine.
-- X, Y, Z are relative to the illuminant the tables were made for ({illuminant}): a white Lambertian surface would read
+- X, Y, Z are relative to the illuminant the tables were made for, each specimen's `optics.illuminant` (here {illuminant}): a white Lambertian surface would read
   `Y = 1 / pi` and its X, Z those of that illuminant's white over pi. So `E` is a plain number, the light's
   luminous irradiance; its colour is in the tables already.
 - Linear sRGB (D65): `R = 3.2404542 X - 1.5371385 Y - 0.4985314 Z`, `G = -0.9692660 X + 1.8760108 Y + 0.0415560 Z`,

@@ -1,6 +1,6 @@
 //! What a manifest asks of each specimen: which scenes its tables answer for, with which tolerance; and what nobody asks for.
 
-use crate::stages::config::{Cover, GpuCheck, RunConfig};
+use crate::stages::config::{Cover, GpuCheck, RunConfig, SpecimenConfig};
 use crate::stages::pictures::sharing::scenes_for;
 use diffraction_build::tables::model::TablesConfig;
 use diffraction_render::scene::model::Scene;
@@ -33,11 +33,25 @@ pub fn is_asked_for(config: &RunConfig, specimen: &str) -> bool {
     restricted_to(config, specimen).is_none_or(|scenes| !scenes.is_empty())
 }
 
+/// Whether a specimen gets spectral tables: where the run asks for them, unless the light's own size blurs each wavelength
+/// differently, which one stack of tables cannot hold.
+pub fn is_spectral(config: &RunConfig, specimen: &SpecimenConfig) -> bool {
+    config.spectral && specimen.optics.source_deg.is_none()
+}
+
 /// Specimens, pictures and stages that nobody asks for, with the reason.
 pub fn left_out(config: &RunConfig) -> Vec<String> {
     let mut rows = Vec::new();
     for specimen in config.specimens.iter().filter(|specimen| !is_asked_for(config, &specimen.name)) {
         rows.push(format!("the specimen {}: no scene that its tables are restricted to shows it", specimen.name));
+    }
+    if config.spectral {
+        for specimen in config.specimens.iter().filter(|specimen| !is_spectral(config, specimen)) {
+            rows.push(format!(
+                "spectral tables of {}: coherence.source_deg blurs every wavelength by another width, sigma_um does not",
+                specimen.name
+            ));
+        }
     }
     if let Cover::Named(names) = &config.cover {
         for scene in config.scenes.iter().filter(|scene| !names.contains(&scene.name)) {

@@ -19,7 +19,7 @@ use diffraction_brdf::shader::{LAYERS_MAX, SIDE_MAX, table_image};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
-use diffraction_build::tables::resolution::lobe_width;
+use diffraction_build::tables::resolution::narrowest_blur;
 use diffraction_render::error::Result;
 use diffraction_render::render::gpu_tables::{shade, upload};
 use diffraction_render::render::png_image::write_png;
@@ -114,14 +114,13 @@ impl Job<'_> {
 /// Whether tables must be as good as the tolerance says: number and steps were left to it, texels hold point values of a
 /// grid that resolves the lobes, and the scan answers for the whole hemisphere.
 fn tolerance_holds(set: &TableSet, optics: &OpticsConfig, config: &TablesConfig) -> bool {
-    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
     let texel = 4.0 / (set.size().max(2) - 1) as f64;
     set.basis == Basis::Chebyshev
         && config.count.is_none()
         && config.wavelength_step_nm.is_none()
         && set.prefilter_width == 0.0
         && set.usable_radius >= 2.0
-        && texel <= lobe_width(optics.sigma_nm, low_nm)
+        && texel <= narrowest_blur(optics)
 }
 
 /// Why the tables in a specimen's folder are more than every GPU takes, if they are.

@@ -61,7 +61,7 @@ pub fn reference_forecast(
     let mut work_ns = 0.0;
     for &(scan, placement) in &plan.windows {
         let field = &input.fields[scan];
-        let counts = line_counts(field, placement, input.optics.sigma_nm, plan.spectra.frequency);
+        let counts = line_counts(field, placement, input.optics.least_sigma_nm(), plan.spectra.frequency);
         let own_ns = match placement {
             Placement::Inside { .. } => {
                 (2 * SEMICIRCLE_TAPS) as f64 * NS_PER_KERNEL_VALUE

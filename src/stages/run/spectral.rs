@@ -3,6 +3,7 @@
 use super::build::Planned;
 use super::clock::{Clock, Step};
 use super::job::Job;
+use crate::stages::coverage::asked;
 use crate::stages::results::SpectralResult;
 use crate::stages::stage::Stage;
 use crate::stages::usage::Stopwatch;
@@ -33,7 +34,7 @@ pub(super) struct Spectral {
 
 /// Builds, stores and measures them, where the run asks for them.
 pub(super) fn spectral(job: &Job, planned: &Planned, clock: &mut Clock) -> Step<Option<Spectral>> {
-    if !job.config.spectral {
+    if !asked::is_spectral(job.config, job.specimen) {
         return Ok(None);
     }
     let settings = SpectralInput::new(planned.input.optics, planned.input.tables);

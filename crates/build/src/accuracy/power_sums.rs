@@ -182,6 +182,7 @@ mod tests {
             wavelength_nm: [380.0, 780.0],
             sigma_nm: 4_000.0,
             lobe_sigma_nm: None,
+            source_deg: None,
             edge: Edge::Auto,
             windows: Windows::Grid,
             material,
@@ -252,6 +253,29 @@ mod tests {
         for at in reflected(&tables(&flat, material)).albedo.iter().filter(|at| at.theta_i_deg <= 60.0) {
             let expected = diffraction_brdf::material::reflectance(material, at.theta_i_deg.to_radians().cos());
             assert!((at.albedo / expected - 1.0).abs() < 0.01, "{at:?} {expected}");
+        }
+    }
+
+    #[test]
+    fn zz_dense() {
+        for (name, m) in [
+            ("blazed_2500nm.tif", Material::Ideal),
+            ("grating_nanosurf_314nm.tif", Material::Ideal),
+            ("cd_track_like.tif", Material::Ideal),
+            ("corn_snake_like.tif", Material::Ideal),
+        ] {
+            let set = tables(&bundled(name, Level::None), m);
+            let t = std::time::Instant::now();
+            for phi in [0.0, 45.0, 90.0, 180.0, 183.0] {
+                let a: Vec<String> = (0..90)
+                    .map(|d| {
+                        let [x, y] = parts(&set, from_angles_deg(f64::from(d), phi));
+                        format!("{:.3}", x[0] + y[0])
+                    })
+                    .collect();
+                println!("{name} {phi}: {}", a.join(" "));
+            }
+            println!("{:?} per direction", t.elapsed() / 450);
         }
     }
 }

@@ -126,6 +126,7 @@ mod tests {
             wavelength_nm: [380.0, 780.0],
             sigma_nm: 4000.0,
             lobe_sigma_nm: None,
+            source_deg: None,
             edge: Edge::Tile,
             windows: Windows::Grid,
             material,

@@ -10,6 +10,7 @@ use std::f64::consts::{PI, TAU};
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
+use super::coherence::Coherence;
 use super::config::OpticsConfig;
 use super::factors::PairFactors;
 use super::kernel::Kernel;
@@ -189,18 +190,18 @@ fn window_powers(
     wavelengths_nm: &[f64],
 ) -> Vec<[f64; 2]> {
     let lobe = Lobe::new(field, placement, optics);
-    let rest_and_lines = line_powers(field, placement, optics.sigma_nm, factors.q, wavelengths_nm);
+    let rest_and_lines = line_powers(field, placement, optics, factors.q, wavelengths_nm);
     let phasors2 = lobe.mean_phasors2(field, factors, wavelengths_nm);
     let parts = rest_and_lines.into_iter().zip(phasors2).zip(wavelengths_nm);
     parts
         .map(|((lines, phasor2), nm)| {
             // All lines of a repeated scan end where their kernel does, the one in the middle too.
             let ends = placement == Placement::TileMean && !lines.reads_middle;
-            let form_nm2 = if ends { 0.0 } else { lobe.power_nm2([factors.q[0] / nm, factors.q[1] / nm]) };
+            let form_nm2 = if ends { 0.0 } else { lobe.power_nm2([factors.q[0] / nm, factors.q[1] / nm], *nm) };
             let coherent = phasor2 * form_nm2;
             // The mean over all positions adds powers: the line in the middle is the coherent part, whatever blurs it.
             let rest = if placement == Placement::TileMean { lines.others } else { lines.all - coherent };
-            let image = factors.image_radius.map_or(0.0, |radius| phasor2 * lobe.closed_form_nm2(radius / nm));
+            let image = factors.image_radius.map_or(0.0, |radius| phasor2 * lobe.closed_form_nm2(radius / nm, *nm));
             [rest, coherent + image]
         })
         .collect()
@@ -218,16 +219,18 @@ struct LinePowers {
 fn line_powers(
     field: &HeightField,
     placement: Placement,
-    sigma_nm: f64,
+    optics: &OpticsConfig,
     q: Vec3,
     wavelengths_nm: &[f64],
 ) -> Vec<LinePowers> {
     let size = field.size();
+    let coherence = optics.body_coherence();
     let axes: [WindowAxis; 2] =
-        std::array::from_fn(|axis| window_axis(placement, axis, size[axis], field.pitch_nm[axis], sigma_nm));
+        std::array::from_fn(|axis| window_axis(placement, axis, size[axis], field.pitch_nm[axis], optics.sigma_nm));
     let weights: [Vec<AxisWeights>; 2] = std::array::from_fn(|axis| {
-        let along = Along { axis: &axes[axis], count: size[axis], pitch_nm: field.pitch_nm[axis], sigma_nm };
-        wavelengths_nm.iter().map(|nm| axis_weights(placement, &along, q[axis] / nm)).collect()
+        let (axis_samples, count, pitch_nm) = (&axes[axis], size[axis], field.pitch_nm[axis]);
+        let along = |nm: f64| Along { axis: axis_samples, count, pitch_nm, sigma_nm: coherence.sigma_nm_at(nm) };
+        wavelengths_nm.iter().map(|nm| axis_weights(placement, &along(*nm), q[axis] / nm)).collect()
     });
     let amplitudes = phasor_sums(field, &axes, &weights, q[2], wavelengths_nm);
     let of_lines = |lines: &Vec<Complex<f64>>, x: &AxisWeights, y: &AxisWeights| {
@@ -248,7 +251,9 @@ struct Lobe {
     axes: [WindowAxis; 2],
     /// The light's standard deviation in nm where the form is its Gaussian; `None` for the samples of a window inside the scan.
     gaussian_nm: Option<f64>,
+    /// That of the axes.
     sigma_nm: f64,
+    coherence: Coherence,
 }
 
 impl Lobe {
@@ -256,13 +261,13 @@ impl Lobe {
         let sigma_nm = optics.lobe_sigma_nm();
         let axes = [0, 1].map(|axis| window_axis(placement, axis, field.size()[axis], field.pitch_nm[axis], sigma_nm));
         let inside = matches!(placement, Placement::Inside { .. });
-        Self { axes, gaussian_nm: (!inside).then_some(sigma_nm), sigma_nm }
+        Self { axes, gaussian_nm: (!inside).then_some(sigma_nm), sigma_nm, coherence: optics.lobe_coherence() }
     }
 
     /// `|c|²` at each wavelength, 0 where neither the lobe nor its image reaches the direction.
     fn mean_phasors2(&self, field: &HeightField, factors: &PairFactors, wavelengths_nm: &[f64]) -> Vec<f64> {
         let [u, v, w] = factors.q;
-        let reach = |nm: f64| (-(TAU * self.sigma_nm * u.hypot(v) / nm).powi(2)).exp() > LOBE_LEAST;
+        let reach = |nm: f64| (-(TAU * self.coherence.sigma_nm_at(nm) * u.hypot(v) / nm).powi(2)).exp() > LOBE_LEAST;
         let [x, y] = &self.axes;
         let of = |nm: &f64| {
             if !reach(*nm) {
@@ -281,17 +286,18 @@ impl Lobe {
     }
 
     /// `|G̃|² / A` in nm² at a frequency in 1/nm.
-    fn power_nm2(&self, frequency: [f64; 2]) -> f64 {
+    fn power_nm2(&self, frequency: [f64; 2], wavelength_nm: f64) -> f64 {
         match self.gaussian_nm {
-            Some(_) => self.closed_form_nm2(frequency[0].hypot(frequency[1])),
+            Some(_) => self.closed_form_nm2(frequency[0].hypot(frequency[1]), wavelength_nm),
             None => (0..2).map(|axis| self.axes[axis].transforms([frequency[axis]])[0].powi(2)).product(),
         }
     }
 
     /// `(∬ g)²/A exp(-(2πσκ)²)` in nm² at a distance `κ` from the mirror direction in 1/nm.
-    fn closed_form_nm2(&self, distance_per_nm: f64) -> f64 {
+    fn closed_form_nm2(&self, distance_per_nm: f64, wavelength_nm: f64) -> f64 {
         let peak: f64 = self.axes.iter().map(|axis| axis.integral_nm.powi(2) / axis.norm_nm).product();
-        peak * (-(TAU * self.sigma_nm * distance_per_nm).powi(2)).exp()
+        let sigma_nm = self.coherence.sigma_nm_at(wavelength_nm);
+        peak * (sigma_nm / self.sigma_nm).powi(2) * (-(TAU * sigma_nm * distance_per_nm).powi(2)).exp()
     }
 }
 
@@ -527,6 +533,7 @@ mod tests {
                 wavelength_nm: [380.0, 780.0],
                 sigma_nm: 8_000.0,
                 lobe_sigma_nm: None,
+                source_deg: None,
                 edge: Edge::Tile,
                 windows: Windows::Grid,
                 material: Material::Ideal,

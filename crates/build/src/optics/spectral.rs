@@ -98,7 +98,7 @@ pub fn brdf_of_window(
     let at = |j: usize| point([u, v], w.abs(), wavelengths_nm[j]);
     spectra.powers(Part::Total, wavelengths_nm.len(), at, buffers, |j, power| {
         let nm = wavelengths_nm[j];
-        let image = factors.image_radius.map_or(0.0, |radius| spectra.lobe_power_nm2(radius / nm, at(j).s));
+        let image = factors.image_radius.map_or(0.0, |radius| spectra.lobe_power_nm2(radius / nm, at(j).s, nm));
         found(j, factors.brdf(nm, power.rest, power.coherent + image));
     });
 }
@@ -118,7 +118,7 @@ pub fn diffuse_power(spectra: &Spectra, quadrature: &SpectralQuadrature, uv: [f6
 }
 
 fn point(uv: [f64; 2], w: f64, wavelength_nm: f64) -> Point {
-    Point { frequency: uv.map(|u| u / wavelength_nm), s: TAU / wavelength_nm * w }
+    Point { frequency: uv.map(|u| u / wavelength_nm), s: TAU / wavelength_nm * w, wavelength_nm }
 }
 
 fn add(sum: &mut Xyz, weight: Xyz, power: f64) {
@@ -153,6 +153,7 @@ mod tests {
                 wavelength_nm: [380.0, 780.0],
                 sigma_nm,
                 lobe_sigma_nm: None,
+                source_deg: None,
                 edge,
                 windows,
                 material: Material::Ideal,

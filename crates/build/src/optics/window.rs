@@ -41,7 +41,8 @@ pub enum Placement {
 /// `Error::Limit` if the scan is smaller than `Edge::Fade` allows, or its samples lie further apart than
 /// [`PITCH_SIGMAS_MAX`].
 pub fn placements(field: &HeightField, optics: &OpticsConfig) -> Result<Vec<Placement>> {
-    check_pitch(field, optics.sigma_nm)?;
+    check_pitch(field, optics.least_sigma_nm())?;
+    check_source(optics)?;
     if optics.edge == Edge::Auto && optics.windows == Windows::Centre {
         return Err(Error::limit(
             "edge = \"auto\" is a mean over all positions of the window, and windows = \"centre\" asks for one",
@@ -103,6 +104,20 @@ pub fn speckle_deviation(windows: &[(usize, Placement)], sigma_nm: f64) -> f64 {
     };
     let of_window = |a| windows.iter().map(|b| correlation(a, b)).sum::<f64>();
     windows.iter().map(of_window).sum::<f64>().sqrt() / windows.len().max(1) as f64
+}
+
+/// Refuses a window that changes with the wavelength where it stands somewhere on the scan: its samples would be others at
+/// every wavelength, and with them the transforms.
+fn check_source(optics: &OpticsConfig) -> Result<()> {
+    let is_mean = optics.edge != Edge::Fade && optics.windows == Windows::Grid;
+    if is_mean || optics.source_deg.is_none() {
+        return Ok(());
+    }
+    Err(Error::limit(
+        "a source of fixed size has another coherence window at each wavelength, which only the mean over all positions on a \
+         repeated scan takes",
+        "use coherence.edge = \"auto\" or \"tile\" with windows = \"grid\", or give coherence.sigma_um in place of source_deg",
+    ))
 }
 
 /// Refuses a window that falls between samples.
@@ -238,6 +253,7 @@ mod tests {
             wavelength_nm: [380.0, 780.0],
             sigma_nm,
             lobe_sigma_nm: None,
+            source_deg: None,
             edge: Edge::Fade,
             windows,
             material: Material::Ideal,

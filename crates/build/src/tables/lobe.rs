@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::grid::Grid;
 use super::input::BuildInput;
-use super::resolution::lobe_width;
+use super::resolution::narrowest_lobe;
 use super::rings::quadrature;
 use crate::optics::config::OpticsConfig;
 use crate::optics::spectra::Spectra;
@@ -102,7 +102,7 @@ fn layout(input: &BuildInput, radius_max: f64, t: [f64; 2]) -> Result<Layout> {
     let [first, last] = t.map(|t| t * (rows - 1) as f64);
     Ok(Layout {
         rows,
-        columns: (radius_max / lobe_width(optics.lobe_sigma_nm(), low_nm) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1,
+        columns: (radius_max / narrowest_lobe(optics) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1,
         read: (first as usize).saturating_sub(ROWS_MARGIN)..(last.ceil() as usize + ROWS_MARGIN + 1).min(rows),
         quadrature: quadrature(input, wavelengths_needed(optics, rms_nm))?,
     })
@@ -123,6 +123,7 @@ pub(super) fn samples(input: &BuildInput, radius_max: f64, t: [f64; 2]) -> Resul
 /// `Error::Call` for an invisible light.
 pub(super) fn coherent(power: &PhasorPower, input: &BuildInput, radius_max: f64, t: [f64; 2]) -> Result<Array3<f32>> {
     let Layout { rows, columns, read, quadrature } = layout(input, radius_max, t)?;
+    let coherence = input.optics.lobe_coherence();
     let mut table = Array3::<f32>::zeros((rows, columns, 3));
     let mut lines = table.slice_axis_mut(Axis(0), read.clone().into());
     lines.axis_iter_mut(Axis(0)).into_par_iter().zip(read).for_each(|(mut line, row)| {
@@ -131,7 +132,10 @@ pub(super) fn coherent(power: &PhasorPower, input: &BuildInput, radius_max: f64,
             let radius = radius_max * column as f64 / (columns - 1) as f64;
             let mut sum = [0.0; 3];
             for (nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
-                let shape = (-(TAU * input.optics.lobe_sigma_nm() * radius / nm).powi(2)).exp();
+                let sigma_nm = coherence.sigma_nm_at(*nm);
+                // Transforms know the peak of the largest window.
+                let peak = (sigma_nm / input.optics.lobe_sigma_nm()).powi(2);
+                let shape = peak * (-(TAU * sigma_nm * radius / nm).powi(2)).exp();
                 let s = TAU / nm * t * max_abs_w(radius);
                 let power = power.at(s);
                 for c in 0..3 {
@@ -160,7 +164,6 @@ pub(super) fn power_over_t(power: &PhasorPower, input: &BuildInput) -> Vec<f32> 
 
 /// The grid of the cross-term patch.
 pub(super) fn patch_grid(optics: &OpticsConfig, radius_max: f64) -> Grid {
-    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
-    let half = (radius_max / lobe_width(optics.lobe_sigma_nm(), low_nm) * TEXELS_PER_WIDTH[1]).ceil() as usize;
+    let half = (radius_max / narrowest_lobe(optics) * TEXELS_PER_WIDTH[1]).ceil() as usize;
     Grid { size: 2 * half + 1, half_width: radius_max }
 }

@@ -20,6 +20,9 @@ use std::path::Path;
 /// Share of the tolerance that the grid is chosen for: at one wavelength no sum averages its errors out.
 const GRID_SHARE: f64 = 1.0 / 3.0;
 
+/// What is seen of light, in nm: laser lines alone shall not make tables for nothing else.
+const VISIBLE_NM: [f64; 2] = [380.0, 780.0];
+
 /// What spectral tables are made with: the optics with a light of the shortest wavelength, and the tables' settings.
 #[derive(Debug, Clone)]
 pub struct SpectralInput {
@@ -65,12 +68,14 @@ impl SpectralInput {
     }
 }
 
-/// The wavelengths in nm that spectral tables answer for: those of the manifest, and laser lines outside of them, as far as the
-/// material is known.
+/// The wavelengths in nm that spectral tables answer for: those of the light, of laser lines all that the eye
+/// sees besides, as far as the material is known.
 pub fn range_nm(optics: &OpticsConfig) -> [f64; 2] {
-    let [low, high] = optics.wavelength_nm;
-    let [first, last] = optics.illuminant.reach_nm(optics.wavelength_nm);
-    let all = [low.min(first), high.max(last)];
+    let [first, last] = optics.wavelength_nm;
+    let all = match optics.illuminant {
+        Illuminant::Lines(_) => [first.min(VISIBLE_NM[0]), last.max(VISIBLE_NM[1])],
+        _ => [first, last],
+    };
     // The light's own wavelengths are known of every material.
     let known = optics.dispersion.as_ref().map_or(all, |dispersive| dispersive.table.range_nm());
     [all[0].max(known[0]), all[1].min(known[1])]

@@ -86,6 +86,7 @@ mod tests {
             wavelength_nm: [380.0, 780.0],
             sigma_nm: 2_000.0,
             lobe_sigma_nm: None,
+            source_deg: None,
             edge: Edge::Fade,
             windows: Windows::Centre,
             material: Material::Ideal,

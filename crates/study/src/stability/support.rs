@@ -72,6 +72,7 @@ pub fn optics(sigma_nm: f64) -> OpticsConfig {
         wavelength_nm: [380.0, 780.0],
         sigma_nm,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Ideal,

@@ -53,6 +53,13 @@ pub(crate) fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
 fn specimen(given: &SpecimenConfig, scenes: &[Scene], config: &StudyConfig) -> Result<StudySpecimen> {
     let shows = |scene: &&Scene| scene.specimen.as_ref().is_none_or(|name| *name == given.name);
     let sampled = |scene| Ok(Box::new(drawn(scene, config.picture_samples)?) as Box<dyn SceneSamples>);
+    if given.optics.source_deg.is_some() {
+        return Err(Error::limit(
+            "the models that a study compares know one coherence for all wavelengths, not a source of fixed size",
+            "give coherence.sigma_um in place of source_deg for the study",
+        )
+        .into());
+    }
     let Scans { fields, optics, .. } = ingest(given)?;
     Ok(StudySpecimen {
         name: given.name.clone(),
