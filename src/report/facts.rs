@@ -2,7 +2,7 @@
 
 use crate::report::frames::period_letter;
 use crate::report::numbers;
-use crate::stages::results::{BuildResult, Period, SpecimenResult, Statistics};
+use crate::stages::results::{BuildResult, Period, SpecimenResult, SpectralResult, Statistics};
 use diffraction_brdf::dispersion::Origin;
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::accuracy::power_sums::DirectionalAlbedo;
@@ -54,6 +54,7 @@ pub(crate) fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
         facts.push(fact("Texels", texels(built)));
         facts.push(fact("Made from", made_from(built)));
     }
+    facts.extend(specimen.spectral.as_ref().map(|spectral| fact("Spectral tables", spectral_tables(spectral))));
     if !specimen.albedo.is_empty() {
         facts.push(fact("Albedo", albedo(&specimen.albedo)));
     }
@@ -341,6 +342,21 @@ fn tables(built: &BuildResult) -> String {
         grid_short(built),
         numbers::bytes(built.stored_bytes),
         numbers::round_percent(built.tolerance),
+    )
+}
+
+/// Tables of single wavelengths.
+fn spectral_tables(found: &SpectralResult) -> String {
+    let [shortest, longest] = found.range_nm.map(|nm| numbers::round_number(nm, 4));
+    let format = match found.storage {
+        Storage::Half => "16-bit",
+        Storage::Float => "32-bit",
+    };
+    format!(
+        "{} of {size} × {size}, {format} floats, {}: any wavelength from {shortest} nm, any light up to {longest} nm",
+        found.tables,
+        numbers::bytes(found.stored_bytes),
+        size = found.size,
     )
 }
 

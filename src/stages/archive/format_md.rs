@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::format_spectral::spectral_section;
 use super::specimen_file::{self, SpecimenFile};
 use super::worked::{Lookup, WorkedNumber, work_number};
 use diffraction_brdf::direction::Xyz;
@@ -39,8 +40,9 @@ pub fn format_md(example: &SpecimenFile, worked: &WorkedNumber) -> String {
         factors(example),
         use_in_a_renderer(example),
         worked_number(example, worked),
+        spectral_section(example.spectral.as_ref()),
     ];
-    sections.join("\n")
+    sections.iter().filter(|section| !section.is_empty()).map(String::as_str).collect::<Vec<_>>().join("\n")
 }
 
 fn introduction(name: &str) -> String {
@@ -62,6 +64,7 @@ specimen stand in its `specimen.json`, and each EXR header repeats what concerns
   index `n + i k`; `optics.factor`: `\"vector\"` or `\"scalar\"`, see Factors; `optics.shadowing`.
 - `optics.sigma_nm`, `lobe_sigma_nm`, `source_deg`: the coherence that the tables were made for. They hold its blur, the lobe's too:
   nothing of it is left to evaluate.
+- `spectral`: tables of single wavelengths, see the end of this page; absent where there are none.
 - `check_values`: directions and X, Y, Z to test an implementation with, from linear look-ups.
 - `errors`: measured errors of Y against the reference, by cause (`what`) and region, relative to the value itself: quantiles
   `p50`, `p95`, `p99` and `worst` of the `directions` that are brighter than `floor_per_sr`, and `relative_l2` over all
