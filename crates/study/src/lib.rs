@@ -2,11 +2,11 @@
 //!
 //! - [`study`]: every method over its settings on the same scans and directions: error, run time, memory, bytes;
 //! - [`stability`]: stiff and extreme cases, each with a derived bound and shown to need what keeps it;
-//! - [`baselines`]: the older models, fitted to the same scans.
+//! - `baselines`: the older models, fitted to the same scans.
 //!
 //! Pictures and a GPU's clock are lent by whoever can draw: see [`study::SceneSamples`] and [`study::GpuClock`].
 
-pub mod baselines;
+pub(crate) mod baselines;
 pub mod error;
 pub mod stability;
 pub mod study;

@@ -35,7 +35,7 @@ pub enum Part {
 
 /// A window's power at a point, without cancellation however small `s` is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WindowPower {
+pub(crate) struct WindowPower {
     /// `|c G̃|² / A`; 0 where only the diffuse part is asked for.
     pub coherent: f64,
     /// What is left of `|P|² / A`: the diffuse part and its cross term with the coherent one; `|E|² / A` where only the diffuse
@@ -77,7 +77,7 @@ pub fn lines_fetched(counts: &LineCounts, distance: [f64; 2]) -> (f64, usize) {
 impl Spectra {
     /// Calls `found` with the index and the power of each of `count` points, in order: straight from the transforms, the
     /// slow path against which grid and basis are measured. Fast where points that follow each other lie close.
-    pub fn powers(
+    pub(crate) fn powers(
         &self,
         part: Part,
         count: usize,

@@ -43,7 +43,7 @@ pub const PICTURE_STEP: WavenumberStep = WavenumberStep { of_width: 0.7, fewest:
 ///
 /// # Errors
 /// `Error::Call` if the light is invisible.
-pub fn resolving_wavelengths(
+pub(crate) fn resolving_wavelengths(
     optics: &OpticsConfig,
     q: Vec3,
     half_range_nm: f64,

@@ -89,7 +89,7 @@ pub fn brdf_of_window(
 }
 
 /// `∫ S x̄ k² |E|² / (λ² A) dλ` of one window: the diffuse part alone, for several values of `w`.
-pub fn diffuse_power(spectra: &Spectra, quadrature: &SpectralQuadrature, uv: [f64; 2], w: &[f64]) -> Vec<Xyz> {
+pub(crate) fn diffuse_power(spectra: &Spectra, quadrature: &SpectralQuadrature, uv: [f64; 2], w: &[f64]) -> Vec<Xyz> {
     let SpectralQuadrature { wavelengths_nm, weights } = quadrature;
     let mut sums = vec![[0.0; 3]; w.len()];
     let places = |index: usize| (index / w.len(), index % w.len());

@@ -19,7 +19,7 @@ const SPACING_SIGMAS: f64 = 2.0;
 
 /// Most σ from one sample to the next: at four, a lobe's standard deviation `λ/(2√2 πσ)` is 0.9 of all that the sampling
 /// answers for, `λ/2` over the pitch. Beyond, there is nothing to resolve, and every look-up would sum over every line.
-pub const PITCH_SIGMAS_MAX: f64 = 4.0;
+pub(crate) const PITCH_SIGMAS_MAX: f64 = 4.0;
 
 /// How the surface around a window continues.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -139,7 +139,7 @@ pub(crate) fn rms_within_nm(field: &HeightField, placement: Placement, sigma_nm:
 
 /// One axis of a window: its samples' positions and amplitudes. The window is the product of two axes.
 #[derive(Debug, Clone, PartialEq)]
-pub struct WindowAxis {
+pub(crate) struct WindowAxis {
     /// First sample of the scan that lies in the window.
     pub first: usize,
     /// Positions of the samples in nm from the window's centre, ascending for x, descending for y.

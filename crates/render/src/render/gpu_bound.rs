@@ -157,7 +157,7 @@ fn power_values(count: usize, w: f64) -> BasisValues {
 }
 
 /// Relative error of reflectance, geometry and shadowing. The half angle's cosine `c` comes from `1 + wi·wo`, off by `8 u`.
-pub fn front_error(front: &FrontFactor, wi: Vec3, wo: Vec3) -> f64 {
+pub(crate) fn front_error(front: &FrontFactor, wi: Vec3, wo: Vec3) -> f64 {
     let one_plus = (1.0 + dot(wi, wo)).max(f64::MIN_POSITIVE);
     let cosine = cos_half_angle(wi, wo).max(f64::MIN_POSITIVE);
     let cosine_error = 4.0 * U / cosine + 5.0 * ULP;

@@ -19,7 +19,7 @@ use super::surface::{self, Surface};
 use super::{hemisphere, screen, surroundings};
 
 /// Most samples one [`ShadingSamples`] may hold: 1.9 GB.
-pub const SAMPLES_TOTAL_MAX: usize = 1 << 26;
+pub(crate) const SAMPLES_TOTAL_MAX: usize = 1 << 26;
 
 /// The samples of a picture, or of some rows of it, pixel after pixel.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -94,7 +94,7 @@ pub fn pixel_centre(scene: &Scene, row: usize, column: usize) -> [f64; 2] {
 }
 
 /// Width of a pixel in picture coordinates.
-pub fn pixel_width(scene: &Scene) -> f64 {
+pub(crate) fn pixel_width(scene: &Scene) -> f64 {
     2.0 / scene.size_px as f64
 }
 

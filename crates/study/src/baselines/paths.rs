@@ -14,7 +14,7 @@ use diffraction_build::height::HeightField;
 
 /// Sampled paths of one scan.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OpticalPaths {
+pub(crate) struct OpticalPaths {
     /// Where each path meets the surface, in nm from the scan's middle.
     places_nm: Vec<Vec3>,
     sigma_nm: f64,
