@@ -13,7 +13,7 @@
 //! - **t.** `4 - u² - v²` is off by at most `20 u`: `δt = t (10 u / (4 - ρ²) + 8 ulp)`, at most 1. `|T_n'| <= n²` in
 //!   `2t - 1`, hence `δb_n = min(2, 2 n² δt)`, and `2 n² ulp` from the recurrence. For powers of `w` it is
 //!   `(2n + 6) ulp |b_n|`.
-//! - **Front.** `1 + wi·wo` is off by `8 u`, squared in `G`; see [`front_error`] for reflectance and shadowing.
+//! - **Front.** `1 + wi·wo` is off by `8 u`, squared in `G`; see `front_error` for reflectance and shadowing.
 //! - **Summing.** `n` terms in 32 bits: `n u Σ |term|`.
 
 use ndarray::{Array3, Axis};

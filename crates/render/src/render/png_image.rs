@@ -8,7 +8,7 @@ use diffraction_brdf::error::{Error, Result};
 use diffraction_build::ground::colour::NOT_FINITE_RGB8;
 
 /// Colour of heat-map pixels beyond the scale's end; occurs nowhere on the scale.
-pub(crate) const BEYOND_SCALE_RGB8: [u8; 3] = [0, 255, 255];
+pub const BEYOND_SCALE_RGB8: [u8; 3] = [0, 255, 255];
 
 /// Nine equidistant colours of matplotlib's "inferno" (lightness rises steadily; public domain).
 const INFERNO: [[u8; 3]; 9] = [

@@ -16,7 +16,7 @@ use super::samples::{pixel_centre, pixel_width, position};
 use super::surface::{self, Surface, surface};
 
 /// Most surface points: 3 GB.
-pub(crate) const POINTS_MAX: usize = 1 << 26;
+pub const POINTS_MAX: usize = 1 << 26;
 
 /// Surfaces, lights and shadows of a picture.
 #[derive(Debug, Clone, PartialEq)]

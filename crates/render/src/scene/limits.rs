@@ -7,7 +7,7 @@ pub const SIZE_MAX_PX: usize = 8192;
 pub const SAMPLES_MAX: usize = 4096;
 
 /// Most samples in one row of the picture, which is rendered at a time: 117 MB.
-pub(crate) const ROW_SAMPLES_MAX: usize = 1 << 22;
+pub const ROW_SAMPLES_MAX: usize = 1 << 22;
 
 /// Most lights of one scene.
 pub const LIGHTS_MAX: usize = 64;

@@ -19,7 +19,7 @@ use super::surface::{self, Surface};
 use super::{hemisphere, screen, surroundings};
 
 /// Most samples one [`ShadingSamples`] may hold: 1.9 GB.
-pub(crate) const SAMPLES_TOTAL_MAX: usize = 1 << 26;
+pub const SAMPLES_TOTAL_MAX: usize = 1 << 26;
 
 /// The samples of a picture, or of some rows of it, pixel after pixel.
 #[derive(Debug, Clone, PartialEq, Default)]
