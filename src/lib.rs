@@ -29,7 +29,7 @@
 //! use diffraction_brdf::direction::from_angles_deg;
 //! use diffraction_brdf::spectrum::{Illuminant, Line};
 //! use diffraction_build::height::synthesize::{Structure, synthesize};
-//! use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+//! use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 //! use diffraction_build::optics::reference;
 //! use diffraction_brdf::evaluate::{self, Interpolation};
 //! use diffraction_build::tables::input::BuildInput;
@@ -39,17 +39,8 @@
 //! let grating = Structure::Sinusoid { period_nm: 1_600.0, amplitude_nm: 60.0, direction_deg: 0.0 };
 //! let scan = synthesize(&grating, [128, 32], [100.0, 100.0])?;
 //!
-//! let optics = OpticsConfig {
-//!     illuminant: Illuminant::Lines(vec![Line { wavelength_nm: 550.0, power: 1.0 }]),
-//!     wavelength_nm: [380.0, 780.0],
-//!     sigma_nm: 1_500.0,
-//!     lobe_sigma_nm: None,
-//!     edge: Edge::Tile,
-//!     windows: Windows::Grid,
-//!     material: Material::Ideal,
-//!     shadowing: false,
-//!     factor: Factor::Scalar,
-//! };
+//! let laser = Illuminant::Lines(vec![Line { wavelength_nm: 550.0, power: 1.0 }]);
+//! let optics = OpticsConfig::ideal(laser, 1_500.0, Edge::Tile, Windows::Grid);
 //! let config = TablesConfig {
 //!     basis: Basis::Chebyshev,
 //!     tolerance: 1e-4,

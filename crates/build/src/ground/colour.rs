@@ -4,9 +4,9 @@
 //!
 //! 1. XYZ times the exposure, then linear sRGB (Rec. 709 primaries, D65 white; no chromatic
 //!    adaptation, so a scene lit by illuminant A looks as orange as it is).
-//! 2. [`desaturate_into_gamut`]: diffraction makes colours no display can show. Those get the
+//! 2. Desaturation into the gamut: diffraction makes colours no display can show. Those get the
 //!    largest saturation that fits at the same Oklab hue and the same luminance.
-//! 3. [`compress_highlights`]: channels above [`HIGHLIGHT_START`] are rolled off towards 1, again
+//! 3. Compression of highlights: channels above `HIGHLIGHT_START`, 0.8, are rolled off towards 1, again
 //!    at constant hue; very bright colours turn pale as they do on film.
 //! 4. The sRGB transfer function and rounding to 8 bits, without dither.
 //!
@@ -92,7 +92,7 @@ pub(crate) fn srgb_encode(linear: f64) -> f64 {
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055 }
 }
 
-/// Inverse of [`srgb_encode`].
+/// Inverse of sRGB's transfer function.
 pub fn srgb_decode(encoded: f64) -> f64 {
     if encoded <= 0.040_45 { encoded / 12.92 } else { libm::pow((encoded + 0.055) / 1.055, 2.4) }
 }

@@ -76,6 +76,22 @@ pub fn smallest_side_nm(field: &HeightField) -> f64 {
 }
 
 impl OpticsConfig {
+    /// An ideal reflector under the scalar factor, seen at 380 to 780 nm: whatever else it is can be set by struct update,
+    /// `OpticsConfig { material, ..OpticsConfig::ideal(illuminant, sigma_nm, edge, windows) }`.
+    pub fn ideal(illuminant: Illuminant, sigma_nm: f64, edge: Edge, windows: Windows) -> Self {
+        Self {
+            illuminant,
+            wavelength_nm: [380.0, 780.0],
+            sigma_nm,
+            lobe_sigma_nm: None,
+            edge,
+            windows,
+            material: Material::Ideal,
+            shadowing: false,
+            factor: Factor::Scalar,
+        }
+    }
+
     /// Standard deviation in nm of the light's coherence window.
     pub fn lobe_sigma_nm(&self) -> f64 {
         self.lobe_sigma_nm.unwrap_or(self.sigma_nm)

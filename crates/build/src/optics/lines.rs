@@ -219,7 +219,7 @@ fn add_products<const L: usize, const N: usize>(sums: &mut [[f64; L]; N], number
 mod tests {
     use super::*;
     use crate::height::HeightField;
-    use crate::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+    use crate::optics::config::{Edge, OpticsConfig, Windows};
     use crate::optics::spectra::{SpectraConfig, transform};
     use crate::optics::window::Placement;
     use diffraction_brdf::spectrum::Illuminant;
@@ -231,17 +231,7 @@ mod tests {
     fn spectra(placement: Placement) -> Spectra {
         let height = |(row, column): (usize, usize)| ((row * 37 + column * 101 + row * column * 13) % 64) as f64 * 4.0;
         let field = HeightField { heights_nm: Array2::from_shape_fn((20, 24), height), pitch_nm: [110.0, 90.0] };
-        let optics = OpticsConfig {
-            illuminant: Illuminant::E,
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: SIGMA_NM,
-            lobe_sigma_nm: None,
-            edge: Edge::Tile,
-            windows: Windows::Grid,
-            material: Material::Ideal,
-            shadowing: false,
-            factor: Factor::Scalar,
-        };
+        let optics = OpticsConfig::ideal(Illuminant::E, SIGMA_NM, Edge::Tile, Windows::Grid);
         let config = SpectraConfig {
             phase_scale_per_nm: [0.0, 0.033],
             frequency: [[-2e-3, 2e-3]; 2],

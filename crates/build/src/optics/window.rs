@@ -19,7 +19,7 @@ const SPACING_SIGMAS: f64 = 2.0;
 
 /// Most σ from one sample to the next: at four, a lobe's standard deviation `λ/(2√2 πσ)` is 0.9 of all that the sampling
 /// answers for, `λ/2` over the pitch. Beyond, there is nothing to resolve, and every look-up would sum over every line.
-pub(crate) const PITCH_SIGMAS_MAX: f64 = 4.0;
+pub const PITCH_SIGMAS_MAX: f64 = 4.0;
 
 /// How the surface around a window continues.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -227,23 +227,12 @@ fn periodised(x: f64, period: f64, sigma: f64, gaussian: impl Fn(f64) -> f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optics::config::Material;
-    use diffraction_brdf::front_factor::Factor;
+
     use diffraction_brdf::spectrum::Illuminant;
     use ndarray::Array2;
 
     fn optics(sigma_nm: f64, windows: Windows) -> OpticsConfig {
-        OpticsConfig {
-            illuminant: Illuminant::E,
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm,
-            lobe_sigma_nm: None,
-            edge: Edge::Fade,
-            windows,
-            material: Material::Ideal,
-            shadowing: false,
-            factor: Factor::Scalar,
-        }
+        OpticsConfig::ideal(Illuminant::E, sigma_nm, Edge::Fade, windows)
     }
 
     fn field(count: usize, pitch: f64) -> HeightField {

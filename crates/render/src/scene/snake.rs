@@ -1,7 +1,7 @@
 //! A snake: a coiled, tapering body built from rings around a centre line, covered with scales.
 //!
 //! Ground coordinates: X to the right, Y away from the viewer, Z up. The viewer looks down on the coil from
-//! [`ELEVATION_DEG`] above the ground.
+//! `ELEVATION_DEG` above the ground.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;

@@ -100,7 +100,7 @@ mod tests {
     use diffraction_brdf::direction::from_angles_deg;
     use diffraction_brdf::spectrum::{Illuminant, Line};
     use diffraction_build::height::HeightField;
-    use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+    use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
     use diffraction_build::optics::reference;
 
     #[test]
@@ -108,17 +108,12 @@ mod tests {
         let heights_nm =
             ndarray::Array2::from_shape_fn((16, 128), |(_, x)| 60.0 * (TAU * 8.0 * x as f64 / 128.0).sin());
         let field = HeightField { heights_nm, pitch_nm: [100.0, 800.0] };
-        let optics = OpticsConfig {
-            illuminant: Illuminant::Lines(vec![Line { wavelength_nm: 532.0, power: 1.0 }]),
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: 3_000.0,
-            lobe_sigma_nm: None,
-            edge: Edge::Tile,
-            windows: Windows::Grid,
-            material: Material::Ideal,
-            shadowing: false,
-            factor: Factor::Scalar,
-        };
+        let optics = OpticsConfig::ideal(
+            Illuminant::Lines(vec![Line { wavelength_nm: 532.0, power: 1.0 }]),
+            3_000.0,
+            Edge::Tile,
+            Windows::Grid,
+        );
         let model = RegularSurface::fitted(&surface_statistics(std::slice::from_ref(&field)));
         let brdf = |surface: &RegularSurface, wi, wo| {
             let mut xyz = [[0.0; 3]];

@@ -196,9 +196,9 @@ impl LightField {
 mod tests {
     use super::*;
     use crate::baselines::tests::{sinusoid, uneven};
-    use diffraction_brdf::front_factor::Factor;
+
     use diffraction_brdf::spectrum::{Illuminant, Line};
-    use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+    use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
     use diffraction_build::optics::reference;
 
     const SIGMA_NM: f64 = 2_000.0;
@@ -252,17 +252,12 @@ mod tests {
     #[test]
     fn in_the_plane_of_a_grating_the_projection_is_the_direct_sum() {
         let field = uneven();
-        let optics = OpticsConfig {
-            illuminant: Illuminant::Lines(vec![Line { wavelength_nm: NM, power: 1.0 }]),
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: SIGMA_NM,
-            lobe_sigma_nm: None,
-            edge: Edge::Fade,
-            windows: Windows::Centre,
-            material: Material::Ideal,
-            shadowing: false,
-            factor: Factor::Scalar,
-        };
+        let optics = OpticsConfig::ideal(
+            Illuminant::Lines(vec![Line { wavelength_nm: NM, power: 1.0 }]),
+            SIGMA_NM,
+            Edge::Fade,
+            Windows::Centre,
+        );
         let screen = PhaseScreen::along(&field, [1.0, 0.0], SIGMA_NM);
         // Near the orders -2, -1 and 1.
         for sine in [0.57, 0.235, -0.43] {

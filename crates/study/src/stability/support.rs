@@ -15,7 +15,7 @@ use diffraction_brdf::storage::half_scale;
 use diffraction_build::ground::metrics::relative_error_quantiles;
 use diffraction_build::ground::sampling::four;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::optics::reference::brdf_xyz_batch;
 use diffraction_build::tables::build::build;
 use diffraction_build::tables::input::BuildInput;
@@ -67,17 +67,7 @@ pub fn laser(wavelength_nm: f64, sigma_nm: f64) -> OpticsConfig {
 
 /// Daylight on the periodically repeated scan, averaged over all window positions.
 pub fn optics(sigma_nm: f64) -> OpticsConfig {
-    OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm,
-        lobe_sigma_nm: None,
-        edge: Edge::Tile,
-        windows: Windows::Grid,
-        material: Material::Ideal,
-        shadowing: false,
-        factor: Factor::Scalar,
-    }
+    OpticsConfig::ideal(Illuminant::D65, sigma_nm, Edge::Tile, Windows::Grid)
 }
 
 /// Small float tables.
