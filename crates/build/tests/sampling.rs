@@ -1,6 +1,6 @@
-//! Sampling: densities against counts, mean weights against quadrature, reciprocity, and the bound on weights.
+//! Sampling of built tables: densities against counts, mean weights against quadrature, reciprocity, and the bound on weights.
 
-#[path = "tiny_atlas/mod.rs"]
+#[path = "../../brdf/tests/tiny_atlas/mod.rs"]
 mod tiny_atlas;
 
 use std::f64::consts::PI;
