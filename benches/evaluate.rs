@@ -9,7 +9,7 @@ use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{Structure, synthesize};
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::optics::reference;
 use diffraction_build::optics::spectra;
 use diffraction_build::optics::spectral;
@@ -30,17 +30,8 @@ fn surface() -> HeightField {
 
 fn optics() -> OpticsConfig {
     OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm: 2_000.0,
-        lobe_sigma_nm: None,
-        source_deg: None,
-        edge: Edge::Fade,
-        windows: Windows::Centre,
         material: Material::Dielectric { n: 1.56 },
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
+        ..OpticsConfig::ideal(Illuminant::D65, 2_000.0, Edge::Fade, Windows::Centre)
     }
 }
 

@@ -7,7 +7,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{Structure, synthesize};
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::optics::spectra;
 use diffraction_build::tables::accumulate::{PowerSums, Quantity, RingSum, add_ring};
 use diffraction_build::tables::build;
@@ -23,19 +23,10 @@ fn surface() -> HeightField {
 }
 
 fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
+    // The 16 µm tile holds 8 sigma.
     OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        // The 16 µm tile holds 8 sigma.
-        sigma_nm: 2_000.0,
-        lobe_sigma_nm: None,
-        source_deg: None,
-        edge,
-        windows,
         material: Material::Dielectric { n: 1.56 },
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
+        ..OpticsConfig::ideal(Illuminant::D65, 2_000.0, edge, windows)
     }
 }
 

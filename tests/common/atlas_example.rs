@@ -9,24 +9,16 @@ use diffraction_brdf::direction::from_angles_deg;
 use diffraction_brdf::specimen::{CheckValue, SCHEMA};
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_brdf::storage;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, BuildRecord, Lobe, Storage, TableSet};
 use ndarray::Array3;
 use serde_json::json;
 
 fn optics(shadowing: bool) -> OpticsConfig {
     OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm: 16_250.0,
-        lobe_sigma_nm: None,
-        source_deg: None,
-        edge: Edge::Tile,
-        windows: Windows::Grid,
         material: Material::Dielectric { n: 1.56 },
-        dispersion: None,
         shadowing,
-        factor: Factor::Scalar,
+        ..OpticsConfig::ideal(Illuminant::D65, 16_250.0, Edge::Tile, Windows::Grid)
     }
 }
 

@@ -16,7 +16,7 @@ use diffraction_build::accuracy::power_sums::{DirectionalAlbedo, PowerSum};
 use diffraction_build::accuracy::rows::{Cause, ErrorRow};
 use diffraction_build::ground::sampling::Region;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::coverage::budget::Cost;
 use diffraction_build::tables::model::{Basis, BuildRecord, Rounding, Storage};
 use diffraction_render::render::gpu::GpuInfo;
@@ -229,17 +229,8 @@ fn statistics(field: &HeightField, dominant_periods: Vec<Period>) -> Statistics 
 
 fn optics() -> OpticsConfig {
     OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm: 16_250.0,
-        lobe_sigma_nm: None,
-        source_deg: None,
-        edge: Edge::Tile,
-        windows: Windows::Grid,
         material: Material::Dielectric { n: 1.56 },
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
+        ..OpticsConfig::ideal(Illuminant::D65, 16_250.0, Edge::Tile, Windows::Grid)
     }
 }
 

@@ -11,26 +11,14 @@ use diffraction_build::accuracy::reference;
 use diffraction_build::accuracy::rows::{Cause, ErrorRow, error_rows};
 use diffraction_build::ground::sampling::{Region, direction_pairs, near_specular_pairs};
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::tables::build::build;
 use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::TableSet;
 use diffraction_build::tables::plan::plan;
 
 fn daylight() -> OpticsConfig {
-    OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm: 1500.0,
-        lobe_sigma_nm: None,
-        source_deg: None,
-        edge: Edge::Tile,
-        windows: Windows::Grid,
-        material: Material::Ideal,
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
-    }
+    OpticsConfig::ideal(Illuminant::D65, 1500.0, Edge::Tile, Windows::Grid)
 }
 
 fn tables(field: &HeightField) -> TableSet {

@@ -74,7 +74,7 @@ pub struct SpecimenStudy {
     /// Luminance in 1/sr up to which directions are left out of pointwise errors.
     pub floor_per_sr: f64,
     /// What the closed forms were fitted to.
-    pub statistics: SurfaceStatistics,
+    pub(crate) statistics: SurfaceStatistics,
     /// Digits that cancel in the published method's series.
     pub taylor_digits_lost: f64,
     /// Tables that the published method needs for 1e-3.

@@ -80,7 +80,7 @@ pub(crate) enum Method {
 
 /// How values between texels are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum Lookup {
+pub(crate) enum Lookup {
     /// Two by two texels, as graphics hardware does
     Bilinear,
     /// Four by four texels: closest to the scan where the grid is fine enough

@@ -279,19 +279,7 @@ mod tests {
     use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 
     fn optics() -> OpticsConfig {
-        OpticsConfig {
-            illuminant: Illuminant::E,
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: 16_250.0,
-            lobe_sigma_nm: None,
-            source_deg: None,
-            edge: Edge::Tile,
-            windows: Windows::Grid,
-            material: Material::Ideal,
-            dispersion: None,
-            shadowing: false,
-            factor: Factor::Scalar,
-        }
+        OpticsConfig::ideal(Illuminant::E, 16_250.0, Edge::Tile, Windows::Grid)
     }
 
     /// Tables that are linear in u and v, which bilinear interpolation gives back exactly.

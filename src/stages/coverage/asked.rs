@@ -6,7 +6,7 @@ use diffraction_build::tables::model::TablesConfig;
 use diffraction_render::scene::model::Scene;
 
 /// The scenes that a specimen's tables are restricted to, or its shares of them; `None` where they are not.
-pub fn restricted_to(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
+pub(crate) fn restricted_to(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
     let shown = scenes_for(&config.scenes, specimen);
     match &config.cover {
         Cover::All => None,
@@ -16,12 +16,12 @@ pub fn restricted_to(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
 }
 
 /// The scenes that are pictured with a specimen's tables: those they answer.
-pub fn pictured_scenes(config: &RunConfig, specimen: &str) -> Vec<Scene> {
+pub(crate) fn pictured_scenes(config: &RunConfig, specimen: &str) -> Vec<Scene> {
     restricted_to(config, specimen).unwrap_or_else(|| scenes_for(&config.scenes, specimen))
 }
 
 /// What is asked of a specimen's tables: the tolerance of the scene that asks for most where they are restricted to scenes.
-pub fn tables_for(config: &RunConfig, specimen: &str) -> TablesConfig {
+pub(crate) fn tables_for(config: &RunConfig, specimen: &str) -> TablesConfig {
     let tolerance = |scene: Scene| scene.tolerance.unwrap_or(config.tables.tolerance);
     let strictest =
         restricted_to(config, specimen).and_then(|scenes| scenes.into_iter().map(tolerance).reduce(f64::min));
@@ -29,7 +29,7 @@ pub fn tables_for(config: &RunConfig, specimen: &str) -> TablesConfig {
 }
 
 /// Whether anything is asked of a specimen: always, unless tables are restricted to scenes and none of them shows it.
-pub fn is_asked_for(config: &RunConfig, specimen: &str) -> bool {
+pub(crate) fn is_asked_for(config: &RunConfig, specimen: &str) -> bool {
     restricted_to(config, specimen).is_none_or(|scenes| !scenes.is_empty())
 }
 

@@ -22,7 +22,7 @@ use diffraction_render::scene::samples::ShadingSamples;
 pub struct ReferenceForecast {
     /// Pairs of directions of all pictures: those that a run evaluates.
     pub picture_pairs: u64,
-    /// Pairs on which errors are counted, where as many are lit as are asked for.
+    /// Pairs on which errors are counted, where as many are above the luminance floor as are asked for.
     pub error_pairs: u64,
     /// Pairs times wavelengths times windows.
     pub evaluations: f64,

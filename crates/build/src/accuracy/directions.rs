@@ -36,7 +36,7 @@ pub const FLOOR_SHARE: f64 = 1e-2;
 
 /// Share of the brightest directions' luminance up to which they are left out as well: a grating has a few orders, and
 /// between them a relative error says nothing.
-pub const FLOOR_SHARE_BRIGHT: f64 = 1e-3;
+pub(crate) const FLOOR_SHARE_BRIGHT: f64 = 1e-3;
 
 /// Share of the directions that are no brighter than what counts as bright.
 const BRIGHT: f64 = 0.98;

@@ -178,17 +178,9 @@ mod tests {
     /// Small tables of a scan as the manifest's defaults have them, but for the size.
     fn tables(field: &HeightField, material: Material) -> TableSet {
         let optics = OpticsConfig {
-            illuminant: Illuminant::D65,
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: 4_000.0,
-            lobe_sigma_nm: None,
-            source_deg: None,
-            edge: Edge::Auto,
-            windows: Windows::Grid,
             material,
-            dispersion: None,
-            shadowing: false,
             factor: Factor::Vector,
+            ..OpticsConfig::ideal(Illuminant::D65, 4_000.0, Edge::Auto, Windows::Grid)
         };
         let fields = std::slice::from_ref(field);
         let optics = optics.for_scans(fields);

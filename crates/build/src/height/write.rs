@@ -29,7 +29,7 @@ pub fn write_scan_tiff(path: &Path, field: &HeightField) -> Result<()> {
 ///
 /// # Errors
 /// As [`write_scan_tiff`], without [`Error::Disk`].
-pub fn scan_tiff(path: &Path, field: &HeightField) -> Result<Vec<u8>> {
+pub(crate) fn scan_tiff(path: &Path, field: &HeightField) -> Result<Vec<u8>> {
     let refuse = |what: String, fix: &str| Err(Error::limit(format!("{}: {what}", path.display()), fix));
     let [nx, ny] = field.size();
     let (Ok(width), Ok(height)) = (u32::try_from(nx), u32::try_from(ny)) else {

@@ -86,6 +86,24 @@ pub fn smallest_side_nm(field: &HeightField) -> f64 {
 }
 
 impl OpticsConfig {
+    /// An ideal reflector under the scalar factor, seen at 380 to 780 nm: whatever else it is can be set by struct update,
+    /// `OpticsConfig { material, ..OpticsConfig::ideal(illuminant, sigma_nm, edge, windows) }`.
+    pub fn ideal(illuminant: Illuminant, sigma_nm: f64, edge: Edge, windows: Windows) -> Self {
+        Self {
+            illuminant,
+            wavelength_nm: [380.0, 780.0],
+            sigma_nm,
+            lobe_sigma_nm: None,
+            source_deg: None,
+            edge,
+            windows,
+            material: Material::Ideal,
+            dispersion: None,
+            shadowing: false,
+            factor: Factor::Scalar,
+        }
+    }
+
     /// Standard deviation in nm of the light's coherence window; under a source of fixed size the largest over its
     /// wavelengths.
     pub fn lobe_sigma_nm(&self) -> f64 {

@@ -34,7 +34,7 @@ pub enum Kernel {
 
 /// The taps that interpolate a list of frequencies along one axis.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Taps {
+pub(crate) struct Taps {
     /// Taps per frequency.
     pub count: usize,
     /// Grid line of the first tap of each frequency.
@@ -142,7 +142,7 @@ impl Kernel {
     }
 
     /// Taps for a list of frequencies (1/nm) on lines `step` apart.
-    pub fn taps(&self, frequencies: &[f64], step: f64, box_width: f64) -> Taps {
+    pub(crate) fn taps(&self, frequencies: &[f64], step: f64, box_width: f64) -> Taps {
         let half = self.half_width(step, box_width) / step;
         // Half-open: at most this many lines lie within one kernel width.
         let count = (2.0 * half).ceil().max(1.0) as usize;

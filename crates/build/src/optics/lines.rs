@@ -38,7 +38,7 @@ pub enum Part {
 
 /// A window's power at a point, without cancellation however small `s` is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WindowPower {
+pub(crate) struct WindowPower {
     /// `|c G̃|² / A`; 0 where only the diffuse part is asked for.
     pub coherent: f64,
     /// What is left of `|P|² / A`: the diffuse part and its cross term with the coherent one; `|E|² / A` where only the diffuse
@@ -80,7 +80,7 @@ pub fn lines_fetched(counts: &LineCounts, distance: [f64; 2]) -> (f64, usize) {
 impl Spectra {
     /// Calls `found` with the index and the power of each of `count` points, in order: straight from the transforms, the
     /// slow path against which grid and basis are measured. Fast where points that follow each other lie close.
-    pub fn powers(
+    pub(crate) fn powers(
         &self,
         part: Part,
         count: usize,
@@ -231,7 +231,7 @@ fn add_products<const L: usize, const N: usize>(sums: &mut [[f64; L]; N], number
 mod tests {
     use super::*;
     use crate::height::HeightField;
-    use crate::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+    use crate::optics::config::{Edge, OpticsConfig, Windows};
     use crate::optics::spectra::{SpectraConfig, transform};
     use crate::optics::window::Placement;
     use diffraction_brdf::spectrum::Illuminant;
@@ -244,19 +244,7 @@ mod tests {
     fn spectra(placement: Placement) -> Spectra {
         let height = |(row, column): (usize, usize)| ((row * 37 + column * 101 + row * column * 13) % 64) as f64 * 4.0;
         let field = HeightField { heights_nm: Array2::from_shape_fn((20, 24), height), pitch_nm: [110.0, 90.0] };
-        let optics = OpticsConfig {
-            illuminant: Illuminant::E,
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: SIGMA_NM,
-            lobe_sigma_nm: None,
-            source_deg: None,
-            edge: Edge::Tile,
-            windows: Windows::Grid,
-            material: Material::Ideal,
-            dispersion: None,
-            shadowing: false,
-            factor: Factor::Scalar,
-        };
+        let optics = OpticsConfig::ideal(Illuminant::E, SIGMA_NM, Edge::Tile, Windows::Grid);
         let config = SpectraConfig {
             phase_scale_per_nm: [0.0, 0.033],
             frequency: [[-2e-3, 2e-3]; 2],

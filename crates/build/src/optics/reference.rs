@@ -44,7 +44,7 @@ pub const PICTURE_STEP: WavenumberStep = WavenumberStep { of_width: 0.7, fewest:
 ///
 /// # Errors
 /// `Error::Call` if the light is invisible.
-pub fn resolving_wavelengths(
+pub(crate) fn resolving_wavelengths(
     optics: &OpticsConfig,
     q: Vec3,
     half_range_nm: f64,
@@ -53,7 +53,7 @@ pub fn resolving_wavelengths(
     uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, resolving_count(optics, q, half_range_nm, step))
 }
 
-/// How many wavelengths [`resolving_wavelengths`] gives. Rounded up to five binary digits: directions share
+/// How many wavelengths, evenly spread in `1/λ`, resolve the spectrum of a pair of directions. Rounded up to five binary digits: directions share
 /// few numbers then, and with them the quadratures, whose weights cost more than the sums they weigh.
 ///
 /// As a function of `1/λ`, `|P|²` consists of waves at the lags `ρ Δx + |w| Δh` between two points of the surface. The
@@ -496,8 +496,8 @@ impl Phasors {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optics::config::{Edge, Material, Windows};
-    use diffraction_brdf::front_factor::Factor;
+    use crate::optics::config::{Edge, Windows};
+
     use diffraction_brdf::spectrum::{SpectralQuadrature, uniform_wavelengths};
     use std::f64::consts::SQRT_2;
 
@@ -528,19 +528,7 @@ mod tests {
     #[test]
     fn one_line_errs_by_no_more_than_the_steps_say() {
         for illuminant in [Illuminant::D65, Illuminant::F(11)] {
-            let optics = OpticsConfig {
-                illuminant,
-                wavelength_nm: [380.0, 780.0],
-                sigma_nm: 8_000.0,
-                lobe_sigma_nm: None,
-                source_deg: None,
-                edge: Edge::Tile,
-                windows: Windows::Grid,
-                material: Material::Ideal,
-                dispersion: None,
-                shadowing: false,
-                factor: Factor::Scalar,
-            };
+            let optics = OpticsConfig::ideal(illuminant, 8_000.0, Edge::Tile, Windows::Grid);
             // The kinks of a lamp are sharper than daylight's.
             let in_pictures = if optics.illuminant == Illuminant::D65 { 1e-4 } else { 4e-4 };
             for (step, most) in [(FULL_STEP, 2e-6), (PICTURE_STEP, in_pictures)] {

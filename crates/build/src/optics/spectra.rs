@@ -75,7 +75,7 @@ pub struct Spectra {
     /// Whether the lines' powers are averaged over all window positions.
     pub mean_power: bool,
     /// The window along x and y.
-    pub axes: [WindowAxis; 2],
+    pub(crate) axes: [WindowAxis; 2],
 }
 
 /// Share of its peak at which the lobe ends: where its table does.

@@ -154,7 +154,7 @@ pub(crate) fn rms_within_nm(field: &HeightField, placement: Placement, sigma_nm:
 
 /// One axis of a window: its samples' positions and amplitudes. The window is the product of two axes.
 #[derive(Debug, Clone, PartialEq)]
-pub struct WindowAxis {
+pub(crate) struct WindowAxis {
     /// First sample of the scan that lies in the window.
     pub first: usize,
     /// Positions of the samples in nm from the window's centre, ascending for x, descending for y.
@@ -242,25 +242,12 @@ fn periodised(x: f64, period: f64, sigma: f64, gaussian: impl Fn(f64) -> f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optics::config::Material;
-    use diffraction_brdf::front_factor::Factor;
+
     use diffraction_brdf::spectrum::Illuminant;
     use ndarray::Array2;
 
     fn optics(sigma_nm: f64, windows: Windows) -> OpticsConfig {
-        OpticsConfig {
-            illuminant: Illuminant::E,
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm,
-            lobe_sigma_nm: None,
-            source_deg: None,
-            edge: Edge::Fade,
-            windows,
-            material: Material::Ideal,
-            dispersion: None,
-            shadowing: false,
-            factor: Factor::Scalar,
-        }
+        OpticsConfig::ideal(Illuminant::E, sigma_nm, Edge::Fade, windows)
     }
 
     fn field(count: usize, pitch: f64) -> HeightField {

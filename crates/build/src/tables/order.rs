@@ -97,7 +97,7 @@ impl OrderEstimator {
 
     /// The smallest number of patches of the cross term, which keep the whole reach whatever is covered: as many as tables
     /// of the lobe's texels would need for every direction.
-    pub fn cross_patches(spectra: &Spectra, plan: &BuildPlan, tolerance: f64) -> usize {
+    pub(crate) fn cross_patches(spectra: &Spectra, plan: &BuildPlan, tolerance: f64) -> usize {
         let whole = [0.0, max_abs_w(0.0)];
         let innermost = plan.rings.iter().min_by(|a, b| a.radius[0].total_cmp(&b.radius[0]));
         let of_texel = |uv: [f64; 2]| {
@@ -116,7 +116,7 @@ impl OrderEstimator {
 
     /// The first of these numbers of nodes over an interval of `|w|` with which the ranges that texels of a ring have in it
     /// err by no more than a share of the tolerance; the last where none does.
-    pub fn ring_nodes(&self, ring: &Ring, interval: [f64; 2], share: f64, counts: Counts) -> usize {
+    pub(crate) fn ring_nodes(&self, ring: &Ring, interval: [f64; 2], share: f64, counts: Counts) -> usize {
         let inside = |p: &Polynomial| p.ring_radius == ring.radius;
         // A ring without a tried texel is as the others are, each around its own range.
         let any = self.groups.iter().flatten().any(inside);

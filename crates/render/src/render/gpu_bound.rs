@@ -13,7 +13,7 @@
 //! - **t.** `4 - u² - v²` is off by at most `20 u`: `δt = t (10 u / (4 - ρ²) + 8 ulp)`, at most 1. `|T_n'| <= n²` in
 //!   `2t - 1`, hence `δb_n = min(2, 2 n² δt)`, and `2 n² ulp` from the recurrence. For powers of `w` it is
 //!   `(2n + 6) ulp |b_n|`.
-//! - **Front.** `1 + wi·wo` is off by `8 u`, squared in `G`; see [`front_error`] for reflectance and shadowing.
+//! - **Front.** `1 + wi·wo` is off by `8 u`, squared in `G`; see `front_error` for reflectance and shadowing.
 //! - **Summing.** `n` terms in 32 bits: `n u Σ |term|`.
 
 use ndarray::{Array3, Axis};
@@ -157,7 +157,7 @@ fn power_values(count: usize, w: f64) -> BasisValues {
 }
 
 /// Relative error of reflectance, geometry and shadowing. The half angle's cosine `c` comes from `1 + wi·wo`, off by `8 u`.
-pub fn front_error(front: &FrontFactor, wi: Vec3, wo: Vec3) -> f64 {
+pub(crate) fn front_error(front: &FrontFactor, wi: Vec3, wo: Vec3) -> f64 {
     let one_plus = (1.0 + dot(wi, wo)).max(f64::MIN_POSITIVE);
     let cosine = cos_half_angle(wi, wo).max(f64::MIN_POSITIVE);
     let cosine_error = 4.0 * U / cosine + 5.0 * ULP;

@@ -10,11 +10,11 @@ const FRAME: &str = include_str!("shaders/frame.wgsl");
 const MATERIAL: &str = include_str!("shaders/material.wgsl");
 
 /// Compute entry point of [`check`]: one invocation per run of samples.
-pub const SHADE_RUNS: &str = "shade_runs";
+pub(crate) const SHADE_RUNS: &str = "shade_runs";
 /// Vertex entry point of [`frame`].
-pub const FULL_SCREEN: &str = "full_screen";
+pub(crate) const FULL_SCREEN: &str = "full_screen";
 /// Fragment entry point of [`frame`].
-pub const SHADE_SURFACES: &str = "shade_surfaces";
+pub(crate) const SHADE_SURFACES: &str = "shade_surfaces";
 /// Fragment entry point of [`material`].
 pub const SHADE_MATERIAL: &str = "shade_material";
 

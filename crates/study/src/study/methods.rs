@@ -92,7 +92,7 @@ pub struct Rows {
 }
 
 /// What a row is about.
-pub struct Label<'a> {
+pub(crate) struct Label<'a> {
     method: &'a str,
     setting: String,
     tables: Option<(Basis, Storage)>,
@@ -101,7 +101,7 @@ pub struct Label<'a> {
 
 impl<'a> Label<'a> {
     /// Of a method that keeps other numbers than tables, so many bytes.
-    pub fn without_tables(method: &'a str, setting: String, bytes: usize) -> Self {
+    pub(crate) fn without_tables(method: &'a str, setting: String, bytes: usize) -> Self {
         Self { method, setting, tables: None, stored_bytes: bytes as u64 }
     }
 }
@@ -305,7 +305,7 @@ impl Context<'_> {
     }
 
     /// The directions on which evaluation is timed.
-    pub fn timed_pairs(&self) -> Vec<Pair> {
+    pub(crate) fn timed_pairs(&self) -> Vec<Pair> {
         direction_pairs(Region::Hemisphere, self.config.timed_directions)
     }
 

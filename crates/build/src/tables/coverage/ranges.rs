@@ -193,7 +193,7 @@ impl Coverage {
     }
 
     /// Range of `|w|` at the texel nearest to `(u, v)`; `None` where it is not covered.
-    pub fn abs_w_near(&self, uv: [f64; 2]) -> Option<[f64; 2]> {
+    pub(crate) fn abs_w_near(&self, uv: [f64; 2]) -> Option<[f64; 2]> {
         let index = self.grid.nearest(uv)?;
         let [row, column] = [index / self.grid.size, index % self.grid.size];
         self.covers(row, column).then(|| self.abs_w_at(row, column, self.range(row, column)))

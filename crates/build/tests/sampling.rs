@@ -1,6 +1,6 @@
-//! Sampling: densities against counts, mean weights against quadrature, reciprocity, and the bound on weights.
+//! Sampling of built tables: densities against counts, mean weights against quadrature, reciprocity, and the bound on weights.
 
-#[path = "tiny_atlas/mod.rs"]
+#[path = "../../brdf/tests/tiny_atlas/mod.rs"]
 mod tiny_atlas;
 
 use std::f64::consts::PI;
@@ -36,19 +36,7 @@ fn built(name: &str, material: Material, level: Level, blend_nm: Option<f64>) ->
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../specimens/{name}.tif"));
     let scan = read_scan(&path, &ReadConfig::default()).unwrap();
     let (field, _) = prepare(&scan.field, &PrepareConfig { level, despike: None, blend_nm }).unwrap();
-    let optics = OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm: 1_500.0,
-        lobe_sigma_nm: None,
-        source_deg: None,
-        edge: Edge::Tile,
-        windows: Windows::Grid,
-        material,
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
-    };
+    let optics = OpticsConfig { material, ..OpticsConfig::ideal(Illuminant::D65, 1_500.0, Edge::Tile, Windows::Grid) };
     let config = TablesConfig {
         basis: Basis::Chebyshev,
         tolerance: 1e-2,
