@@ -56,6 +56,7 @@ mod brdf;
 pub mod chebyshev;
 mod cie_data;
 pub mod direction;
+pub mod energy;
 pub mod error;
 pub mod evaluate;
 mod exr_header;
@@ -75,6 +76,7 @@ pub mod table_set;
 
 pub use brdf::{Brdf, Sample};
 pub use direction::{Vec3, Xyz};
+pub use energy::EnergyLimit;
 pub use error::{Error, Result};
 pub use evaluate::Interpolation;
 pub use front_factor::{Factor, FrontFactor};
