@@ -16,6 +16,8 @@ Parameters:
   without texture coordinates has no such direction: give it some.
 - `scale`: a factor on the BRDF, 1 by default.
 - `look_up`: "linear" (default) between texels as graphics hardware, or "cubic", slower and more accurate.
+- `energy_limit`: false by default; true keeps every direction from reflecting more than arrives, which ideal reflectors and the
+  scalar factor do at grazing angles. Surfaces that never do stay as they are.
 - `colours`: "srgb" (default) gives linear sRGB; "xyz" gives CIE XYZ in the three channels, see below.
 
 Light. The tables hold XYZ with the colour of their illuminant (`optics.illuminant` in specimen.json, usually D65) in
@@ -61,6 +63,8 @@ TABLE_SHARE = 0.85
 LOBE_SHARE = (0.05, 0.95)
 # Values of t over which the tables are averaged to sample (u, v).
 SAMPLED_T = 8
+# Entries of the energy limit over the root of the cosine.
+LIMIT_NODES = 1025
 # As the program's own shader: how far `t` may leave the covered range by rounding.
 RANGE_SLACK = 0.02
 
@@ -163,11 +167,15 @@ class Diffraction(mi.BSDF):
         self.scale = float(props.get("scale", 1.0))
         self.turn = math.radians(float(props.get("turn_deg", 0.0)))
         self.cubic = {"linear": False, "cubic": True}[choice(props, "look_up", ("linear", "cubic"))]
+        self.is_limited = bool(props.get("energy_limit", False))
         self.as_xyz = choice(props, "colours", ("srgb", "xyz")) == "xyz"
 
         about = json.loads((self.folder / "specimen.json").read_text())
         self.read_optics(about["optics"])
         self.read_tables(about["tables"])
+        self.limit = None
+        if self.is_limited and about.get("energy_limit"):
+            self.limit = limit_by_root(about["energy_limit"])
         reflection = mi.BSDFFlags.GlossyReflection | mi.BSDFFlags.FrontSide | mi.BSDFFlags.Anisotropic
         self.m_components = [reflection]
         self.m_flags = reflection
@@ -246,7 +254,15 @@ class Diffraction(mi.BSDF):
             shadowing = dr.minimum(1, 2 * m.z / dr.dot(wo, m) * dr.minimum(wi.z, wo.z))
             front, coherent = front * shadowing, coherent * shadowing
         value = front * self.diffuse(-(wi + wo), active) + coherent * self.lobe(wi, wo, active)
+        if self.limit is not None:
+            value = value / dr.maximum(1, dr.maximum(self.albedo(wi.z, active), self.albedo(wo.z, active)))
         return dr.select(active, value, 0.0)
+
+    def albedo(self, cos_theta, active):
+        """The largest directional albedo over azimuths."""
+        first, weights = stencil(dr.safe_sqrt(cos_theta) * (LIMIT_NODES - 1), LIMIT_NODES, False)
+        product = sum(weight * dr.gather(mi.Float, self.limit, first + n, active) for n, weight in enumerate(weights))
+        return product / dr.maximum(cos_theta, 1e-9)
 
     def polarised_sum(self, wi, wo):
         """`Q_ss + Q_sp + Q_ps + Q_pp` of first-order vector perturbation; the azimuth is 0 on the mirror's side."""
@@ -429,6 +445,13 @@ class Diffraction(mi.BSDF):
 
     def to_string(self):
         return f"Diffraction[\n  folder = {self.folder},\n  scale = {self.scale}\n]"
+
+
+def limit_by_root(stored):
+    """`albedo cos_theta` of an energy limit, at even steps of the root of the cosine."""
+    cos_theta, albedo = (np.array(stored[key]) for key in ("cos_theta", "albedo"))
+    places = np.linspace(0.0, 1.0, LIMIT_NODES) ** 2
+    return mi.Float(np.interp(places, cos_theta, albedo * cos_theta).astype(np.float32))
 
 
 def choice(props, key, allowed):

@@ -45,7 +45,7 @@ fn a_source_of_fixed_size_is_built_told_and_verified() {
     assert!(place.call("plan m.toml").ended(0).stdout.contains("1.633 µm at 633 nm"));
     let refused = place.call("study m.toml --specimen rough --out study");
     if !refused.stderr.contains("no study") {
-        assert!(refused.status != 0 && refused.stderr.contains("source of fixed size"), "{}", refused.stderr);
+        assert!(refused.status == 2 && refused.stderr.contains("source of fixed size"), "{}", refused.stderr);
     }
 }
 

@@ -12,6 +12,7 @@ mod scan_files;
 
 mod cache;
 mod damage;
+mod energy;
 mod evaluation;
 mod extremes;
 mod faults;

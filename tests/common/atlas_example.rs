@@ -94,6 +94,7 @@ pub fn write_specimen(version: &Path, name: &str, set: &TableSet, storage: Stora
         tables: stored,
         errors: json!({"basis": {"p95": 1.2e-4}}),
         albedo: Vec::new(),
+        energy_limit: None,
         check_values: check_values(&rounded, 3),
         warnings: vec!["Made up.".to_owned()],
     };

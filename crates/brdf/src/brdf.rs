@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use crate::direction::{Vec3, Xyz};
+use crate::energy::EnergyLimit;
 use crate::error::{Error, Result};
 use crate::evaluate::{self, Interpolation};
 use crate::sampling::Sampler;
@@ -24,6 +25,8 @@ pub struct Brdf {
     spectral: Option<SpectralTables>,
     interpolation: Interpolation,
     check_values: Vec<CheckValue>,
+    energy_limit: Option<EnergyLimit>,
+    is_limited: bool,
     sampler: OnceLock<Sampler>,
 }
 
@@ -65,7 +68,15 @@ impl Brdf {
     pub fn new(tables: TableSet) -> Result<Self> {
         tables.check().map_err(|what| Error::Call(format!("a table set cannot be evaluated: {what}")))?;
         let sampler = OnceLock::new();
-        Ok(Self { tables, spectral: None, interpolation: Interpolation::Bilinear, check_values: Vec::new(), sampler })
+        Ok(Self {
+            tables,
+            spectral: None,
+            interpolation: Interpolation::Bilinear,
+            check_values: Vec::new(),
+            energy_limit: None,
+            is_limited: false,
+            sampler,
+        })
     }
 
     /// Reads the tables beside `specimen.json`.
@@ -77,6 +88,8 @@ impl Brdf {
             spectral: spectral.map(|stored| read_spectral(folder, stored, record.front_factor)).transpose()?,
             interpolation: Interpolation::Bilinear,
             check_values: record.check_values,
+            energy_limit: record.energy_limit,
+            is_limited: false,
             sampler: OnceLock::new(),
         })
     }
@@ -99,12 +112,49 @@ impl Brdf {
         Self { interpolation, ..self }
     }
 
+    /// The same BRDF divided by `max(1, albedo(wi), albedo(wo))`, for path tracers: no direction reflects more than arrives, and
+    /// it stays reciprocal ([`EnergyLimit`]). `sample` draws as before, with weights that are that much smaller.
+    ///
+    /// The scalar factor and ideal reflectors have no bound at grazing angles. Tables that show it come with a limit; others,
+    /// and those made in memory, with none, and are what they were, bit for bit. The limit is of luminance, to about 1 %; it
+    /// darkens every azimuth by what the brightest needs. Off by default: values then are those of the model.
+    ///
+    /// ```
+    /// # mod tiny { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tiny_atlas/mod.rs")); }
+    /// use diffraction_brdf::{Brdf, EnergyLimit};
+    /// # let tables = tiny::tiny_tables();
+    /// let limit = EnergyLimit::new(vec![0.1, 1.0], vec![4.0, 0.4]).unwrap();
+    /// let free = Brdf::new(tables)?.with_limit(limit);
+    /// let limited = free.clone().with_energy_limit();
+    /// let [low, up] = [[0.99498743710662, 0.0, 0.1], [0.0, 0.0, 1.0]];
+    /// assert!((limited.eval(low, up)[1] / free.eval(low, up)[1] - 0.25).abs() < 1e-9);
+    /// assert_eq!(limited.eval(up, up), free.eval(up, up));
+    /// # Ok::<(), diffraction_brdf::Error>(())
+    /// ```
+    pub fn with_energy_limit(self) -> Self {
+        Self { is_limited: true, ..self }
+    }
+
+    /// The same BRDF with another limit for [`Self::with_energy_limit`], such as for tables made in memory.
+    pub fn with_limit(self, limit: EnergyLimit) -> Self {
+        Self { energy_limit: Some(limit), ..self }
+    }
+
+    /// The limit that came with the tables, whether it is switched on or not; `None` where nothing needs one.
+    pub fn energy_limit(&self) -> Option<&EnergyLimit> {
+        self.energy_limit.as_ref()
+    }
+
     /// XYZ of the BRDF in 1/sr for unit vectors to the light and to the viewer; the cosine is not in it.
     ///
     /// Zero for directions that are not above the surface, not a number where the tables have no answer ([`Self::answers`]).
     /// Values may be slightly negative where the tables are.
     pub fn eval(&self, wi: Vec3, wo: Vec3) -> Xyz {
-        evaluate::brdf_xyz(&self.tables, self.interpolation, wi, wo)
+        let xyz = evaluate::brdf_xyz(&self.tables, self.interpolation, wi, wo);
+        match self.energy_limit.as_ref().filter(|_| self.is_limited) {
+            None => xyz,
+            Some(limit) => xyz.map(|value| value * limit.factor(wi, wo)),
+        }
     }
 
     /// [`Self::eval`] for slices of directions, on all threads with the feature `rayon`.

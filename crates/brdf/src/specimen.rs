@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::direction::{Vec3, Xyz};
+use crate::energy::EnergyLimit;
 use crate::error::{Error, Result};
 use crate::front_factor::FrontFactor;
 use crate::json;
@@ -56,6 +57,9 @@ pub struct SpecimenRecord {
     /// The files of its spectral tables; absent where the atlas holds none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spectral: Option<StoredSpectral>,
+    /// What keeps the surface from reflecting more than arrives, where it would.
+    #[serde(default)]
+    pub energy_limit: Option<EnergyLimit>,
     /// Directions with values, for testing a reader.
     pub check_values: Vec<CheckValue>,
     /// Doubts in whole sentences.

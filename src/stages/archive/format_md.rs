@@ -72,6 +72,10 @@ specimen stand in its `specimen.json`, and each EXR header repeats what concerns
   evaluated, `missed_directions` are brighter than the floor. `null` where nothing is lit.
 - `albedo`: share of the arriving light of Y that is reflected, for light from the azimuth 0 at each `theta_i_deg`. Above 1, which
   ideal reflectors and the scalar factor can reach, a path tracer has to limit it; left out where tables serve certain scenes alone.
+- `energy_limit`, where something reflects more than arrives: the same, the largest over azimuths, as `albedo` at each of `cos_theta`.
+  A path tracer may divide `f` by `max(1, a(wi_z), a(wo_z))`, with `a(z) = p(z) / z` and `p` the values `albedo cos_theta`,
+  linear between the nodes and constant beyond them: reciprocal, and nothing then reflects more than 1 % above what arrives. Check
+  values and the worked number are without it.
 
 `scenes/` in a specimen's folder holds the pictures the tables were checked by, and `scenes/` beside `atlas.json`, where there
 is one, those of scenes that show several specimens; both are for looking at.

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use diffraction_brdf::energy::EnergyLimit;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::json;
 use diffraction_brdf::specimen::{self, CheckValue, FILE};
@@ -46,6 +47,9 @@ pub struct SpecimenFile {
     /// Share of the arriving light that is reflected, by angle of incidence; empty where the tables are restricted to scenes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub albedo: Vec<DirectionalAlbedo>,
+    /// Largest albedo over azimuths, by which path tracers divide; `None` where nothing reflects more than arrives.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub energy_limit: Option<EnergyLimit>,
     /// Directions with values, for testing a reader.
     pub check_values: Vec<CheckValue>,
     /// Doubts in whole sentences.

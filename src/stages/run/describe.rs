@@ -105,7 +105,7 @@ fn warnings(ingested: &Ingested, planned: &Planned, measured: &Measured) -> Vec<
     let mut warnings = table_warnings(set, files, &ingested.tables, planned.plan.texels.grid.texel());
     warnings.extend(scan_warnings(&ingested.scans, optics));
     warnings.extend(scenes::warnings(&scenes, optics));
-    warnings.extend(too_bright(&measured.reflected.albedo));
+    warnings.extend(too_bright(&measured.reflected.albedo, measured.energy_limit.as_ref()));
     warnings.extend(rows::broken_tolerances(&measured.errors, ingested.tables.tolerance));
     warnings
 }
@@ -162,6 +162,7 @@ fn specimen_json(
         spectral: spectral.cloned(),
         errors: to_value(&measured.errors),
         albedo: measured.reflected.albedo.clone(),
+        energy_limit: measured.energy_limit.clone(),
         check_values: check_values(set, &measured.counted),
         warnings: warnings.to_vec(),
     }

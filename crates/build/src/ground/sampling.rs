@@ -156,6 +156,6 @@ mod tests {
             };
             near_specular_pairs(within_deg, 0..2000).into_iter().map(offset).fold(0.0, f64::max)
         };
-        assert!(farthest(5.0) < 0.13 && farthest(20.0) > 0.4 && farthest(90.0) > 1.5);
+        assert!(farthest(5.0) < 0.13 && farthest(20.0) > 0.3 && farthest(90.0) > 1.2);
     }
 }

@@ -21,11 +21,21 @@ pub(crate) fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
     if let Some(unknown) = args.specimen.iter().find(|name| manifest.specimens.iter().all(|s| s.name != **name)) {
         return Err(Error::Call(format!("{}: no specimen is called `{unknown}`", args.manifest.display())).into());
     }
+    let is_chosen = |s: &&SpecimenConfig| args.specimen.is_empty() || args.specimen.contains(&s.name);
+    if let Some(specimen) = manifest.specimens.iter().filter(is_chosen).find(|s| s.optics.source_deg.is_some()) {
+        return Err(Error::Call(format!(
+            "{}: specimen \"{}\" has coherence.source_deg, a source of fixed size, and the models that a study compares know one \
+             coherence for all wavelengths: give sigma_um for the study, or choose others with --specimen",
+            args.manifest.display(),
+            specimen.name
+        ))
+        .into());
+    }
     let progress = reporter(global.quiet);
     let config = if args.thorough { StudyConfig::thorough() } else { StudyConfig::quick() };
     let mut failures = Vec::new();
     let mut specimens = Vec::new();
-    for given in manifest.specimens.iter().filter(|s| args.specimen.is_empty() || args.specimen.contains(&s.name)) {
+    for given in manifest.specimens.iter().filter(is_chosen) {
         match specimen(given, &manifest.scenes, &config) {
             Ok(specimen) => specimens.push(specimen),
             Err(error) => failures.push(format!("{}: {error}", given.name)),
@@ -53,13 +63,6 @@ pub(crate) fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
 fn specimen(given: &SpecimenConfig, scenes: &[Scene], config: &StudyConfig) -> Result<StudySpecimen> {
     let shows = |scene: &&Scene| scene.specimen.as_ref().is_none_or(|name| *name == given.name);
     let sampled = |scene| Ok(Box::new(drawn(scene, config.picture_samples)?) as Box<dyn SceneSamples>);
-    if given.optics.source_deg.is_some() {
-        return Err(Error::limit(
-            "the models that a study compares know one coherence for all wavelengths, not a source of fixed size",
-            "give coherence.sigma_um in place of source_deg for the study",
-        )
-        .into());
-    }
     let Scans { fields, optics, .. } = ingest(given)?;
     Ok(StudySpecimen {
         name: given.name.clone(),
