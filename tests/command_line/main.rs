@@ -20,6 +20,7 @@ mod general;
 mod interruption;
 mod manifest_errors;
 mod manifest_values;
+mod materials;
 mod measured;
 mod meshes;
 mod moving;
