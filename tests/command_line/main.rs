@@ -22,6 +22,7 @@ mod interruption;
 mod lights;
 mod manifest_errors;
 mod manifest_values;
+mod materials;
 mod measured;
 mod meshes;
 mod moving;

@@ -10,6 +10,7 @@ use diffraction_brdf::spectrum::{Illuminant, Line};
 use diffraction_build::height::prepare::Level;
 use diffraction_build::height::read::{HeightScale, LengthUnit};
 use diffraction_build::optics::config::{Edge, Factor, Material, Windows};
+use diffraction_build::optics::dispersive::Dispersive;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage};
 use diffraction_render::scene::camera::{Camera, Field};
 use diffraction_render::scene::environment;
@@ -95,7 +96,7 @@ fn every_key_of_the_example_arrives() {
     assert_eq!((all.tables.wavelength_step_nm, all.tables.memory_mib), (Some(2.5), 512));
     assert_eq!(all.tables.prefilter, Prefilter::Width(0.0093));
 
-    let [integers, floats, counts] = &all.specimens[..] else { panic!("three specimens") };
+    let [integers, floats, counts, gilt, worn] = &all.specimens[..] else { panic!("five specimens") };
     assert_eq!(integers.species.as_deref(), Some("Elaphe guttata"));
     assert_eq!(integers.scans, [folder.path().join("snake.tif")]);
     assert_eq!((integers.read.page, integers.read.pitch_nm), (Some(0), Some([48.8; 2])));
@@ -114,6 +115,14 @@ fn every_key_of_the_example_arrives() {
     assert_eq!(counts.scans, ["snake.tif", "snake2.tif"].map(|name| folder.path().join(name)));
     assert_eq!(counts.read.height, Some(HeightScale::Linear { nm_per_count: 0.01, offset_nm: -20.0 }));
     assert_eq!((counts.prepare.level, counts.optics.material), (Level::None, Material::Ideal));
+
+    for (specimen, name) in [(floats, "beta_keratin"), (gilt, "gold"), (worn, "nk.csv")] {
+        let Dispersive { reference_nm, table } = specimen.optics.dispersion.as_ref().unwrap();
+        assert_eq!((table.name(), table.material_at(*reference_nm)), (name, Some(specimen.optics.material)));
+        // Green, half as bright in lamps' power, outweighs red.
+        assert!((532.0..580.0).contains(reference_nm), "{name}: {reference_nm}");
+    }
+    assert!(counts.optics.dispersion.is_none() && integers.optics.dispersion.is_none());
 
     let [map, ball, tile, wall, statue] = &all.scenes[..] else { panic!("five scenes") };
     assert_eq!((&map.shape, map.size_px, map.exposure), (&Shape::Hemisphere, 256, Exposure::Auto));
