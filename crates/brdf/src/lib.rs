@@ -40,7 +40,8 @@
 //!
 //! [`Brdf::sample`] and [`Brdf::pdf`] are for path tracers; the example `path_trace_ball` is one of about a hundred lines.
 //! [`shader::TABLES_WGSL`] evaluates the same tables on a GPU, and [`shader::table_image`] puts them into the layout that it
-//! reads.
+//! reads. [`shader_spectral::SPECTRAL_WGSL`] and [`shader_spectral::spectral_image`] do so for spectral tables:
+//! `brdf_spectral(wi, wo, wavelength_nm)` in WGSL.
 //!
 //! # Features
 //!
@@ -71,6 +72,7 @@ mod parallel;
 mod reader;
 mod sampling;
 pub mod shader;
+pub mod shader_spectral;
 pub mod specimen;
 pub mod spectral;
 mod spectral_light;
