@@ -156,7 +156,8 @@ fn windows_on_the_scan_itself_are_refused() {
     let field = flat([640, 640], [100.0; 2]);
     for (edge, windows) in [(Edge::Fade, Windows::Grid), (Edge::Tile, Windows::Centre)] {
         let optics = OpticsConfig { edge, windows, ..under(SOURCE_DEG, 550.0) };
-        let refused = reference::brdf_xyz(&[field.clone()], &optics, [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]).unwrap_err();
+        let refused =
+            reference::brdf_xyz(std::slice::from_ref(&field), &optics, [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]).unwrap_err();
         assert!(refused.to_string().contains("source"), "{refused}");
     }
 }

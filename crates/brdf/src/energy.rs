@@ -43,7 +43,8 @@ impl EnergyLimit {
             return Err(format!("an energy limit has {} cosines and {} albedos", cos_theta.len(), albedo.len()));
         }
         let ascends = cos_theta.windows(2).all(|pair| pair[0] < pair[1]);
-        if !ascends || !(cos_theta[0] > 0.0 && cos_theta[cos_theta.len() - 1] <= 1.0) {
+        let is_within = cos_theta[0] > 0.0 && cos_theta[cos_theta.len() - 1] <= 1.0;
+        if !(ascends && is_within) {
             return Err("the cosines of an energy limit must ascend within 0 and 1".into());
         }
         if let Some(wrong) = albedo.iter().find(|albedo| !(albedo.is_finite() && **albedo >= 0.0)) {
