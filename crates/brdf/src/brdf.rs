@@ -7,6 +7,8 @@ use crate::direction::{Vec3, Xyz};
 use crate::energy::EnergyLimit;
 use crate::error::{Error, Result};
 use crate::evaluate::{self, Interpolation};
+use crate::filtered::{Pyramids, brdf_xyz_filtered, spectral_filtered};
+use crate::footprint::Footprint;
 use crate::sampling::Sampler;
 use crate::specimen::{CheckValue, SpecimenRecord};
 use crate::spectral::SpectralTables;
@@ -28,6 +30,8 @@ pub struct Brdf {
     energy_limit: Option<EnergyLimit>,
     is_limited: bool,
     sampler: OnceLock<Sampler>,
+    pyramids: OnceLock<Pyramids>,
+    spectral_pyramids: OnceLock<Pyramids>,
 }
 
 /// A direction drawn by [`Brdf::sample`].
@@ -67,7 +71,6 @@ impl Brdf {
     /// ```
     pub fn new(tables: TableSet) -> Result<Self> {
         tables.check().map_err(|what| Error::Call(format!("a table set cannot be evaluated: {what}")))?;
-        let sampler = OnceLock::new();
         Ok(Self {
             tables,
             spectral: None,
@@ -75,7 +78,9 @@ impl Brdf {
             check_values: Vec::new(),
             energy_limit: None,
             is_limited: false,
-            sampler,
+            sampler: OnceLock::new(),
+            pyramids: OnceLock::new(),
+            spectral_pyramids: OnceLock::new(),
         })
     }
 
@@ -91,6 +96,8 @@ impl Brdf {
             energy_limit: record.energy_limit,
             is_limited: false,
             sampler: OnceLock::new(),
+            pyramids: OnceLock::new(),
+            spectral_pyramids: OnceLock::new(),
         })
     }
 
@@ -150,11 +157,62 @@ impl Brdf {
     /// Zero for directions that are not above the surface, not a number where the tables have no answer ([`Self::answers`]).
     /// Values may be slightly negative where the tables are.
     pub fn eval(&self, wi: Vec3, wo: Vec3) -> Xyz {
-        let xyz = evaluate::brdf_xyz(&self.tables, self.interpolation, wi, wo);
+        self.limited(evaluate::brdf_xyz(&self.tables, self.interpolation, wi, wo), wi, wo)
+    }
+
+    fn limited(&self, xyz: Xyz, wi: Vec3, wo: Vec3) -> Xyz {
         match self.energy_limit.as_ref().filter(|_| self.is_limited) {
             None => xyz,
             Some(limit) => xyz.map(|value| value * limit.factor(wi, wo)),
         }
+    }
+
+    /// Mean of the BRDF over a footprint around two directions, XYZ in 1/sr: a light with a size, or a pixel of a curved
+    /// surface, in one look-up.
+    ///
+    /// It stands where [`Self::eval`] stands for a point of light: with the light's irradiance `E` on a plane that faces it,
+    /// evenly over its disc, the radiance is `eval_filtered cos_theta_i E`. For light alone it is the mean of `f cos_theta_i` over
+    /// the disc, divided by `cos_theta_i` at its centre, which is the mean of `f` over the disc seen along the normal. A footprint
+    /// with a pixel's curvature in it has the mean over that as well; footprints add.
+    ///
+    /// Tables and lobe are averaged over the ellipse, at the centre's front factor and `|w|`: within 0.1 % for the sun, 1 %
+    /// for a lamp of two degrees, at 95 of 100 directions. Beyond ten degrees, and where the light's disc meets the horizon,
+    /// sample the light instead. Small footprints give [`Self::eval`], without a step. Zero and not a number as there; not a
+    /// number, too, where the tables have no answer for a part of the footprint. Coarser copies of the tables, a third of their
+    /// memory, are made at the first call.
+    ///
+    /// ```
+    /// # mod tiny { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tiny_atlas/mod.rs")); }
+    /// # let brdf = diffraction_brdf::Brdf::new(tiny::tiny_tables())?;
+    /// use diffraction_brdf::Footprint;
+    /// let [wi, wo] = [[0.6, 0.0, 0.8], [-0.56, 0.0, 0.8284926]];
+    /// let sun = Footprint::of_light(wi, 0.53)?;
+    /// let pixel = Footprint::of_normals(wi, wo, [1e-4, 0.0, 1e-4])?;
+    /// let blurred = brdf.eval_filtered(wi, wo, sun + pixel);
+    /// assert!(blurred[1] < brdf.eval(wi, wo)[1]);
+    /// # Ok::<(), diffraction_brdf::Error>(())
+    /// ```
+    pub fn eval_filtered(&self, wi: Vec3, wo: Vec3, footprint: Footprint) -> Xyz {
+        let pyramids = self.pyramids.get_or_init(|| Pyramids::new(&self.tables));
+        let xyz = brdf_xyz_filtered(&self.tables, pyramids, self.interpolation, [wi, wo], footprint);
+        self.limited(xyz, wi, wo)
+    }
+
+    /// [`Self::eval_wavelengths`] over a footprint, as [`Self::eval_filtered`] is [`Self::eval`] over one.
+    ///
+    /// # Errors
+    /// As [`Self::eval_wavelengths`].
+    pub fn eval_wavelengths_filtered(
+        &self,
+        wi: Vec3,
+        wo: Vec3,
+        footprint: Footprint,
+        wavelengths_nm: &[f64],
+    ) -> Result<Vec<f64>> {
+        let tables = self.spectral_tables()?;
+        tables.check_wavelengths(wavelengths_nm)?;
+        let pyramids = self.spectral_pyramids.get_or_init(|| Pyramids::of_spectral(tables));
+        Ok(spectral_filtered(tables, pyramids, self.interpolation, [wi, wo], footprint, wavelengths_nm))
     }
 
     /// [`Self::eval`] for slices of directions, on all threads with the feature `rayon`.

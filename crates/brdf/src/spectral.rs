@@ -115,7 +115,7 @@ impl SpectralTables {
     }
 
     /// `D` and `C` at a wavelength in nm; `None` where the material is not known.
-    fn front_at(&self, pair: &Pair, wavelength_nm: f64) -> Option<[f64; 2]> {
+    pub(crate) fn front_at(&self, pair: &Pair, wavelength_nm: f64) -> Option<[f64; 2]> {
         let Some(dispersion) = &self.dispersion else { return Some([pair.diffuse, pair.coherent]) };
         let front = FrontFactor { material: dispersion.material_at(wavelength_nm)?, ..self.front_factor };
         Some([front.diffuse(pair.wi, pair.wo), front.coherent(pair.wi, pair.wo)])
@@ -127,7 +127,7 @@ impl SpectralTables {
         self.diffuse_at(interpolation, wave_vector_change(wi, wo).map(|part| part * r))
     }
 
-    fn diffuse_at(&self, interpolation: Interpolation, q: Vec3) -> f64 {
+    pub(crate) fn diffuse_at(&self, interpolation: Interpolation, q: Vec3) -> f64 {
         let basis = chebyshev::shifted_values(self.count, normalised_abs_w(q));
         let size = self.size() as f64 - 1.0;
         let at = [(2.0 - q[1]) / 4.0 * size, (q[0] + 2.0) / 4.0 * size];
@@ -206,7 +206,7 @@ fn check_packed(what: &str, count: usize, images: &[Array3<f32>]) -> std::result
 
 impl SpectralLobe {
     /// Power at `|w'|`, linear between entries.
-    fn power_at(&self, abs_w: f64) -> f64 {
+    pub(crate) fn power_at(&self, abs_w: f64) -> f64 {
         let last = self.power.len() - 1;
         let at = (0.5 * abs_w).clamp(0.0, 1.0) * last as f64;
         let first = (at as usize).min(last - 1);
@@ -217,7 +217,7 @@ impl SpectralLobe {
 
 impl SpectralCross {
     /// `Σ cross_n T_n / |w'|` at `q'`.
-    fn value(&self, interpolation: Interpolation, q: Vec3) -> f64 {
+    pub(crate) fn value(&self, interpolation: Interpolation, q: Vec3) -> f64 {
         if q[0].abs().max(q[1].abs()) >= self.radius_max {
             return 0.0;
         }
