@@ -88,6 +88,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         rows[1].push(to_srgb8(&reference, exposure));
     }
     let rows = rows.map(|row| side_by_side(&row.iter().collect::<Vec<_>>(), 4, [255; 3]));
-    write_png(Path::new(out), &concatenate(Axis(0), &rows.each_ref().map(Array3::view))?)?;
+    write_png(Path::new(out), &concatenate(Axis(0), &rows.each_ref().map(|row| row.view()))?)?;
     Ok(())
 }
