@@ -153,7 +153,7 @@ mod tests {
     fn means_are_those_of_many_points() {
         const WIDTH: f64 = 0.006;
         let gauss = |radius: f64| (-(radius / WIDTH).powi(2)).exp();
-        for [size, ratio] in [[1e-4, 1.0], [2e-3, 0.5], [5e-3, 1.0], [2e-2, 0.7], [4e-2, 0.3]] {
+        for [size, ratio] in [[1e-4_f64, 1.0], [2e-3, 0.5], [5e-3, 1.0], [2e-2, 0.7], [4e-2, 0.3]] {
             for centre in [[0.0, 0.0], [4e-3, -3e-3], [-1.5e-2, 1e-2], [3e-2, 3e-2]] {
                 let covariance = [0.25 * size * size, 0.1 * ratio * size * size, 0.25 * (ratio * size).powi(2)];
                 let footprint = Footprint::new(covariance[0], covariance[1], covariance[2]).unwrap();
