@@ -194,7 +194,7 @@ impl Weights {
     /// Adds a chord along a row: linear interpolation along it, integrated exactly, cell by cell.
     fn add_chord(&mut self, row: (usize, f64), columns: Range, [low, high]: [f64; 2], share: f64, beyond: Beyond) {
         let length = high - low;
-        if !(length > 0.0) {
+        if length <= 0.0 {
             let at = 0.5 * (low + high);
             if beyond == Beyond::Edge || (columns.low..=columns.high).contains(&at) {
                 self.add(row, columns.cell(at), share);
@@ -241,5 +241,106 @@ impl Weights {
             }
         }
         sum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIDE: usize = 161;
+
+    fn table(value: impl Fn(f64, f64) -> f64) -> Vec<Array3<f32>> {
+        vec![Array3::from_shape_fn((SIDE, SIDE, 3), |(row, column, c)| {
+            (value(column as f64, row as f64) * [1.0, 2.0, 0.5][c]) as f32
+        })]
+    }
+
+    fn mean(tables: &[Array3<f32>], ellipse: Ellipse, beyond: Beyond) -> [f64; 3] {
+        let mut sum = [0.0; 3];
+        Pyramid::new(tables).means(tables, ellipse, beyond, |_, mean| {
+            sum.iter_mut().zip(mean).for_each(|(sum, mean)| *sum += mean);
+        });
+        sum
+    }
+
+    fn ellipse(at: [f64; 2], [xx, xy, yy]: [f64; 3]) -> Ellipse {
+        Ellipse { at, footprint: Footprint::new(xx, xy, yy).unwrap() }
+    }
+
+    /// From far below a texel to coarse levels, along the axes and across.
+    const SHAPES: [[f64; 3]; 8] = [
+        [0.0, 0.0, 0.0],
+        [1e-6, 0.0, 1e-6],
+        [0.04, 0.01, 0.02],
+        [1.0, 0.0, 0.0],
+        [4.0, 1.5, 3.0],
+        [30.0, -20.0, 16.0],
+        [100.0, 20.0, 90.0],
+        [300.0, -100.0, 250.0],
+    ];
+
+    #[test]
+    fn planes_keep_their_value_and_quadratics_gain_the_variance() {
+        for shape in SHAPES {
+            let at = [80.3, 77.6];
+            let plane = mean(&table(|x, y| 100.0 + x - 0.5 * y), ellipse(at, shape), Beyond::Edge);
+            let expected = 100.0 + at[1] - 0.5 * at[0];
+            for (value, scale) in plane.into_iter().zip([1.0, 2.0, 0.5]) {
+                assert!((value - scale * expected).abs() < 1e-3, "{shape:?}: {plane:?} {expected}");
+            }
+            // Linear interpolation adds up to a quarter to the mean of x².
+            let [xx, xy, yy] = shape;
+            let square = |f: fn(f64, f64) -> f64| mean(&table(f), ellipse(at, shape), Beyond::Edge)[0];
+            let found = [
+                square(|x, _| (x - 80.0).powi(2)) - 2.4f64.powi(2),
+                square(|x, y| (x - 80.0) * (y - 80.0)) + 2.4 * 0.3,
+                square(|_, y| (y - 80.0).powi(2)) - 0.3f64.powi(2),
+            ];
+            for (found, expected) in found.into_iter().zip([xx, xy, yy]) {
+                let allowed = 0.3 + 0.01 * (xx + yy);
+                assert!((found - expected).abs() < allowed, "{shape:?}: {found} {expected}");
+            }
+            if (xx - yy).abs() > 2.0 {
+                assert!((found[0] - yy).abs() > 0.3 + 0.01 * (xx + yy), "exchanged axes must be found: {shape:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_lies_beyond_a_patch() {
+        let flat = table(|_, _| 1.0);
+        for shape in SHAPES {
+            let edge = mean(&flat, ellipse([80.0, 160.0], shape), Beyond::Zero)[0];
+            if shape[0] > 0.1 {
+                assert!((edge - 0.5).abs() < 1e-3, "{shape:?}: half of the ellipse lies beyond the edge, not {edge}");
+            }
+            assert!((mean(&flat, ellipse([3.0, 160.0], shape), Beyond::Edge)[0] - 1.0).abs() < 1e-6);
+        }
+        assert_eq!(mean(&flat, ellipse([80.0, 200.0], [4.0, 0.0, 4.0]), Beyond::Zero), [0.0; 3]);
+    }
+
+    #[test]
+    fn few_texels_are_read_and_levels_change_without_a_step() {
+        let waves = table(|x, y| 2.0 + (0.9 * x).sin() * (0.7 * y + 0.2 * x).cos());
+        let mut last = None;
+        for n in 0..4000 {
+            let size = 0.02 * (f64::from(n) * 0.002).exp() - 0.02;
+            let shape = ellipse([80.3, 77.6], [size, 0.3 * size, 0.5 * size]);
+            let value = mean(&waves, shape, Beyond::Edge)[0];
+            if let Some(last) = last.replace(value) {
+                assert!((value - last).abs() < 2e-3, "a step from {last} to {value} at {size}");
+            }
+        }
+        for shape in [[1600.0, 0.0, 1600.0], [1600.0, 1590.0, 1600.0], [1600.0, 0.0, 1.0], [1.0, 0.0, 1600.0]] {
+            let whole = ellipse([80.0, 80.0], shape);
+            let ([major, minor], _) = whole.footprint.axes();
+            let [longer, middle] = [2.0 * major.sqrt(), 2.0 * (major * minor).powf(0.25)];
+            let level = (longer / SEMI_AXES_MAX[0]).max(middle / SEMI_AXES_MAX[1]).log2().floor() as usize;
+            let side = SIDE.div_ceil(1 << level);
+            let weights = Weights::new(whole.on_level(level), [SIDE, SIDE], level, (side, side, 3), Beyond::Edge);
+            let read: usize = weights.spans.iter().map(|[from, to]| to.saturating_sub(*from)).sum();
+            assert!(read > 0 && read <= 300, "{shape:?}: {read} texels");
+        }
     }
 }
