@@ -193,7 +193,7 @@ fn what_is_uploaded_wrong_is_found() {
         // Lobe and cross term are narrow; all else concerns every direction.
         assert!(beyond > if everywhere { 0.5 } else { 0.01 }, "{what} went unnoticed: {beyond}");
     }
-    // A material looked up at another wavelength.
+    // Indices come with the queries: the tables of another metal need no other upload.
     let moved = SpectralTables { dispersion: Dispersion::metal("silver"), ..tables.clone() };
     let found = compare(gpu, &moved, &image);
     assert!(found.worst() <= 1.0, "each query brings its index: {}", found.worst());
