@@ -90,12 +90,18 @@ fn queries(tables: &SpectralTables) -> Vec<SpectralQuery> {
 struct Comparison {
     /// Differences as shares of what is allowed.
     shares: Vec<f64>,
-    /// Relative differences, and relative bounds, of what is no darker than a tenth of the median.
+    /// Relative differences, and relative bounds, of what is no darker than a tenth of the median, nor than 1e-4 of the brightest
+    /// twentieth: the dark between a grating's orders is below what halves hold.
     relative: Vec<f64>,
     bounds: Vec<f64>,
 }
 
 impl Comparison {
+    /// Share of the queries that are farther off than is allowed.
+    fn beyond(&self) -> f64 {
+        self.shares.iter().filter(|share| **share > 1.0).count() as f64 / self.shares.len() as f64
+    }
+
     fn worst(&self) -> f64 {
         self.shares.iter().fold(0.0, |worst: f64, share| worst.max(*share))
     }
@@ -117,7 +123,8 @@ fn compare(gpu: &Gpu, tables: &SpectralTables, image: &SpectralImage) -> Compari
         let share = (found - exact).abs() / allowed;
         if share.is_nan() { f64::MAX } else { share }
     };
-    let floor = 0.1 * quantile(&rows.iter().map(|row| row.0).collect::<Vec<_>>(), 0.5);
+    let exact: Vec<f64> = rows.iter().map(|row| row.0).collect();
+    let floor = (0.1 * quantile(&exact, 0.5)).max(1e-4 * quantile(&exact, 0.95));
     let lit: Vec<&(f64, f64, f64)> = rows.iter().filter(|row| row.0 > floor).collect();
     Comparison {
         shares: rows.iter().map(share).collect(),
@@ -138,7 +145,7 @@ fn agrees(name: &str, tables: &SpectralTables) {
         check.relative.len(),
         check.worst()
     );
-    assert!(check.relative.len() > PAIRS / 2 && median > 0.0, "{name}: nothing is compared");
+    assert!(check.relative.len() > PAIRS / 10 && median > 0.0, "{name}: nothing is compared");
     // A bound that allows a percent would say nothing.
     assert!(allowed < 1e-2, "{name}: {allowed:e}");
     assert!(check.worst() <= 1.0, "{name}: {}", check.worst());
@@ -165,27 +172,28 @@ fn what_is_uploaded_wrong_is_found() {
     let image = spectral_image(tables).unwrap();
     assert!(compare(gpu, tables, &image).worst() <= 1.0);
     type Tamper<'a> = &'a dyn Fn(&mut SpectralImage);
-    let tampers: [(&str, Tamper); 8] = [
-        ("shortest wavelength 1 nm up", &|image| image.params.shortest_nm += 1.0),
-        ("shortest wavelength 1 nm down", &|image| image.params.shortest_nm -= 1.0),
-        ("one scale 2 % up", &|image| image.params.table_scales[0][0] *= 1.02),
-        ("tables 1 and 2 exchanged", &|image| {
+    let tampers: [(&str, bool, Tamper); 8] = [
+        ("shortest wavelength 1 nm up", true, &|image| image.params.shortest_nm += 1.0),
+        ("shortest wavelength 1 nm down", true, &|image| image.params.shortest_nm -= 1.0),
+        ("one scale 2 % up", true, &|image| image.params.table_scales[0][0] *= 1.02),
+        ("tables 1 and 2 exchanged", true, &|image| {
             image.tables.texels.iter_mut().for_each(|texel| texel.swap(1, 2));
             image.params.table_scales[0].swap(1, 2);
         }),
-        ("no cross term", &|image| image.params.cross_layers = 0),
-        ("coherence 2 % up", &|image| image.params.lobe_sigma_nm *= 1.02),
-        ("power of the lobe 2 % up", &|image| image.power.iter_mut().for_each(|value| *value *= 1.02)),
-        ("scalar factor", &|image| image.params.factor = 0),
+        ("no cross term", false, &|image| image.params.cross_layers = 0),
+        ("coherence 2 % up", false, &|image| image.params.lobe_sigma_nm *= 1.02),
+        ("power of the lobe 2 % up", false, &|image| image.power.iter_mut().for_each(|value| *value *= 1.02)),
+        ("scalar factor", true, &|image| image.params.factor = 0),
     ];
-    for (what, tamper) in tampers {
+    for (what, everywhere, tamper) in tampers {
         let mut wrong = image.clone();
         tamper(&mut wrong);
-        let worst = compare(gpu, tables, &wrong).worst();
-        println!("{what}: {worst:.1e} times what is allowed");
-        assert!(worst > 1.0, "{what} went unnoticed");
+        let beyond = compare(gpu, tables, &wrong).beyond();
+        println!("{what}: {:.1} % of queries beyond what is allowed", 100.0 * beyond);
+        // Lobe and cross term are narrow; all else concerns every direction.
+        assert!(beyond > if everywhere { 0.5 } else { 0.01 }, "{what} went unnoticed: {beyond}");
     }
-    // A material looked up at another wavelength.
+    // Indices come with the queries: the tables of another metal need no other upload.
     let moved = SpectralTables { dispersion: Dispersion::metal("silver"), ..tables.clone() };
     let found = compare(gpu, &moved, &image);
     assert!(found.worst() <= 1.0, "each query brings its index: {}", found.worst());
