@@ -176,7 +176,7 @@ impl Brdf {
     /// with a pixel's curvature in it has the mean over that as well; footprints add.
     ///
     /// Tables and lobe are averaged over the ellipse, at the centre's front factor and `|w|`: within 0.1 % for the sun, 1 %
-    /// for a lamp of two degrees, at 95 of 100 directions. Beyond ten degrees, and where the light's disc meets the horizon,
+    /// for a lamp two degrees wide, at 95 of 100 directions. For much larger ones, and where the light's disc meets the horizon,
     /// sample the light instead. Small footprints give [`Self::eval`], without a step. Zero and not a number as there; not a
     /// number, too, where the tables have no answer for a part of the footprint. Coarser copies of the tables, a third of their
     /// memory, are made at the first call.
