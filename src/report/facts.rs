@@ -52,6 +52,7 @@ pub(crate) fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
         facts.push(fact("Tables", tables(built)));
         facts.extend(built.rounding.map(|rounding| fact("Numbers", format_of(built.storage, rounding))));
         facts.push(fact("Texels", texels(built)));
+        facts.push(fact("Rim", rim(built)));
         facts.push(fact("Made from", made_from(built)));
     }
     facts.extend(specimen.spectral.as_ref().map(|spectral| fact("Spectral tables", spectral_tables(spectral))));
@@ -73,6 +74,19 @@ pub(crate) fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
         ));
     }
     facts
+}
+
+/// Texels from the rim of (u, v) within which look-ups err by more than a thousandth or so: docs/accuracy.md.
+const RIM_TEXELS: f64 = 2.0;
+
+/// From which polar angle on two directions on one side lie at the rim.
+fn rim(built: &BuildResult) -> String {
+    let texel = 4.0 / (built.size.max(3) - 1) as f64;
+    let theta_deg = (1.0 - 0.5 * RIM_TEXELS * texel).clamp(0.0, 1.0).asin().to_degrees();
+    format!(
+        "look-ups err by a thousandth and more where light and viewer are both beyond {}° on one side",
+        numbers::round_number(theta_deg, 3)
+    )
 }
 
 /// The provenance of one scan: every entry of the JSON object, in its order. Empty entries are left out.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::common::surfaces::{random, sampled, tables_config};
-use diffraction_brdf::direction::wave_vector_change;
+use diffraction_brdf::direction::{from_angles_deg, wave_vector_change};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::accuracy::directions::{Candidates, ErrorDirections, Group};
@@ -161,4 +161,41 @@ fn directions_stand_for_their_share_and_depend_on_nothing_else() {
     // Another turn has other directions, not one in common.
     let others = drawn(1, 64);
     assert!(others.pairs.iter().all(|pair| !many.pairs.contains(pair)));
+}
+
+/// Where both directions graze on one side, (u, v) lies at the rim of the disc: look-ups err by how many texels away it is.
+#[test]
+fn cubic_look_ups_err_within_two_texels_of_the_rim() {
+    let rough = random([160, 160], [80.0, 80.0], 400.0, 40.0, 9);
+    let fields = std::slice::from_ref(&rough);
+    let plan = plan(&BuildInput::new(fields, &daylight(), &tables_config(1e-3, Some(51)))).unwrap();
+    let at = |theta_deg: f64| -> Vec<_> {
+        let pair = |i: u32| {
+            let phi = 11.0 + 17.0 * f64::from(i);
+            (from_angles_deg(theta_deg, phi), from_angles_deg(theta_deg - 1.0, phi + 2.0 * f64::from(i % 3)))
+        };
+        (0..20).map(pair).collect()
+    };
+    let (mut inside, mut at_rim) = (0.0f64, 0.0f64);
+    for theta in [72.0, 76.0, 80.0, 83.0, 86.0, 89.0] {
+        let pairs = at(theta);
+        let exact =
+            diffraction_build::optics::spectral::brdf_xyz_batch(fields, &daylight(), &plan.spectra, &pairs).unwrap();
+        for size in [201, 401, 801] {
+            let set =
+                build(&BuildInput::new(fields, &daylight(), &tables_config(1e-3, Some(size))), &|_| ()).unwrap().0;
+            for (&(wi, wo), exact) in pairs.iter().zip(&exact) {
+                let [u, v, _] = wave_vector_change(wi, wo);
+                let texels = (2.0 - u.hypot(v)) * (size as f64 - 1.0) / 4.0;
+                let error = (brdf_xyz(&set, Interpolation::Cubic, wi, wo)[1] / exact[1] - 1.0).abs();
+                if texels > 2.0 {
+                    inside = inside.max(error);
+                } else if texels < 0.5 {
+                    at_rim = at_rim.max(error);
+                }
+            }
+        }
+    }
+    println!("more than two texels from the rim {inside:.1e}, within half a texel {at_rim:.1e}");
+    assert!(inside < 3e-3 && at_rim > 0.05, "{inside} {at_rim}");
 }
