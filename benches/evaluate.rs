@@ -3,13 +3,14 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use diffraction_brdf::direction::Vec3;
+use diffraction_brdf::direction::{Vec3, normalise};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::spectrum::Illuminant;
+use diffraction_brdf::{Brdf, Footprint};
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{Structure, synthesize};
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::optics::reference;
 use diffraction_build::optics::spectra;
 use diffraction_build::optics::spectral;
@@ -30,16 +31,8 @@ fn surface() -> HeightField {
 
 fn optics() -> OpticsConfig {
     OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm: 2_000.0,
-        lobe_sigma_nm: None,
-        edge: Edge::Fade,
-        windows: Windows::Centre,
         material: Material::Dielectric { n: 1.56 },
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
+        ..OpticsConfig::ideal(Illuminant::D65, 2_000.0, Edge::Fade, Windows::Centre)
     }
 }
 
@@ -75,6 +68,47 @@ fn from_tables(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// The sun, 0.53 degrees across: a point in its middle, one filtered look-up, and means over samples of its disc.
+fn light_with_a_size(criterion: &mut Criterion) {
+    let set = build::build(&BuildInput::new(&[surface()], &optics(), &config()), &|_| ()).expect("the build fits").0;
+    let brdf = Brdf::new(set).expect("built tables can be evaluated");
+    let mut group = criterion.benchmark_group("the sun");
+    for region in [Region::Hemisphere, Region::NearSpecular] {
+        let pairs: Vec<(Vec3, Vec3)> = direction_pairs(region, PAIRS);
+        group.throughput(Throughput::Elements(pairs.len() as u64));
+        group.bench_function(format!("point, {}", region.name()), |bencher| {
+            bencher.iter(|| pairs.iter().map(|&(wi, wo)| black_box(&brdf).eval(wi, wo)[1]).sum::<f64>());
+        });
+        group.bench_function(format!("filtered, {}", region.name()), |bencher| {
+            bencher.iter(|| {
+                let value = |&(wi, wo): &(Vec3, Vec3)| {
+                    let sun = Footprint::of_light(wi, 0.53).expect("a diameter");
+                    black_box(&brdf).eval_filtered(wi, wo, sun)[1]
+                };
+                pairs.iter().map(value).sum::<f64>()
+            });
+        });
+        for count in [16, 64, 256] {
+            group.bench_function(format!("{count} samples, {}", region.name()), |bencher| {
+                bencher.iter(|| {
+                    let value = |&(wi, wo): &(Vec3, Vec3)| {
+                        (0..count).map(|n| black_box(&brdf).eval(nearby(wi, n, count), wo)[1]).sum::<f64>()
+                    };
+                    pairs.iter().map(value).sum::<f64>()
+                });
+            });
+        }
+    }
+    group.finish();
+}
+
+/// One of so many directions spread over the sun's disc, to within what its time depends on.
+fn nearby(wi: Vec3, n: usize, count: usize) -> Vec3 {
+    let shift = 0.0046 * ((n as f64 + 0.5) / count as f64).sqrt();
+    let (sin, cos) = (2.399_963 * n as f64).sin_cos();
+    normalise([wi[0] + shift * cos, wi[1] + shift * sin, wi[2]])
+}
+
 fn from_the_scan(criterion: &mut Criterion) {
     let field = surface();
     let (optics, config) = (optics(), config());
@@ -98,5 +132,5 @@ fn from_the_scan(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, from_tables, from_the_scan);
+criterion_group!(benches, from_tables, light_with_a_size, from_the_scan);
 criterion_main!(benches);

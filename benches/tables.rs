@@ -7,7 +7,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{Structure, synthesize};
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::optics::spectra;
 use diffraction_build::tables::accumulate::{PowerSums, Quantity, RingSum, add_ring};
 use diffraction_build::tables::build;
@@ -23,18 +23,10 @@ fn surface() -> HeightField {
 }
 
 fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
+    // The 16 µm tile holds 8 sigma.
     OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        // The 16 µm tile holds 8 sigma.
-        sigma_nm: 2_000.0,
-        lobe_sigma_nm: None,
-        edge,
-        windows,
         material: Material::Dielectric { n: 1.56 },
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
+        ..OpticsConfig::ideal(Illuminant::D65, 2_000.0, edge, windows)
     }
 }
 
@@ -102,9 +94,9 @@ fn whole_build(criterion: &mut Criterion) {
     group.finish();
 }
 
-fn depth_nodes(criterion: &mut Criterion) {
+fn w_nodes(criterion: &mut Criterion) {
     use diffraction_brdf::chebyshev::nodes_for_exponential;
-    criterion.bench_function("number of depth nodes, 1 µm", |bencher| {
+    criterion.bench_function("number of nodes in |w|, 1 µm", |bencher| {
         bencher.iter(|| nodes_for_exponential(black_box(500.0), 2.0 * TAU / 380.0, 1e-6));
     });
 }
@@ -112,6 +104,6 @@ fn depth_nodes(criterion: &mut Criterion) {
 criterion_group! {
     name = benches;
     config = Criterion::default().sample_size(10);
-    targets = transforms, one_ring, whole_build, depth_nodes
+    targets = transforms, one_ring, whole_build, w_nodes
 }
 criterion_main!(benches);

@@ -3,7 +3,7 @@
 //! Smooth made-up tables of 501 x 501 texels: the time does not depend on their values. Chebyshev sets have a coherent
 //! lobe; 24 tables are what the published powers of w need for an error of 1e-6 at 250 nm of depth.
 
-use diffraction_brdf::error::Result;
+use diffraction_atlas::error::Result;
 use diffraction_brdf::front_factor::{Factor, FrontFactor};
 use diffraction_brdf::material::Material;
 use diffraction_brdf::shader::table_image;
@@ -40,7 +40,7 @@ fn set(basis: Basis, count: usize) -> TableSet {
             shadowing: true,
             factor: Factor::Scalar,
         },
-        served: None,
+        restriction: None,
         usable_radius: 2.0,
     }
 }

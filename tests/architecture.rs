@@ -1,8 +1,11 @@
-//! The shape of the workspace: no two files use each other in a circle, and none uses a floor above its own.
+//! The shape of the workspace: no two files use each other in a circle, none uses a floor above its own, and what documents name is
+//! there.
 //!
 //! The sources are read as text: `use` lines, and paths that begin with `crate`, `super`, `self`, another member of the
 //! workspace, or a name that a `use` line brought in; modules called `tests` are passed over. A path belongs to the file of the longest part of it that is a module.
 
+#[path = "architecture/documents.rs"]
+mod documents;
 #[path = "architecture/graph.rs"]
 mod graph;
 #[path = "architecture/source.rs"]
@@ -11,6 +14,7 @@ mod source;
 use std::fs;
 use std::path::Path;
 
+use documents::{dead_names, dead_paths};
 use graph::{Arrow, circles, upward};
 use source::{Source, arrows};
 
@@ -22,12 +26,16 @@ struct Floors {
     floors: &'static [&'static [&'static str]],
 }
 
-/// Between crates it is Cargo that forbids circles. Crates that are not named here are one floor each.
-const FLOORS: [Floors; 3] = [
+/// Crates that are not named here are one floor each.
+const FLOORS: [Floors; 4] = [
     Floors { folder: "crates/build", floors: &[&["ground"], &["height"], &["optics"], &["tables"], &["accuracy"]] },
-    Floors { folder: "crates/render", floors: &[&["scene"], &["render"]] },
-    Floors { folder: "", floors: &[&["stages"], &["manifest", "report"], &["cli"], &["main"]] },
+    Floors { folder: "crates/study", floors: &[&["error"], &["baselines"], &["study"], &["stability"]] },
+    Floors { folder: "crates/render", floors: &[&["error"], &["scene"], &["render"]] },
+    Floors { folder: "", floors: &[&["error"], &["stages"], &["manifest", "report"], &["cli"], &["main"]] },
 ];
+
+/// Crates from the lowest up. Cargo forbids circles among them, but lets a crate's tests use one that stands above it.
+const CRATES: [&[&str]; 4] = [&["brdf"], &["build"], &["render", "study"], &["atlas"]];
 
 /// Every source of the workspace, tests and examples aside, with its path from the root.
 fn sources() -> Vec<Source> {
@@ -54,12 +62,16 @@ fn sources() -> Vec<Source> {
 }
 
 fn collect(folder: &Path, found: &mut impl FnMut(&Path, String)) {
+    collect_ending(folder, "rs", found);
+}
+
+fn collect_ending(folder: &Path, wanted: &str, found: &mut impl FnMut(&Path, String)) {
     let mut paths: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     paths.sort();
     for path in paths {
         if path.is_dir() {
-            collect(&path, found);
-        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            collect_ending(&path, wanted, found);
+        } else if path.extension().is_some_and(|ending| ending == wanted) {
             let text = fs::read_to_string(&path).unwrap();
             found(&path, text);
         }
@@ -85,6 +97,31 @@ fn no_file_is_in_a_circle_and_none_uses_a_floor_above() {
     assert!(sources.len() > 200, "only {} sources were found", sources.len());
     let wrong = complaints(&sources);
     assert!(wrong.is_empty(), "{} faults:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+/// Crates of the workspace that a manifest names without standing above them, by the rank of its own.
+fn crates_not_below(manifest: &str, rank: usize) -> Vec<&'static str> {
+    let named = |name: &&str| manifest.lines().any(|line| line.starts_with(&format!("diffraction-{name}")));
+    CRATES[rank..].concat().into_iter().filter(named).collect()
+}
+
+#[test]
+fn no_crate_uses_one_that_is_not_below_it_in_its_tests_either() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates");
+    let mut found: Vec<_> = fs::read_dir(&root).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    found.sort();
+    assert_eq!(found, ["brdf", "build", "render", "study"], "CRATES names them all");
+    for (rank, names) in CRATES.iter().enumerate().take(3) {
+        for name in *names {
+            let manifest = fs::read_to_string(root.join(name).join("Cargo.toml")).unwrap();
+            assert_eq!(crates_not_below(&manifest, rank), [""; 0], "{name}");
+        }
+    }
+    let tested_from_above =
+        "[dependencies]\ndiffraction-brdf.workspace = true\n[dev-dependencies]\ndiffraction-build = \"1\"\n";
+    assert_eq!(crates_not_below(tested_from_above, 0), ["brdf", "build"]);
+    assert_eq!(crates_not_below(tested_from_above, 1), ["build"]);
+    assert_eq!(crates_not_below(tested_from_above, 2), [""; 0]);
 }
 
 /// What must be seen on the real sources for the test above to mean anything.
@@ -184,4 +221,34 @@ fn what_is_no_arrow_is_none() {
         let wrong = complaints(&made_up(&files));
         assert!(wrong.is_empty(), "{text}: {wrong:?}");
     }
+}
+
+/// The documents that people read, from the root.
+fn documents(root: &Path) -> Vec<String> {
+    let mut found = vec!["README.md".to_owned(), "CONTRIBUTING.md".into(), "CHANGELOG.md".into()];
+    for folder in ["docs", "examples", "specimens", "tests"] {
+        collect_ending(&root.join(folder), "md", &mut |path, _| {
+            found.push(path.strip_prefix(root).unwrap().to_str().unwrap().replace('\\', "/"));
+        });
+    }
+    found
+}
+
+#[test]
+fn what_documents_name_is_there() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |document: &str| fs::read_to_string(root.join(document)).unwrap();
+    let documents = documents(root);
+    assert!(documents.iter().any(|name| name == "docs/optics.md"), "{documents:?}");
+    let dead: Vec<String> = documents.iter().flat_map(|name| dead_paths(root, name, &read(name))).collect();
+    assert!(dead.is_empty(), "{}", dead.join("\n"));
+    let glossary = read("docs/glossary.md");
+    assert_eq!(dead_names(root, &glossary), [""; 0]);
+
+    let wrong =
+        "`src/main.rs` and `src/attic.rs`, [here](optics.md#limits), [there](attic.md#limits), `vNNNN/src`, `src/*.rs`";
+    let told = ["src/attic.rs", "attic.md"].map(|name| format!("docs/a.md names {name}, which is not there"));
+    assert_eq!(dead_paths(root, "docs/a.md", wrong), told);
+    let renamed = glossary.replace("`Restriction`", "`Restrictions`");
+    assert_eq!(dead_names(root, &renamed), ["Restrictions is in none of `crates/brdf/src/table_set.rs`"]);
 }

@@ -10,7 +10,7 @@ use diffraction_atlas::stages::coverage::savings::cover;
 use diffraction_atlas::stages::usage::{HeapCounter, lend_heap_counter, with_heap_bytes};
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::forecast::{Forecast, forecast_of};
 use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Prefilter, TablesConfig};
@@ -53,18 +53,7 @@ impl Case {
 fn daylight(sigma_nm: f64, edge: Edge, windows: Windows) -> OpticsConfig {
     let illuminant = Illuminant::D65;
     let material = Material::Ideal;
-    OpticsConfig {
-        illuminant,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm,
-        lobe_sigma_nm: None,
-        edge,
-        windows,
-        material,
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
-    }
+    OpticsConfig { material, ..OpticsConfig::ideal(illuminant, sigma_nm, edge, windows) }
 }
 
 /// A surface of so many samples, 60 nm apart, and so deep.

@@ -84,8 +84,8 @@ class Specimen:
         stored = self.about["tables"]
         expected = {"half": np.float16, "float": np.float32}[stored["storage"]]
 
-        self.served = stored.get("served")
-        row, column = self.served["first"] if self.served else (0, 0)
+        self.restriction = stored.get("served")
+        row, column = self.restriction["first"] if self.restriction else (0, 0)
 
         def image(array, dtype=expected, corner=(0, 0)):
             values, found = read_image(folder / array["file"], array["scale"], corner)
@@ -95,8 +95,8 @@ class Specimen:
         self.basis = stored["basis"]
         self.tables = [image(array, corner=(column, row)) for array in stored["tables"]]
         self.axes = [stored["u"], stored["v"]]
-        if self.served:
-            self.range = image(self.served["range"], np.float16, (column, row))
+        if self.restriction:
+            self.range = image(self.restriction["range"], np.float16, (column, row))
         self.lobe = stored["lobe"]
         if self.lobe:
             self.coherent = image(self.lobe["coherent"], np.float32)
@@ -128,9 +128,9 @@ class Specimen:
             return factor * sum(abs(w) ** n * value for n, value in enumerate(values)) / w**2
         t = min(1.0, abs(w) / np.sqrt(4 - u * u - v * v))
         s = t
-        if self.served:
+        if self.restriction:
             low, high, there = bilinear(self.range, column, row)
-            assert there > 1 - 1e-9 and low <= t <= high, "a check value lies outside of what is served"
+            assert there > 1 - 1e-9 and low <= t <= high, "a check value lies outside of what is covered"
             s = (t - low) / (high - low)
         total = sum(basis * value for basis, value in zip(chebyshev(s, len(values)), values))
         lobe = 0.0
@@ -150,6 +150,99 @@ class Specimen:
         return factor * total + lobe_factor * lobe
 
 
+def index_at(table, nm):
+    """n and k at a wavelength: monotone cubics between those of the table."""
+    at = np.array(table["wavelength_nm"])
+    first = min(int(np.searchsorted(at, nm, "right")) - 1, len(at) - 2)
+
+    def slope(values, knot):
+        secant = lambda i: (values[i + 1] - values[i]) / (at[i + 1] - at[i])
+        if knot in (0, len(at) - 1):
+            return secant(max(knot - 1, 0))
+        before, after = secant(knot - 1), secant(knot)
+        if before * after <= 0:
+            return 0.0
+        a, b = at[knot] - at[knot - 1], at[knot + 1] - at[knot]
+        return 3 * (a + b) / ((2 * b + a) / before + (2 * a + b) / after)
+
+    def cubic(values):
+        width = at[first + 1] - at[first]
+        t = (nm - at[first]) / width
+        s, (p, q) = 1 - t, values[first : first + 2]
+        d, e = width * slope(values, first), width * slope(values, first + 1)
+        return p * (1 + 2 * t) * s * s + q * t * t * (3 - 2 * t) + d * t * s * s - e * t * t * s
+
+    return cubic(table["n"]), cubic(table["k"])
+
+
+class Spectral:
+    """The tables of single wavelengths."""
+
+    def __init__(self, folder, about):
+        self.about, self.optics = about["spectral"], about["optics"]
+        expected = {"half": np.float16, "float": np.float32}[self.about["storage"]]
+
+        def images(arrays, count, dtype=expected):
+            found = [read_image(folder / array["file"], array["scale"]) for array in arrays]
+            assert all(kind == dtype for _, kind in found), arrays
+            return [found[n // 3][0][:, :, n % 3] for n in range(count)]
+
+        self.tables = images(self.about["images"], self.about["tables"])
+        self.lobe = self.about.get("lobe")
+        if self.lobe:
+            (self.power,) = images([self.lobe["power"]], 1, np.float32)
+            cross = self.lobe.get("cross")
+            self.cross = images(cross["images"], cross["patches"]) if cross else []
+
+    def factors(self, wi, wo, nm):
+        material = self.optics["material"]
+        if "dispersion" in self.about:
+            n, k = index_at(self.about["dispersion"], nm)
+            material = {"conductor": {"n": n, "k": k}}
+        c = np.linalg.norm(np.array(wi) + np.array(wo)) / 2
+        mirror = fresnel(material, c)
+        geometry = (1 + np.dot(wi, wo)) ** 2 / (wi[2] * wo[2])
+        vector = self.optics.get("factor", "scalar") == "vector"
+        diffuse = vector_factor(material, wi, wo) if vector and material != "ideal" else mirror * geometry
+        lobe = mirror if vector else mirror * geometry / (wi[2] + wo[2]) ** 2
+        shadowing = 1.0
+        if self.optics["shadowing"]:
+            m = (np.array(wi) + np.array(wo)) / (2 * c)
+            shadowing = min(1.0, 2 * m[2] * wo[2] / np.dot(wo, m), 2 * m[2] * wi[2] / np.dot(wo, m))
+        return diffuse * shadowing, lobe * shadowing, vector
+
+    def evaluate(self, wi, wo, nm):
+        u, v, w = -(np.array(wi) + np.array(wo))
+        r = self.about["shortest_nm"] / nm
+        xi, eta = self.about["xi_per_nm"], self.about["eta_per_nm"]
+        column, row = (
+            (axis["samples"] - 1) * (x / nm - axis["first"]) / (axis["last"] - axis["first"])
+            for axis, x in ((xi, u), (eta, v))
+        )
+        scaled_w = r * abs(w)
+        t = min(1.0, scaled_w / np.sqrt(4 - r * r * (u * u + v * v)))
+        look_up = lambda image, x, y: bilinear(image[:, :, None], x, y)[0]
+        polynomials = chebyshev(t, len(self.tables))
+        total = sum(p * look_up(table, column, row) for p, table in zip(polynomials, self.tables))
+        diffuse, lobe_factor, vector = self.factors(wi, wo, nm)
+        lobe = 0.0
+        if self.lobe:
+            if self.cross:
+                axis = self.lobe["cross"]["xi_per_nm"]
+                k, side = axis["last"], axis["samples"] - 1
+                if max(abs(u), abs(v)) / nm < k:
+                    x, y = side * (u / nm + k) / (2 * k), side * (k - v / nm) / (2 * k)
+                    for p, patch in zip(chebyshev(t, len(self.cross)), self.cross):
+                        total += p * look_up(patch, x, y) / scaled_w
+            line = self.power[0]
+            power = np.interp(scaled_w / 2 * (len(line) - 1), np.arange(len(line)), line)
+            to_horizon = [d[2] ** 2 / (1 + np.hypot(d[0], d[1])) for d in (wi, wo)]
+            distances = [u * u + v * v] + [u * u + v * v + 4 * to_horizon[0] * to_horizon[1]] * vector
+            width = 2 * np.pi * self.lobe["sigma_nm"] / nm
+            lobe = power * sum(np.exp(-(width**2) * distance) for distance in distances)
+        return r**4 * diffuse * total + r**2 * lobe_factor * lobe
+
+
 def main(version):
     index = json.loads((version / "atlas.json").read_text())
     images = [file["path"] for file in index["files"] if file["path"].endswith(".exr")]
@@ -164,6 +257,15 @@ def main(version):
             if not np.max(np.abs(found - expected)) <= TOLERANCE * np.max(np.abs(expected)):
                 sys.exit(f"{entry['name']}: expected {expected}, found {found} at wi {check['wi']}, wo {check['wo']}")
             checked += 1
+        if "spectral" not in specimen.about:
+            continue
+        spectral = Spectral(version / entry["name"], specimen.about)
+        for check in spectral.about["check_values"]:
+            expected = np.array(check["brdf"])
+            found = np.array([spectral.evaluate(check["wi"], check["wo"], nm) for nm in check["wavelength_nm"]])
+            if not np.max(np.abs(found - expected)) <= TOLERANCE * np.max(np.abs(expected)):
+                sys.exit(f"{entry['name']}: expected {expected}, found {found} at wi {check['wi']}, wo {check['wo']}")
+            checked += len(expected)
     print(f"{len(images)} images read, {checked} check values met")
     if not images or not checked:
         sys.exit("nothing to check")

@@ -2,7 +2,7 @@
 
     python3 examples/mitsuba/check.py out/atlas/bundled
 
-For every specimen: its check values; the samples' density and the power they return; a ball rendered by Mitsuba
+For every specimen: its check values; the samples' density and the power they return, at grazing angles too where that is limited; a ball rendered by Mitsuba
 against the atlas's own picture of it. Then every check is made once more with a mistake put in, which it has to find.
 Exit status 0 if all is well. Wants Python 3.11, mitsuba and numpy; under a minute on one core.
 """
@@ -33,6 +33,8 @@ SIGNIFICANCE = 1e-6
 SAMPLES = 1 << 20
 # The power sums of the report are sums over a grid of 256 steps; the mean of samples has a known standard error.
 POWER_TOLERANCE, POWER_SIGMAS = 2e-3, 5
+# What the energy limit may miss between its angles.
+LIMIT_TOLERANCE = 0.01
 # Pictures: both sides look through the centre of each pixel at the same points of the lamp. Normals in single precision
 # are off by some 1e-7, which grazing directions (1 / cos) and steep lobes raise. Norm, and share of the pixels, brighter than
 # a ten-thousandth of the mean, that may differ more.
@@ -104,17 +106,32 @@ def density_error(sampled, stated, theta_deg):
     return math.log(chance) / math.log(SIGNIFICANCE) if chance > 0 else math.inf
 
 
+def weights(bsdf, theta_deg, phi_deg):
+    """Y of the samples of one direction, whose mean is the share of the light that is reflected."""
+    random = mi.PCG32(SAMPLES)
+    one, two = random.next_float32(), mi.Point2f(random.next_float32(), random.next_float32())
+    theta, phi = math.radians(theta_deg), math.radians(phi_deg)
+    wi = mi.Vector3f(math.sin(theta) * math.cos(phi), math.sin(theta) * math.sin(phi), math.cos(theta))
+    _, weight = bsdf.sample(CONTEXT, facing(wi, SAMPLES), one, two)
+    return np.array(weight)[1].astype(np.float64)
+
+
+def limit_error(bsdf):
+    """How much more is reflected than arrives."""
+    worst = 0.0
+    for theta_deg in (45, 60, 80, 88, 89.5):
+        for phi_deg in (0, 67, 180, 270):
+            y = weights(bsdf, theta_deg, phi_deg)
+            worst = np.maximum(worst, (y.mean() - 1) / (LIMIT_TOLERANCE + POWER_SIGMAS * y.std() / math.sqrt(SAMPLES)))
+    return worst
+
+
 def power_error(bsdf, power_sums):
     """Mean weight of the samples, of unit reflectance, against the sums of the report."""
     index, bsdf.index = bsdf.index, None
     worst = 0.0
     for power in power_sums:
-        theta = math.radians(power["theta_i_deg"])
-        random = mi.PCG32(SAMPLES)
-        one, two = random.next_float32(), mi.Point2f(random.next_float32(), random.next_float32())
-        si = facing(mi.Vector3f(math.sin(theta), 0, math.cos(theta)), SAMPLES)
-        _, weight = bsdf.sample(CONTEXT, si, one, two)
-        y = np.array(weight)[1].astype(np.float64)
+        y = weights(bsdf, power["theta_i_deg"], 0)
         allowed = POWER_TOLERANCE * power["sum"] + POWER_SIGMAS * y.std() / math.sqrt(SAMPLES)
         worst = np.maximum(worst, abs(y.mean() - power["sum"]) / allowed)
     bsdf.index = index
@@ -252,12 +269,14 @@ def right(version, name, about, power_sums, scene, picture):
     bsdf = load(version, name)
     yield "values", values_error(bsdf, about["check_values"])
     yield "colours", colour_error(bsdf, load(version, name, colours="srgb"), about["check_values"])
-    # Tables that serve certain scenes alone have no sums in the report, and answer for no other direction.
+    # Tables restricted to scenes have no sums in the report, and answer for no other direction.
     if power_sums:
         yield "frame", frame_error(bsdf, load(version, name, turn_deg=20))
         for theta_deg in (0, 30, 75):
             yield f"density at {theta_deg} deg", density_error(bsdf, bsdf, theta_deg)
         yield "power", power_error(bsdf, power_sums)
+    if about.get("energy_limit"):
+        yield "limit", limit_error(load(version, name, energy_limit=True))
     if picture is not None:
         yield "picture", picture_error(bsdf, scene, picture)
 
@@ -285,6 +304,8 @@ def mistakes(version, name, about, power_sums, scene, picture):
     uneven.table_area *= 1.1
     yield "share of the tables off by a tenth: density", density_error(load(version, name), uneven, 30)
     yield "factor of 1.02: power", power_error(load(version, name, scale=1.02), power_sums)
+    if about.get("energy_limit"):
+        yield "energy limit left off: limit", limit_error(load(version, name))
     if picture is not None:
         yield "u and v exchanged: picture", picture_error(swapped(), scene, picture)
         yield "y downwards: picture", picture_error(upside_down(), scene, picture)

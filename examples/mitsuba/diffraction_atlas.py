@@ -16,6 +16,8 @@ Parameters:
   without texture coordinates has no such direction: give it some.
 - `scale`: a factor on the BRDF, 1 by default.
 - `look_up`: "linear" (default) between texels as graphics hardware, or "cubic", slower and more accurate.
+- `energy_limit`: false by default; true keeps every direction from reflecting more than arrives, which ideal reflectors and the
+  scalar factor do at grazing angles. Surfaces that never do stay as they are.
 - `colours`: "srgb" (default) gives linear sRGB; "xyz" gives CIE XYZ in the three channels, see below.
 
 Light. The tables hold XYZ with the colour of their illuminant (`optics.illuminant` in specimen.json, usually D65) in
@@ -30,7 +32,7 @@ clipping would make it brighter. Map to the display's gamut at the end, as rende
 before. With `colours = "xyz"` nothing is negative: the film then holds XYZ, which is to be converted at the
 end, and everything else in the scene should be grey. Both give the same picture.
 
-Tables that serve certain scenes alone have no answer for other directions: the value is NaN there, and no such direction is
+Tables restricted to scenes have no answer for other directions: the value is NaN there, and no such direction is
 ever sampled. The surface reflects on its front only; the plugin "twosided" puts it on both.
 
 The formulas are those of FORMAT.md in the atlas. Directions are unit vectors in the local frame of the structure; quantities
@@ -55,13 +57,15 @@ if dr.thread_count() < 2:
 # FORMAT.md, "In a renderer".
 SRGB_FROM_XYZ = ((3.2404542, -1.5371385, -0.4985314), (-0.9692660, 1.8760108, 0.0415560), (0.0556434, -0.2040259, 1.0572252))
 # Of the directions that are not sampled from the lobe, the share sampled from the tables; the rest covers the hemisphere
-# evenly in (u, v), so that nothing the tables' mean over depths underrates has a large weight.
+# evenly in (u, v), so that nothing the tables' mean over t underrates has a large weight.
 TABLE_SHARE = 0.85
 # The lobe gets at least and at most this share of the samples.
 LOBE_SHARE = (0.05, 0.95)
-# Depths over which the tables are averaged to sample (u, v).
-SAMPLED_DEPTHS = 8
-# As the program's own shader: how far `t` may leave the served range by rounding.
+# Values of t over which the tables are averaged to sample (u, v).
+SAMPLED_T = 8
+# Entries of the energy limit over the root of the cosine.
+LIMIT_NODES = 1025
+# As the program's own shader: how far `t` may leave the covered range by rounding.
 RANGE_SLACK = 0.02
 
 
@@ -163,11 +167,15 @@ class Diffraction(mi.BSDF):
         self.scale = float(props.get("scale", 1.0))
         self.turn = math.radians(float(props.get("turn_deg", 0.0)))
         self.cubic = {"linear": False, "cubic": True}[choice(props, "look_up", ("linear", "cubic"))]
+        self.is_limited = bool(props.get("energy_limit", False))
         self.as_xyz = choice(props, "colours", ("srgb", "xyz")) == "xyz"
 
         about = json.loads((self.folder / "specimen.json").read_text())
         self.read_optics(about["optics"])
         self.read_tables(about["tables"])
+        self.limit = None
+        if self.is_limited and about.get("energy_limit"):
+            self.limit = limit_by_root(about["energy_limit"])
         reflection = mi.BSDFFlags.GlossyReflection | mi.BSDFFlags.FrontSide | mi.BSDFFlags.Anisotropic
         self.m_components = [reflection]
         self.m_flags = reflection
@@ -204,9 +212,9 @@ class Diffraction(mi.BSDF):
             self.prepare_lobe_samples(coherent)
 
     def prepare_table_samples(self, images):
-        """(u, v) is sampled in proportion to the tables' sum, all channels, averaged over depths."""
+        """(u, v) is sampled in proportion to the tables' sum, all channels, averaged over t."""
         density = np.zeros(images[0].shape[:2])
-        for t in (np.arange(SAMPLED_DEPTHS) + 0.5) / SAMPLED_DEPTHS:
+        for t in (np.arange(SAMPLED_T) + 0.5) / SAMPLED_T:
             basis = chebyshev(2 * t - 1, len(images))
             if self.basis == "taylor":
                 basis = [(2 * t) ** (n - 2) for n in range(len(images))]
@@ -232,7 +240,7 @@ class Diffraction(mi.BSDF):
     # The BRDF, as FORMAT.md tells
 
     def brdf_xyz(self, wi, wo, active):
-        """X, Y, Z in 1/sr; 0 where a direction is not above the surface, NaN where the tables do not serve."""
+        """X, Y, Z in 1/sr; 0 where a direction is not above the surface, NaN where the tables have no answer."""
         active = active & (wi.z > 0) & (wo.z > 0)
         one_plus = 1 + dr.dot(wi, wo)
         mirror = self.reflectance(dr.safe_sqrt(one_plus / 2))
@@ -246,7 +254,15 @@ class Diffraction(mi.BSDF):
             shadowing = dr.minimum(1, 2 * m.z / dr.dot(wo, m) * dr.minimum(wi.z, wo.z))
             front, coherent = front * shadowing, coherent * shadowing
         value = front * self.diffuse(-(wi + wo), active) + coherent * self.lobe(wi, wo, active)
+        if self.limit is not None:
+            value = value / dr.maximum(1, dr.maximum(self.albedo(wi.z, active), self.albedo(wo.z, active)))
         return dr.select(active, value, 0.0)
+
+    def albedo(self, cos_theta, active):
+        """The largest directional albedo over azimuths."""
+        first, weights = stencil(dr.safe_sqrt(cos_theta) * (LIMIT_NODES - 1), LIMIT_NODES, False)
+        product = sum(weight * dr.gather(mi.Float, self.limit, first + n, active) for n, weight in enumerate(weights))
+        return product / dr.maximum(cos_theta, 1e-9)
 
     def polarised_sum(self, wi, wo):
         """`Q_ss + Q_sp + Q_ps + Q_pp` of first-order vector perturbation; the azimuth is 0 on the mirror's side."""
@@ -284,13 +300,13 @@ class Diffraction(mi.BSDF):
             return look_up(self.tables, powers, column, row, self.cubic, active)
         reach = dr.safe_sqrt(4 - u * u - v * v)
         t = dr.select(reach > 0, dr.minimum(w / reach, 1), 0)
-        s, served = t, True
+        s, covered = t, True
         if self.range is not None:
-            s, served = self.share_of_range(t, column, row, active)
+            s, covered = self.share_of_range(t, column, row, active)
         value = look_up(self.tables, chebyshev(2 * s - 1, self.tables.count), column, row, self.cubic, active)
         if self.coherent is not None and self.cross is not None:
             value += self.cross_term(u, v, w, t, active)
-        return dr.select(served, value, dr.nan)
+        return dr.select(covered, value, dr.nan)
 
     def table_position(self, u, v):
         """Column and row: axes are given by the centres of their first and last texels."""
@@ -300,12 +316,12 @@ class Diffraction(mi.BSDF):
         )
 
     def share_of_range(self, t, column, row, active):
-        """Where t lies in the range that the texels serve, 0 to 1, and whether there is an answer."""
+        """Where t lies in the range that the texels cover, 0 to 1, and whether there is an answer."""
         low, high, there = look_up(self.range, [1.0], column, row, self.cubic, active)
         s = (t - low) / (high - low)
         inside = (column >= 0) & (column <= self.range.columns - 1) & (row >= 0) & (row <= self.range.rows - 1)
-        served = inside & (dr.abs(there - 1) < 0.002) & (s >= -RANGE_SLACK) & (s <= 1 + RANGE_SLACK)
-        return dr.clip(s, 0, 1), served
+        covered = inside & (dr.abs(there - 1) < 0.002) & (s >= -RANGE_SLACK) & (s <= 1 + RANGE_SLACK)
+        return dr.clip(s, 0, 1), covered
 
     def lobe(self, wi, wo, active):
         """The coherent lobe without its factor and, with the vector factor, its mirror image in the horizon: the light that
@@ -424,11 +440,18 @@ class Diffraction(mi.BSDF):
         bs.sampled_type = mi.UInt32(+mi.BSDFFlags.GlossyReflection)
         bs.sampled_component = mi.UInt32(0)
         value = self.spectrum(self.brdf_xyz(wi, wo, active)) * wo.z / bs.pdf
-        # Where the tables do not serve there is no sample; light sampling shows NaN there.
+        # Where the tables have no answer there is no sample; light sampling shows NaN there.
         return bs, dr.select(active & (bs.pdf > 0) & dr.all(dr.isfinite(value)), value, 0.0)
 
     def to_string(self):
         return f"Diffraction[\n  folder = {self.folder},\n  scale = {self.scale}\n]"
+
+
+def limit_by_root(stored):
+    """`albedo cos_theta` of an energy limit, at even steps of the root of the cosine."""
+    cos_theta, albedo = (np.array(stored[key]) for key in ("cos_theta", "albedo"))
+    places = np.linspace(0.0, 1.0, LIMIT_NODES) ** 2
+    return mi.Float(np.interp(places, cos_theta, albedo * cos_theta).astype(np.float32))
 
 
 def choice(props, key, allowed):

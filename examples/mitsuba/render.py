@@ -190,7 +190,7 @@ def main():
     xyz = np.array(mi.render(scene(asked), spp=asked.spp))[..., :3]
     unknown = int((~np.isfinite(xyz).all(axis=-1)).sum())
     if unknown:
-        print(f"{unknown} pixels look up directions that the tables do not serve: NaN, shown in magenta", file=sys.stderr)
+        print(f"{unknown} pixels look up directions that the tables do not cover: NaN, shown in magenta", file=sys.stderr)
     if asked.out.endswith(".exr"):
         mi.Bitmap(xyz.astype(np.float32)).write(asked.out)
         return

@@ -12,8 +12,9 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use crate::error::Result;
 use commands::{cache, diff, eval, export, inspect, list, plan, run, study, synthesize, verify};
-use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::error::Error;
 use options::Global;
 use output::Outcome;
 
@@ -102,7 +103,8 @@ fn set_threads(threads: Option<u16>) -> Result<()> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads.into())
         .build_global()
-        .map_err(|error| Error::limit(format!("cannot start {threads} threads: {error}"), "lower `--threads`"))
+        .map_err(|error| Error::limit(format!("cannot start {threads} threads: {error}"), "lower `--threads`"))?;
+    Ok(())
 }
 
 #[cfg(test)]

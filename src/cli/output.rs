@@ -6,6 +6,7 @@ use std::process::ExitCode;
 
 use serde::Serialize;
 
+use crate::error;
 use diffraction_brdf::atlas;
 use diffraction_brdf::error::{Error, Result};
 
@@ -57,14 +58,14 @@ pub(crate) fn version_folder(path: &Path) -> Result<PathBuf> {
 }
 
 /// Reports errors and failures on stderr and gives the exit status.
-pub(crate) fn conclude(outcome: Result<Outcome>) -> ExitCode {
+pub(crate) fn conclude(outcome: error::Result<Outcome>) -> ExitCode {
     let (text, status) = conclusion(outcome);
     // Where stderr is closed the exit status still tells.
     let _ = std::io::stderr().lock().write_all(text.as_bytes());
     ExitCode::from(status)
 }
 
-fn conclusion(outcome: Result<Outcome>) -> (String, u8) {
+fn conclusion(outcome: error::Result<Outcome>) -> (String, u8) {
     match outcome {
         Ok(Outcome::Done) => (String::new(), 0),
         Ok(Outcome::Failures(failures)) => {
@@ -97,8 +98,8 @@ mod tests {
         let failures = vec!["snake_b: no pitch".to_owned()];
         let (text, status) = conclusion(Ok(Outcome::Failures(failures)));
         assert_eq!((text.as_str(), status), ("failed: snake_b: no pitch\n1 failed; the rest is done\n", 1));
-        assert_eq!(conclusion(Err(Error::Call("no".into()))), ("error: no\n".into(), 2));
-        assert_eq!(conclusion(Err(Error::Gpu("lost".into()))).1, 1);
+        assert_eq!(conclusion(Err(Error::Call("no".into()).into())), ("error: no\n".into(), 2));
+        assert_eq!(conclusion(Err(error::Error::Gpu("lost".into()))).1, 1);
     }
 
     #[test]

@@ -75,6 +75,7 @@ pub fn optics() -> OpticsConfig {
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 16_250.0,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge: Edge::Auto,
         windows: Windows::Grid,
         material: Material::Ideal,

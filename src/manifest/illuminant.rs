@@ -5,7 +5,7 @@ use std::path::Path;
 use super::keys;
 use super::reader::Item;
 use super::spectrum_csv;
-use diffraction_brdf::error::Result;
+use crate::error::Result;
 use diffraction_brdf::spectrum::{Illuminant, Line};
 
 /// Shortest and longest wavelength that a manifest may name.
@@ -30,18 +30,41 @@ pub fn read(item: &Item, base: &Path) -> Result<Illuminant> {
             "must be a name (\"D65\", \"A\", \"E\", \"F1\" to \"F12\"), a CSV file, or lines: { lines_nm = [633] }",
         ));
     };
+    named_or_csv(text, base, "{ lines_nm = [633] }").map_err(|why| item.error(why))
+}
+
+/// A light by its name, or by a CSV file whose path starts at `base`; `lines` is how laser lines would be written here.
+fn named_or_csv(text: &str, base: &Path, lines: &str) -> std::result::Result<Illuminant, String> {
     if let Some(illuminant) = named(text) {
         return Ok(illuminant);
     }
     if text.contains(['.', '/', '\\']) {
         let path = base.join(text);
-        return csv(&path).map_err(|why| item.error(format!("{}: {why}", path.display())));
+        return csv(&path).map_err(|why| format!("{}: {why}", path.display()));
     }
     let hint = keys::nearest(text, NAMES).map_or(String::new(), |name| format!("; did you mean \"{name}\"?"));
-    Err(item.error(format!(
+    Err(format!(
         "names no known illuminant: \"{text}\"{hint} Expected \"D65\", \"A\", \"E\", \"F1\" to \"F12\", \
-         a CSV file (its name holds a dot), or lines: {{ lines_nm = [633] }}"
-    )))
+         a CSV file (its name holds a dot), or lines: {lines}"
+    ))
+}
+
+/// A light as the command line names it: a name, a CSV file, or the wavelengths in nm of laser lines of equal power.
+pub(crate) fn from_argument(text: &str) -> std::result::Result<Illuminant, String> {
+    let numbers: Vec<_> = text.split(',').map(|part| part.trim().parse::<f64>()).collect();
+    if numbers.iter().any(|number| number.is_err()) {
+        return named_or_csv(text, Path::new(""), "632.8, or several as 450,532");
+    }
+    let mut lines = Vec::new();
+    for wavelength_nm in numbers.into_iter().flatten() {
+        if !(WAVELENGTH_NM[0]..=WAVELENGTH_NM[1]).contains(&wavelength_nm) {
+            let [low, high] = WAVELENGTH_NM;
+            return Err(format!("{wavelength_nm} nm is no line between {low} and {high} nm"));
+        }
+        lines.push(Line { wavelength_nm, power: 1.0 });
+    }
+    lines.sort_by(|a, b| a.wavelength_nm.total_cmp(&b.wavelength_nm));
+    Ok(Illuminant::Lines(lines))
 }
 
 fn named(text: &str) -> Option<Illuminant> {
@@ -62,7 +85,7 @@ fn lines(item: &Item) -> Result<Illuminant> {
     if items.is_empty() || items.len() > LINES_MAX {
         return Err(given.error(format!("must hold 1 to {LINES_MAX} wavelengths")));
     }
-    let powers = section.get("power").map(|power| Ok((power.list()?, power)));
+    let powers = section.get("power").map(|power| power.list().map(|list| (list, power)));
     let powers = powers.transpose()?;
     if let Some((list, power)) = &powers
         && list.len() != items.len()

@@ -28,7 +28,7 @@ pub(crate) const OPTICS: Keys = Keys {
 pub(crate) const LINES: Keys = Keys { table: "illuminant", names: &["lines_nm", "power"] };
 
 /// The light's spatial coherence.
-pub(crate) const COHERENCE: Keys = Keys { table: "coherence", names: &["sigma_um", "edge"] };
+pub(crate) const COHERENCE: Keys = Keys { table: "coherence", names: &["sigma_um", "source_deg", "edge"] };
 
 /// Refractive index.
 pub(crate) const MATERIAL: Keys = Keys { table: "material", names: &["n", "k", "metal", "substance", "file"] };
@@ -44,6 +44,7 @@ pub(crate) const TABLES: Keys = Keys {
         "wavelength_step_nm",
         "storage",
         "prefilter",
+        "hold",
         "serve",
         "memory_mib",
     ],
@@ -68,6 +69,7 @@ pub const SPECIMEN: Keys = Keys {
         "max_missing_share",
         "material",
         "albedo",
+        "illuminant",
         "coherence",
         "windows",
         "measured",

@@ -5,8 +5,8 @@ use std::path::Path;
 use super::keys;
 use super::reader::{Item, Section};
 use super::spectrum_csv;
+use crate::error::{Error, Result};
 use diffraction_brdf::dispersion::{self, Dispersion, Origin};
-use diffraction_brdf::error::{Error, Result};
 use diffraction_build::optics::config::{Material, OpticsConfig};
 
 /// Ways to give a material, as messages show them.

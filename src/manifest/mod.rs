@@ -1,13 +1,13 @@
 //! The manifest: what a run is asked to do, read from TOML, checked, and resolved.
 //!
 //! [`parse`] turns text into a [`Manifest`], plain data in which every default is filled in and
-//! every path and pattern is resolved. The first fault found ends it with [`Error::Manifest`], which
+//! every path and pattern is resolved. The first fault found ends it with [`error::Error::Manifest`], which
 //! names file, line, column, the key, and what was expected. docs/manifest.md is the reference.
 
 pub mod convert;
 mod defaults;
 mod files;
-mod illuminant;
+pub(crate) mod illuminant;
 pub mod keys;
 mod material;
 mod mesh;
@@ -28,9 +28,11 @@ use toml::de::DeTable;
 
 pub use model::{AtlasSection, GpuSection, Manifest};
 
+use crate::error::{self, Result};
 use crate::stages::cache::store::CacheConfig;
-use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve};
-use diffraction_brdf::error::{Error, Result};
+use crate::stages::config::{Cover, FrameTiming, GpuCheck, ReportConfig};
+use diffraction_brdf::error::Error;
+use diffraction_build::tables::model::Basis;
 use reader::Section;
 use source::Source;
 
@@ -52,14 +54,14 @@ pub fn load(path: &Path) -> Result<(Manifest, String)> {
         unreadable(format!("{error}\n  name an existing file; docs/manifest.md tells what goes into it"))
     })?;
     if bytes.len() as u64 > BYTES_MAX {
-        return Err(unreadable(format!("it has more than {BYTES_MAX} bytes")));
+        return Err(unreadable(format!("it has more than {BYTES_MAX} bytes")).into());
     }
     let text = String::from_utf8(bytes).map_err(|error| not_utf8(&name, &error))?;
     let manifest = parse(&text, &name)?;
     Ok((manifest, text))
 }
 
-fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Error {
+fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> error::Error {
     let good = error.utf8_error().valid_up_to();
     let text = String::from_utf8_lossy(error.as_bytes());
     // Everything before the bad byte is valid, so its offset holds in the repaired text too.
@@ -73,7 +75,7 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Error {
 /// environments are read.
 ///
 /// # Errors
-/// [`Error::Manifest`] for the first fault found.
+/// [`error::Error::Manifest`] for the first fault found.
 pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
     let source = Source { text, file: file_name };
     let document = DeTable::parse(text).map_err(|error| syntax_error(&source, &error))?;
@@ -100,12 +102,19 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
     };
     optics.factor = optics::factor(top.get("optics").as_ref(), tables.basis)?;
     let specimens = top.require("specimen", "[[specimen]]")?;
-    let specimens = specimen::read_all(&specimens, &optics, base)?;
+    let written_nm = optics::written_range(top.get("optics").as_ref())?;
+    let specimens = specimen::read_all(&specimens, specimen::Common { optics: &optics, written_nm, base })?;
+    if let (Some(item), Basis::Taylor) = (top.get("tables"), tables.basis) {
+        tables::refuse_sources(&item, &specimens)?;
+    }
     let names: Vec<&str> = specimens.iter().map(|specimen| specimen.name.as_str()).collect();
     let scenes = match top.get("scene") {
         Some(item) => scene::read_all(&item, &names, base)?,
         None => Vec::new(),
     };
+    if let Some(item) = top.get("scene") {
+        scene::refuse_mixed_lights(&item, &scenes, &specimens)?;
+    }
     let gpu = match top.get("gpu") {
         Some(item) => gpu(&item.section(&keys::GPU, "[gpu]")?)?,
         None => defaults::GPU,
@@ -120,18 +129,22 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
     };
     let cache = cache_config(cache.as_ref(), &atlas.out, base)?;
     let names: Vec<&str> = scenes.iter().map(|scene| scene.name.as_str()).collect();
-    let serve = match top.get("tables") {
-        Some(item) => tables::read_serve(&item, &names)?,
-        None => Serve::All,
+    let cover = match top.get("tables") {
+        Some(item) => tables::read_cover(&item, &names)?,
+        None => Cover::All,
     };
-    if let (Some(item), Serve::All) = (top.get("scene"), &serve) {
+    let spectral = match top.get("tables") {
+        Some(item) => tables::read_hold(&item, &cover)?,
+        None => true,
+    };
+    if let (Some(item), Cover::All) = (top.get("scene"), &cover) {
         scene::refuse_tolerances(&item)?;
     }
     let base = base.to_owned();
-    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, serve, specimens, scenes, gpu, report, cache, base })
+    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, cover, spectral, specimens, scenes, gpu, report, cache, base })
 }
 
-fn syntax_error(source: &Source, error: &toml::de::Error) -> Error {
+fn syntax_error(source: &Source, error: &toml::de::Error) -> error::Error {
     let end = source.text.len();
     let message = format!("not valid TOML: {}", error.message().trim_end());
     source.error(error.span().unwrap_or(end..end), message)

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::stages::cache::store::CacheConfig;
-use crate::stages::config::{FrameTiming, GpuCheck, ReportConfig, Serve, SpecimenConfig};
+use crate::stages::config::{Cover, FrameTiming, GpuCheck, ReportConfig, SpecimenConfig};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::tables::model::TablesConfig;
 use diffraction_render::scene::model::Scene;
@@ -20,7 +20,9 @@ pub struct Manifest {
     /// What is asked of the tables.
     pub tables: TablesConfig,
     /// Which directions the tables answer for.
-    pub serve: Serve,
+    pub cover: Cover,
+    /// Whether specimens get spectral tables beside those of X, Y, Z.
+    pub spectral: bool,
     /// The specimens, at least one, in the manifest's order; names are unique.
     pub specimens: Vec<SpecimenConfig>,
     /// The pictures, in the manifest's order; names are unique.

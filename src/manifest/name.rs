@@ -1,7 +1,7 @@
 //! Names of atlases, specimens, and scenes: they become folders and files on any system.
 
 use super::reader::Item;
-use diffraction_brdf::error::Result;
+use crate::error::Result;
 
 /// Longest name.
 const CHARACTERS_MAX: usize = 64;

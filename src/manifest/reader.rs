@@ -7,7 +7,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::keys::{self, Keys};
 use super::source::Source;
-use diffraction_brdf::error::{Error, Result};
+use crate::error::{Error, Result};
 
 /// A table whose keys are all known.
 #[derive(Debug, Clone)]

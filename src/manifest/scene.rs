@@ -8,7 +8,9 @@ use super::mesh;
 use super::name;
 use super::reader::{Item, Section};
 use super::tables;
-use diffraction_brdf::error::Result;
+use crate::error::Result;
+use crate::stages::config::SpecimenConfig;
+use crate::stages::pictures::sharing::specimens_of;
 use diffraction_render::scene::environment::{self, Environment};
 use diffraction_render::scene::limits::{
     ANIMATION_PIXELS_MAX, DIAMETER_MAX_DEG, EV_MAX, FPS_MAX, FRAMES_MAX, IRRADIANCE_MAX, LENGTH_MM, LIGHTS_MAX,
@@ -83,8 +85,27 @@ pub(crate) fn refuse_tolerances(item: &Item) -> Result<()> {
         let section = item.section(&keys::SCENE, "[[scene]]")?;
         if section.has("tolerance") {
             let message = "`tolerance` of a scene goes with tables that are made for scenes: set tables.serve = \"scenes\", or \
-                           tables.tolerance for tables that serve every direction";
+                           tables.tolerance for tables for every direction";
             return Err(section.error_at_key("tolerance", message));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses a picture of several specimens under several illuminants: X, Y, Z are relative to one white, and there is one light.
+pub(crate) fn refuse_mixed_lights(item: &Item, scenes: &[Scene], specimens: &[SpecimenConfig]) -> Result<()> {
+    for (item, scene) in item.list()?.iter().zip(scenes) {
+        let shown = specimens.iter().filter(|specimen| specimens_of(scene).contains(&specimen.name));
+        let light = |specimen: &SpecimenConfig| (specimen.optics.illuminant.clone(), specimen.optics.wavelength_nm);
+        let mut lights = shown.map(|specimen| (specimen, light(specimen)));
+        let Some((first, light)) = lights.next() else { continue };
+        if let Some((other, _)) = lights.find(|(_, other)| *other != light) {
+            let message = format!(
+                "scene \"{}\" shows \"{}\" and \"{}\" in one picture, whose `illuminant` differ: one picture has one light; give them the \
+                 same, or a scene each",
+                scene.name, first.name, other.name
+            );
+            return Err(item.section(&keys::SCENE, "[[scene]]")?.error_at_key("materials", message));
         }
     }
     Ok(())

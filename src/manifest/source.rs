@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use diffraction_brdf::error::Error;
+use crate::error::Error;
 
 /// A manifest's text and the name it goes by in messages.
 #[derive(Debug, Clone, Copy)]

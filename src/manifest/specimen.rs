@@ -8,9 +8,9 @@ use super::keys;
 use super::name;
 use super::optics;
 use super::reader::{Item, Section};
+use crate::error::Result;
 use crate::stages::config::SpecimenConfig;
 use crate::stages::measured::MeasuredConfig;
-use diffraction_brdf::error::Result;
 use diffraction_build::height::prepare::{Despike, Level, PrepareConfig};
 use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig};
 use diffraction_build::optics::config::{Material, OpticsConfig};
@@ -30,8 +30,19 @@ const BANDWIDTH_MAX_NM: f64 = 100.0;
 /// Largest page number.
 const PAGE_MAX: usize = 65_535;
 
-/// Reads every specimen; each starts from the manifest's `optics`.
-pub(crate) fn read_all(item: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<SpecimenConfig>> {
+/// What specimens have in common.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Common<'a> {
+    /// What each starts from: the manifest's `[optics]`.
+    pub optics: &'a OpticsConfig,
+    /// The range of wavelengths that is written down there.
+    pub written_nm: Option<[f64; 2]>,
+    /// Where paths start.
+    pub base: &'a Path,
+}
+
+/// Reads every specimen.
+pub(crate) fn read_all(item: &Item, common: Common) -> Result<Vec<SpecimenConfig>> {
     if !item.is_list() {
         return Err(item.error("must be written as [[specimen]], with double brackets"));
     }
@@ -43,7 +54,7 @@ pub(crate) fn read_all(item: &Item, optics: &OpticsConfig, base: &Path) -> Resul
     for item in items {
         let section = item.section(&keys::SPECIMEN, "[[specimen]]")?;
         let name_item = section.require("name", "name = \"corn_snake\"")?;
-        for one in of_section(&section, &name_item, optics, base)? {
+        for one in of_section(&section, &name_item, common)? {
             name::refuse_repetition(&name_item, &one.name, specimens.iter().map(|other| other.name.as_str()))?;
             specimens.push(one);
         }
@@ -55,12 +66,12 @@ pub(crate) fn read_all(item: &Item, optics: &OpticsConfig, base: &Path) -> Resul
 const FILE_PATTERN: &str = "{file}";
 
 /// The specimen that a section describes, or one for each of its files.
-fn of_section(section: &Section, name: &Item, optics: &OpticsConfig, base: &Path) -> Result<Vec<SpecimenConfig>> {
+fn of_section(section: &Section, name: &Item, common: Common) -> Result<Vec<SpecimenConfig>> {
     let pattern = name.text()?;
     if !pattern.contains(FILE_PATTERN) {
-        return Ok(vec![read(section, name::read(name)?, optics.clone(), base)?]);
+        return Ok(vec![read(section, name::read(name)?, common)?]);
     }
-    let all = read(section, String::new(), optics.clone(), base)?;
+    let all = read(section, String::new(), common)?;
     let of_file = |scan: &PathBuf| {
         let stem = scan.file_stem().unwrap_or_default().to_string_lossy();
         let name = name::checked(name, &pattern.replace(FILE_PATTERN, &name::made_safe(&stem)))?;
@@ -69,7 +80,12 @@ fn of_section(section: &Section, name: &Item, optics: &OpticsConfig, base: &Path
     all.scans.iter().map(of_file).collect()
 }
 
-fn read(section: &Section, name: String, mut optics: OpticsConfig, base: &Path) -> Result<SpecimenConfig> {
+fn read(section: &Section, name: String, common: Common) -> Result<SpecimenConfig> {
+    let Common { optics, written_nm, base } = common;
+    let mut optics = optics.clone();
+    if let Some(item) = section.get("illuminant") {
+        optics::read_illuminant(&item, written_nm, base, &mut optics)?;
+    }
     optics::read_overrides(section, base, &mut optics)?;
     let species = section.get("species").map(|item| item.text_not_empty());
     let page = section.get("page").map(|item| item.integer_within(0, PAGE_MAX, ""));

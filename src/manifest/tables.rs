@@ -3,8 +3,8 @@
 use super::defaults;
 use super::keys;
 use super::reader::Item;
-use crate::stages::config::Serve;
-use diffraction_brdf::error::Result;
+use crate::error::Result;
+use crate::stages::config::{Cover, SpecimenConfig};
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
 /// Tolerances lie above the first, at which double precision is spent, and up to the second.
@@ -54,40 +54,83 @@ pub fn read(item: &Item) -> Result<TablesConfig> {
     Ok(tables)
 }
 
+/// Refuses the published basis for specimens under a source of fixed size, which it knows nothing of.
+pub(crate) fn refuse_sources(item: &Item, specimens: &[SpecimenConfig]) -> Result<()> {
+    let Some(specimen) = specimens.iter().find(|specimen| specimen.optics.source_deg.is_some()) else { return Ok(()) };
+    let message = format!(
+        "knows one coherence for all wavelengths, and specimen \"{}\" has `coherence.source_deg`; use \"chebyshev\", or give \
+         `coherence.sigma_um`",
+        specimen.name
+    );
+    let section = item.section(&keys::TABLES, "[tables]")?;
+    Err(section.get("basis").unwrap_or_else(|| item.clone()).error(message))
+}
+
 /// Reads a tolerance.
 pub fn tolerance(item: &Item) -> Result<f64> {
     item.number_above(TOLERANCE[0], TOLERANCE[1], "")
 }
 
 /// Reads `serve`: which directions the tables answer for; `scenes` are the names of the manifest's scenes.
-pub(crate) fn read_serve(item: &Item, scenes: &[&str]) -> Result<Serve> {
+pub(crate) fn read_cover(item: &Item, scenes: &[&str]) -> Result<Cover> {
     let section = item.section(&keys::TABLES, "[tables]")?;
     let Some(item) = section.get("serve") else {
-        return Ok(Serve::All);
+        return Ok(Cover::All);
     };
     if item.is_list() && scenes.is_empty() {
         return Err(item.error("names scenes, but there is no [[scene]]"));
     }
-    let serve = if item.is_list() {
+    let cover = if item.is_list() {
         let options: Vec<(&str, &str)> = scenes.iter().map(|name| (*name, *name)).collect();
         let named = item.list()?.iter().map(|item| item.choice(&options).map(str::to_owned)).collect::<Result<_>>()?;
-        Serve::Named(named)
+        Cover::Named(named)
     } else if item.as_text().is_some() {
-        if item.choice(&[("all", true), ("scenes", false)])? { Serve::All } else { Serve::Scenes }
+        if item.choice(&[("all", true), ("scenes", false)])? { Cover::All } else { Cover::Scenes }
     } else {
         return Err(item.error("must be \"all\", \"scenes\", or a list of scenes as [\"sphere\"]"));
     };
-    if serve == Serve::All {
-        return Ok(serve);
+    if cover == Cover::All {
+        return Ok(cover);
     }
-    if scenes.is_empty() || serve == Serve::Named(Vec::new()) {
-        return Err(item.error("serves no direction at all: there must be a [[scene]] to serve"));
+    if scenes.is_empty() || cover == Cover::Named(Vec::new()) {
+        return Err(item.error("covers no direction at all: there must be a [[scene]] to cover"));
     }
     let taylor = section.get("basis").is_some_and(|basis| basis.as_text() == Some("taylor"));
     if taylor {
-        return Err(item.error("goes with basis = \"chebyshev\": powers of w cannot be cut to the depths of a scene"));
+        return Err(
+            item.error("goes with basis = \"chebyshev\": powers of w cannot be restricted to the |w| of a scene")
+        );
     }
-    Ok(serve)
+    Ok(cover)
+}
+
+/// Reads `hold`: whether there are spectral tables beside those of X, Y, Z. Where nothing is said there are, unless tables are
+/// made for scenes or by the published method, which know no single wavelengths.
+pub(crate) fn read_hold(item: &Item, cover: &Cover) -> Result<bool> {
+    let section = item.section(&keys::TABLES, "[tables]")?;
+    let taylor = section.get("basis").is_some_and(|basis| basis.as_text() == Some("taylor"));
+    let Some(item) = section.get("hold") else {
+        return Ok(cover.is_all() && !taylor);
+    };
+    let names = if item.is_list() { item.list()? } else { Vec::new() };
+    let held =
+        names.iter().map(|name| name.choice(&[("spectral", true), ("xyz", false)])).collect::<Result<Vec<_>>>()?;
+    if !held.contains(&false) {
+        return Err(item.error(
+            "must be [\"xyz\"] or [\"spectral\", \"xyz\"]: pictures, checks and readers of colours take the tables of X, Y, Z",
+        ));
+    }
+    let spectral = held.contains(&true);
+    if spectral && taylor {
+        return Err(item
+            .error("\"spectral\" goes with basis = \"chebyshev\": the published method's tables hold X, Y, Z alone"));
+    }
+    if spectral && !cover.is_all() {
+        return Err(item.error(
+            "\"spectral\" goes with serve = \"all\": one wavelength of a scene looks up what another scene's may not need",
+        ));
+    }
+    Ok(spectral)
 }
 
 fn size(item: &Item) -> Result<usize> {

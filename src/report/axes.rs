@@ -13,7 +13,7 @@ pub struct Axis {
 }
 
 /// A value to mark, and what is written there.
-pub type Tick = (f64, String);
+pub(crate) type Tick = (f64, String);
 
 impl Axis {
     /// An even axis.
@@ -52,12 +52,12 @@ impl Axis {
 }
 
 /// Upright lines of a class over the whole height at the ticks of an axis that runs across, numbers below them.
-pub fn upright_lines(x: &Axis, ticks: &[Tick], [top, bottom]: [f64; 2], class: &str) -> String {
+pub(crate) fn upright_lines(x: &Axis, ticks: &[Tick], [top, bottom]: [f64; 2], class: &str) -> String {
     ticks.iter().map(|(value, text)| upright(at(x.at(*value)), [top, bottom], bottom, class, text)).collect()
 }
 
 /// Short marks below an axis that runs across, and their numbers.
-pub fn marks_below(x: &Axis, ticks: &[Tick], bottom: f64) -> String {
+pub(crate) fn marks_below(x: &Axis, ticks: &[Tick], bottom: f64) -> String {
     ticks.iter().map(|(value, text)| upright(at(x.at(*value)), [bottom, bottom + 4.0], bottom, "tick", text)).collect()
 }
 
@@ -67,7 +67,7 @@ fn upright(x: String, [from, to]: [f64; 2], bottom: f64, class: &str, text: &str
 }
 
 /// Level lines of a class over the whole width at the ticks of an axis that runs up, numbers left of them.
-pub fn level_lines(y: &Axis, ticks: &[Tick], [left, right]: [f64; 2], class: &str) -> String {
+pub(crate) fn level_lines(y: &Axis, ticks: &[Tick], [left, right]: [f64; 2], class: &str) -> String {
     let level = |(value, text): &Tick| {
         let place = y.at(*value);
         let line = format!(r#"<path class="{class}" d="M{} {}H{}"/>"#, at(left), at(place), at(right));
@@ -77,7 +77,7 @@ pub fn level_lines(y: &Axis, ticks: &[Tick], [left, right]: [f64; 2], class: &st
 }
 
 /// What an axis holds, below its numbers.
-pub fn title_below(text: &str, [left, right]: [f64; 2], bottom: f64) -> String {
+pub(crate) fn title_below(text: &str, [left, right]: [f64; 2], bottom: f64) -> String {
     label(text, &at(0.5 * (left + right)), bottom + 34.0, "middle")
 }
 
@@ -89,7 +89,7 @@ fn label(text: &str, x: &str, y: f64, anchor: &str) -> String {
 }
 
 /// A line through points, which are values of both axes; nothing for none.
-pub fn polyline(points: impl Iterator<Item = (f64, f64)>, x: &Axis, y: &Axis, style: &str) -> String {
+pub(crate) fn polyline(points: impl Iterator<Item = (f64, f64)>, x: &Axis, y: &Axis, style: &str) -> String {
     let places: Vec<String> = points.map(|(a, b)| format!("{} {}", at(x.at(a)), at(y.at(b)))).collect();
     if places.is_empty() {
         return String::new();

@@ -8,14 +8,14 @@ use diffraction_build::tables::coverage::budget::{Budget, BudgetRow, Cost};
 /// Title, introduction and rows of a specimen's budget.
 pub fn budget(budget: &Budget) -> Value {
     let rows: Vec<Value> = budget.rows.iter().map(|row| row_cells(row, budget)).collect();
-    let served = [&budget.restricted].into_iter().chain(&budget.measured).map(cost_cells).collect::<Vec<_>>();
+    let restricted = [&budget.restricted].into_iter().chain(&budget.measured).map(cost_cells).collect::<Vec<_>>();
     context! {
         about => format!(
-            "These tables serve {} and nothing else: {} of the disc of (u, v).",
+            "These tables cover {} and nothing else: {} of the disc of (u, v).",
             in_words(&budget.scenes),
             percent(budget.reached_share)
         ),
-        served => served,
+        restricted => restricted,
         rows => rows,
         measured => budget.rows.iter().any(|row| row.measured.is_some()),
     }

@@ -2,7 +2,7 @@
 
 use crate::report::frames::period_letter;
 use crate::report::numbers;
-use crate::stages::results::{BuildResult, Period, SpecimenResult, Statistics};
+use crate::stages::results::{BuildResult, Period, SpecimenResult, SpectralResult, Statistics};
 use diffraction_brdf::dispersion::Origin;
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::accuracy::power_sums::DirectionalAlbedo;
@@ -52,8 +52,10 @@ pub(crate) fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
         facts.push(fact("Tables", tables(built)));
         facts.extend(built.rounding.map(|rounding| fact("Numbers", format_of(built.storage, rounding))));
         facts.push(fact("Texels", texels(built)));
+        facts.push(fact("Rim", rim(built)));
         facts.push(fact("Made from", made_from(built)));
     }
+    facts.extend(specimen.spectral.as_ref().map(|spectral| fact("Spectral tables", spectral_tables(spectral))));
     if !specimen.albedo.is_empty() {
         facts.push(fact("Albedo", albedo(&specimen.albedo)));
     }
@@ -72,6 +74,19 @@ pub(crate) fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
         ));
     }
     facts
+}
+
+/// Texels from the rim of (u, v) within which look-ups err by more than a thousandth or so: docs/accuracy.md.
+const RIM_TEXELS: f64 = 2.0;
+
+/// From which polar angle on two directions on one side lie at the rim.
+fn rim(built: &BuildResult) -> String {
+    let texel = 4.0 / (built.size.max(3) - 1) as f64;
+    let theta_deg = (1.0 - 0.5 * RIM_TEXELS * texel).clamp(0.0, 1.0).asin().to_degrees();
+    format!(
+        "look-ups err by a thousandth and more where light and viewer are both beyond {}° on one side",
+        numbers::round_number(theta_deg, 3)
+    )
 }
 
 /// The provenance of one scan: every entry of the JSON object, in its order. Empty entries are left out.
@@ -140,7 +155,7 @@ pub(crate) fn by_cause(rows: &[ErrorRow]) -> Vec<ErrorRow> {
     sorted
 }
 
-/// Which directions the errors count, and how much of each group the tables show lit.
+/// Which directions the errors count, and how much of each group the tables show above the floor.
 pub(crate) fn counted_directions(rows: &[ErrorRow]) -> String {
     let totals: Vec<&ErrorRow> = rows.iter().filter(|row| row.cause == Cause::Total).collect();
     let [low, high] = totals
@@ -156,10 +171,12 @@ pub(crate) fn counted_directions(rows: &[ErrorRow]) -> String {
         .iter()
         .fold([0, 0], |[below, missed], row| [below + row.directions_below, missed + row.missed_directions]);
     let found = match (below, missed) {
-        (0, _) => "Nothing is dark.".to_owned(),
-        (_, 0) => format!("Of {below} dark directions that were evaluated as well, none is brighter than that."),
+        (0, _) => "Nothing is below it.".to_owned(),
+        (_, 0) => {
+            format!("Of {below} directions below that floor that were evaluated as well, none turned out above it.")
+        }
         _ => format!(
-            "Of {below} dark directions that were evaluated as well, {missed} turned out brighter than that, and count."
+            "Of {below} directions below that floor that were evaluated as well, {missed} turned out above it, and count."
         ),
     };
     let p95 = |cause: Cause| rows.iter().find(|row| row.cause == cause).map_or(f64::NAN, |row| row.p95);
@@ -170,8 +187,8 @@ pub(crate) fn counted_directions(rows: &[ErrorRow]) -> String {
         false => "",
     };
     format!(
-        "Medians, percentiles and worst ones count directions brighter than {floor}. Shares of each region that the tables \
-         show lit: {}. {found}{grid}",
+        "Medians, percentiles and worst ones count directions above the luminance floor, {floor}. Shares of each region that the tables \
+         show above it: {}. {found}{grid}",
         shares.join("; ")
     )
 }
@@ -279,9 +296,24 @@ fn coherence(optics: &OpticsConfig) -> String {
         Windows::Centre => "one window in the middle",
     };
     let sigma = |nm: f64| numbers::round_number(nm * 1e-3, 4);
-    match optics.lobe_sigma_nm {
-        None => format!("σ = {} µm, {edge}, {windows}", sigma(optics.sigma_nm)),
-        Some(light_nm) => format!(
+    let light = optics.source_deg.map(|source_deg| {
+        let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
+        let at = |nm: f64| sigma(optics.lobe_coherence().sigma_nm_at(nm));
+        format!(
+            "a source {} degrees wide: σ = {} µm at {low_nm:.0} nm, {} µm at {high_nm:.0} nm, in proportion to the wavelength",
+            numbers::round_number(source_deg, 4),
+            at(low_nm),
+            at(high_nm)
+        )
+    });
+    match (light, optics.lobe_sigma_nm) {
+        (Some(light), None) => format!("{light}, {edge}, {windows}"),
+        (Some(light), Some(_)) => format!(
+            "{light} for the coherent lobe, {} µm at most for the rest (as much as the scan resolves), {edge}, {windows}",
+            sigma(optics.sigma_nm)
+        ),
+        (None, None) => format!("σ = {} µm, {edge}, {windows}", sigma(optics.sigma_nm)),
+        (None, Some(light_nm)) => format!(
             "σ = {} µm for the coherent lobe (the light's), {} µm for the rest (as much as the scan resolves), {edge}, {windows}",
             sigma(light_nm),
             sigma(optics.sigma_nm)
@@ -324,6 +356,21 @@ fn tables(built: &BuildResult) -> String {
         grid_short(built),
         numbers::bytes(built.stored_bytes),
         numbers::round_percent(built.tolerance),
+    )
+}
+
+/// Tables of single wavelengths.
+fn spectral_tables(found: &SpectralResult) -> String {
+    let [shortest, longest] = found.range_nm.map(|nm| numbers::round_number(nm, 4));
+    let format = match found.storage {
+        Storage::Half => "16-bit",
+        Storage::Float => "32-bit",
+    };
+    format!(
+        "{} of {size} × {size}, {format} floats, {}: any wavelength from {shortest} nm, any light up to {longest} nm",
+        found.tables,
+        numbers::bytes(found.stored_bytes),
+        size = found.size,
     )
 }
 
@@ -448,16 +495,17 @@ pub(super) mod tests {
         let rows = [row(Region::NearSpecular, 0), row(Region::Grazing, 0)];
         let text = counted_directions(&rows).replace('\u{a0}', " ");
         assert!(
-            text.contains("brighter than 0.00015 /sr. ") && text.contains("near specular: 100 %; grazing: 100 %."),
+            text.contains("above the luminance floor, 0.00015 /sr. ")
+                && text.contains("near specular: 100 %; grazing: 100 %."),
             "{text}"
         );
         assert!(
-            text.ends_with("Of 64 dark directions that were evaluated as well, none is brighter than that."),
+            text.ends_with("Of 64 directions below that floor that were evaluated as well, none turned out above it."),
             "{text}"
         );
         assert!(
             counted_directions(&[row(Region::NearSpecular, 0), row(Region::Grazing, 3)])
-                .contains(", 3 turned out brighter than that")
+                .contains(", 3 turned out above it")
         );
     }
 

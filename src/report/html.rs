@@ -259,6 +259,7 @@ fn specimen_section(
         } else {
             String::new()
         },
+        spectral_errors => spectral_errors(specimen),
         measured => specimen.measured.as_ref().map(|found| safe(measured::section(found))),
         power_plot => safe(plots::power_plot(&specimen.power_sums)),
         times => safe(plots::time_plot(&by_stage(&own_stages(stages, &specimen.name)))),
@@ -269,6 +270,13 @@ fn specimen_section(
             .map(|scan| fact_values(&facts::of_scan(scan)))
             .collect::<Vec<_>>(),
     })
+}
+
+/// Rows of the errors at single wavelengths; none where there are no spectral tables, or nothing was measured.
+fn spectral_errors(specimen: &SpecimenResult) -> Vec<Value> {
+    let rows = facts::by_cause(specimen.spectral.as_ref().map_or(&[], |spectral| &spectral.errors));
+    let is_first = |index: usize| index == 0 || rows[index - 1].cause != rows[index].cause;
+    rows.iter().enumerate().map(|(index, row)| error_view(row, is_first(index), false)).collect()
 }
 
 fn scene_view(scene: &SceneResult, album: &mut Album) -> Result<Value> {

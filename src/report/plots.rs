@@ -15,7 +15,7 @@ const ROW: f64 = 19.0;
 /// cross, one row per [`ErrorRow`], on a logarithmic axis; the tolerance as a dashed line.
 ///
 /// Errors of zero and missing ones are not drawn: a logarithm has no place for them.
-pub fn error_plot(rows: &[ErrorRow], tolerance: Option<f64>) -> String {
+pub(crate) fn error_plot(rows: &[ErrorRow], tolerance: Option<f64>) -> String {
     const LEFT: f64 = 318.0;
     const TOP: f64 = 20.0;
     let span = WIDTH - LEFT - 18.0;
@@ -101,7 +101,7 @@ fn error_range(row: &ErrorRow, y: f64, x: &dyn Fn(f64) -> f64) -> String {
 
 /// Power sums against the angle of incidence, one line per wavelength and one for the luminous sum.
 /// 1 is what goes in.
-pub fn power_plot(sums: &[PowerSum]) -> String {
+pub(crate) fn power_plot(sums: &[PowerSum]) -> String {
     const LEFT: f64 = 46.0;
     const TOP: f64 = 12.0;
     const HEIGHT: f64 = 190.0;
@@ -193,7 +193,7 @@ fn wavelength_colour(wavelength_nm: f64) -> String {
 }
 
 /// Named durations in seconds as bars.
-pub fn time_plot(times: &[(String, f64)]) -> String {
+pub(crate) fn time_plot(times: &[(String, f64)]) -> String {
     const LEFT: f64 = 150.0;
     let longest = times.iter().map(|time| time.1).filter(|&time| drawable(time)).fold(0.0, f64::max);
     if longest == 0.0 {

@@ -31,7 +31,7 @@ const COLOURS: [&str; 8] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00
 
 /// A line of points with a name.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Series {
+pub(crate) struct Series {
     /// Name in the legend.
     pub name: String,
     /// Points in the order they are joined.
@@ -40,7 +40,7 @@ pub struct Series {
 
 /// One pair of axes, both logarithmic.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Panel {
+pub(crate) struct Panel {
     /// What the horizontal axis holds, with its unit.
     pub x_label: String,
     /// What the vertical axis holds, with its unit.
@@ -51,7 +51,7 @@ pub struct Panel {
 
 /// Panels side by side under one title, with one legend.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Figure {
+pub(crate) struct Figure {
     /// The title.
     pub title: String,
     /// The panels.
@@ -59,7 +59,7 @@ pub struct Figure {
 }
 
 /// Error over the hemisphere against build time, evaluation time and bytes.
-pub fn cost_figure(study: &SpecimenStudy) -> Figure {
+pub(crate) fn cost_figure(study: &SpecimenStudy) -> Figure {
     let error = |row: &MethodRow| {
         let found = row.errors.iter().find(|e| e.region == Region::Hemisphere);
         found.map_or(f64::NAN, |e| e.quantiles.p95)
@@ -68,7 +68,7 @@ pub fn cost_figure(study: &SpecimenStudy) -> Figure {
 }
 
 /// The same where (u, v) lies on texels: what is left without the grid.
-pub fn cost_figure_on_texels(study: &SpecimenStudy) -> Figure {
+pub(crate) fn cost_figure_on_texels(study: &SpecimenStudy) -> Figure {
     costs(study, "error against cost without the grid's share", &|row| row.on_texels.p95)
 }
 
@@ -89,7 +89,7 @@ fn costs(study: &SpecimenStudy, title: &str, error: &dyn Fn(&MethodRow) -> f64) 
 }
 
 /// Error of the tables against their number, and colour difference against bytes.
-pub fn tables_figure(study: &SpecimenStudy) -> Figure {
+pub(crate) fn tables_figure(study: &SpecimenStudy) -> Figure {
     let mut tables = by_method(study, &|row| {
         let count: f64 = row.setting.split(' ').next().and_then(|n| n.parse().ok()).unwrap_or(0.0);
         (if row.basis.is_some() { count } else { 0.0 }, row.on_texels.p95)
@@ -121,7 +121,7 @@ fn by_method(study: &SpecimenStudy, point: &dyn Fn(&MethodRow) -> (f64, f64)) ->
 }
 
 /// Median and 95th percentile against the setting of one knob; `None` where fewer than two settings were tried.
-pub fn knob_figure(study: &SpecimenStudy, knobs: &[&str], axis: &str) -> Option<Figure> {
+pub(crate) fn knob_figure(study: &SpecimenStudy, knobs: &[&str], axis: &str) -> Option<Figure> {
     let mut series = Vec::new();
     for &knob in knobs {
         let rows: Vec<_> = study.knobs.iter().filter(|row| row.knob == knob).collect();
@@ -144,7 +144,7 @@ pub fn knob_figure(study: &SpecimenStudy, knobs: &[&str], axis: &str) -> Option<
 }
 
 /// Measured against asked for, and what it costs.
-pub fn tolerance_figure(study: &SpecimenStudy) -> Option<Figure> {
+pub(crate) fn tolerance_figure(study: &SpecimenStudy) -> Option<Figure> {
     let rows = &study.tolerances;
     if rows.is_empty() {
         return None;
@@ -172,7 +172,7 @@ pub fn tolerance_figure(study: &SpecimenStudy) -> Option<Figure> {
 }
 
 /// Relief, the published series in each number format, and grazing directions.
-pub fn stability_figures(stability: &Stability) -> Vec<(&'static str, Figure)> {
+pub(crate) fn stability_figures(stability: &Stability) -> Vec<(&'static str, Figure)> {
     vec![
         ("depth", depth_figure(&stability.depths)),
         ("series", series_figure(&stability.series)),

@@ -20,7 +20,9 @@ pub struct RunConfig {
     /// What is asked of the tables.
     pub tables: TablesConfig,
     /// Which directions the tables answer for.
-    pub serve: Serve,
+    pub cover: Cover,
+    /// Whether specimens get spectral tables beside those of X, Y, Z.
+    pub spectral: bool,
     /// The specimens, in order.
     pub specimens: Vec<SpecimenConfig>,
     /// The pictures, in order.
@@ -67,10 +69,10 @@ pub struct SpecimenConfig {
     pub measured: Option<MeasuredConfig>,
 }
 
-/// Which directions the tables answer for.
+/// Which directions the tables answer for: `tables.serve` of a manifest.
 #[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Serve {
+pub enum Cover {
     /// Every pair above the surface: any scene, any renderer.
     #[default]
     All,
@@ -80,7 +82,7 @@ pub enum Serve {
     Named(Vec<String>),
 }
 
-impl Serve {
+impl Cover {
     /// Whether tables answer for every direction.
     pub(crate) fn is_all(&self) -> bool {
         *self == Self::All

@@ -3,7 +3,6 @@
 use super::results::{Failure, StageTime};
 use super::stage::Stage;
 use super::usage::Stopwatch;
-use diffraction_brdf::error::Result;
 use diffraction_build::ground::progress::Progress;
 
 /// Times and failures so far, in the order they came, and who hears of them.
@@ -30,13 +29,13 @@ impl<'a> Log<'a> {
     ///
     /// # Errors
     /// Those of the work.
-    pub fn timed<T>(
+    pub fn timed<T, E>(
         &mut self,
         stage: Stage,
         specimen: &str,
         steps: u64,
-        work: impl FnOnce() -> Result<T>,
-    ) -> Result<T> {
+        work: impl FnOnce() -> Result<T, E>,
+    ) -> Result<T, E> {
         self.progress.stage(&format!("{specimen}: {stage}"), steps);
         let stopwatch = Stopwatch::start();
         let outcome = work();

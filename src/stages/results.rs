@@ -134,9 +134,12 @@ pub struct SpecimenResult {
     pub spectrum: Option<SpectrumFile>,
     /// Path of a small picture of the material.
     pub preview_png: Option<String>,
-    /// Path of the picture of what its tables serve, where that is not every direction.
+    /// Path of the picture of what its tables cover, where that is not every direction.
     #[serde(default)]
     pub reached_png: Option<String>,
+    /// Its spectral tables, where there are any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spectral: Option<SpectralResult>,
     /// What its tables leave out and what that saves; `None` where they are not restricted to scenes.
     #[serde(default)]
     pub budget: Option<Budget>,
@@ -182,6 +185,27 @@ pub struct BuildResult {
     pub predicted: Option<Cost>,
 }
 
+/// Spectral tables, what they cost and how good they are.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SpectralResult {
+    /// Number of tables.
+    pub tables: usize,
+    /// Texels along both spatial frequencies.
+    pub size: usize,
+    /// Number format of the stored tables.
+    pub storage: Storage,
+    /// Shortest and longest wavelength in nm.
+    pub range_nm: [f64; 2],
+    /// Bytes of all their files.
+    pub stored_bytes: u64,
+    /// Elapsed seconds of building.
+    pub build_s: f64,
+    /// Seconds that all threads together ran; `None` where the system does not tell.
+    pub build_cpu_s: Option<f64>,
+    /// Errors at single wavelengths, by cause.
+    pub errors: Vec<ErrorRow>,
+}
+
 /// The coherent lobe, in numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LobeResult {
@@ -209,8 +233,8 @@ pub struct SceneResult {
     /// Measured difference from the reference, where one was rendered.
     pub error: Option<SceneError>,
     /// Pixels that ask for directions which the tables do not cover: painted in a marker's colour, and a failure.
-    #[serde(default)]
-    pub unserved_pixels: usize,
+    #[serde(rename = "unserved_pixels", default)]
+    pub uncovered_pixels: usize,
     /// The picture made with the tables.
     pub table_png: String,
     /// Tables left, reference right, on the pixels that were compared.

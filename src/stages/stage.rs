@@ -49,6 +49,15 @@ pub enum Stage {
     /// Pictures and `specimen.json` to files.
     #[serde(rename = "write pictures")]
     WritePictures,
+    /// Transforms and sums of the spectral tables.
+    #[serde(rename = "build spectral tables")]
+    BuildSpectral,
+    /// Spectral tables to files, and back.
+    #[serde(rename = "store spectral tables")]
+    StoreSpectral,
+    /// Errors of the spectral tables at single wavelengths.
+    #[serde(rename = "measure spectral errors")]
+    MeasureSpectral,
     /// What tables restricted to scenes leave out, and what that saves.
     #[serde(rename = "account for what is left out")]
     AccountSavings,
@@ -78,6 +87,9 @@ impl Stage {
             Self::MeasureErrors => "measure errors",
             Self::CompareMeasured => "compare with measured reflectance",
             Self::WritePictures => "write pictures",
+            Self::BuildSpectral => "build spectral tables",
+            Self::StoreSpectral => "store spectral tables",
+            Self::MeasureSpectral => "measure spectral errors",
             Self::AccountSavings => "account for what is left out",
             Self::CheckOnGpu => "check on the GPU",
             Self::TimeFrames => "time frames",
@@ -113,6 +125,9 @@ mod tests {
             MeasureErrors,
             CompareMeasured,
             WritePictures,
+            BuildSpectral,
+            StoreSpectral,
+            MeasureSpectral,
             AccountSavings,
             CheckOnGpu,
             TimeFrames,

@@ -150,6 +150,40 @@ fn wavelengths_are_evaluated_one_by_one() {
     assert_eq!(place.call(&format!("{line} --wavelengths-nm 532,-1")).status, 2);
 }
 
+/// One atlas answers for wavelengths and lights that its manifest did not name.
+#[test]
+fn an_atlas_answers_for_other_wavelengths_and_lights() {
+    let place = Place::with_scans();
+    // Fine enough for the lobe of 2 µm of coherence at 380 nm.
+    let settings = LASERS.replace("size = 65", "size = 401");
+    place.publish(&[HEAD, &settings, ROUGH].concat());
+    place.write("d.csv", &directions(10));
+    let tables = "eval --directions d.csv --atlas out/small --specimen rough";
+    let scan = "eval --directions d.csv --method reference --specimen rough --manifest";
+    let meets = |line: &str, by_scan: &str, tolerance: f64| {
+        let [found, exact] = [line, by_scan].map(|line| place.call(line).ended(0).stdout);
+        assert_eq!(found.lines().next(), exact.lines().next());
+        let (found, exact) = (values(&found).concat(), values(&exact).concat());
+        let largest = exact.iter().copied().fold(0.0, f64::max);
+        let worst = found.iter().zip(&exact).map(|(a, b)| (a - b).abs() / largest).fold(0.0, f64::max);
+        assert!(worst < tolerance && worst > 0.0, "{line}: {worst:e}");
+    };
+    meets(
+        &format!("{tables} --wavelengths-nm 450,500,780"),
+        &format!("{scan} m.toml --wavelengths-nm 450,500,780"),
+        1e-2,
+    );
+    for (light, written) in [("A", "\"A\""), ("F11", "\"F11\""), ("532,450", "{ lines_nm = [450, 532] }")] {
+        let other = LASERS.replace("{ lines_nm = [633, 532, 450] }", written);
+        assert_ne!(other, LASERS);
+        place.write("other.toml", &[HEAD, &other, ROUGH].concat());
+        meets(&format!("{tables} --illuminant {light}"), &format!("{scan} other.toml"), 1e-2);
+    }
+    let own = place.call(tables).ended(0).stdout;
+    let other = place.call(&format!("{tables} --illuminant A")).ended(0).stdout;
+    assert_ne!(values(&own), values(&other));
+}
+
 #[test]
 fn polarised_values_add_up_to_the_unpolarised_ones() {
     let place = Place::with_scans();
@@ -209,7 +243,11 @@ fn what_is_wrong_with_a_call_is_said() {
         ("--directions good.csv --atlas out --specimen rough".into(), 2, "no atlas"),
         ("--directions good.csv --atlas nowhere --specimen rough".into(), 2, "nowhere: there is no such folder"),
         ("--directions good.csv --method reference --manifest m.toml --specimen ruff".into(), 2, "rough, wave"),
-        (format!("--directions good.csv {tables} --wavelengths-nm 500"), 2, "--method reference"),
+        (format!("--directions good.csv {tables} --wavelengths-nm 200"), 2, "begin at 380 nm"),
+        (format!("--directions good.csv {tables} --illuminant D66"), 2, "did you mean \"D65\"?"),
+        (format!("--directions good.csv {tables} --illuminant 200000"), 2, "no line between"),
+        (format!("--directions good.csv {tables} --illuminant none.csv"), 2, "none.csv"),
+        (format!("--directions good.csv {tables} --illuminant A --wavelengths-nm 500"), 2, "cannot be used with"),
     ] {
         let called = place.call(&format!("eval {line}")).ended(status);
         assert_eq!(called.stdout, "", "{line}");

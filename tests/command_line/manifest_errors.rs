@@ -3,8 +3,8 @@
 use std::sync::LazyLock;
 
 use crate::manifest_fixture::{GOOD, folder, good_with, parse_in};
+use diffraction_atlas::error::Error;
 use diffraction_atlas::manifest;
-use diffraction_brdf::error::Error;
 use proptest::prelude::*;
 
 /// What is replaced in `GOOD`, by what; the expected `line:column`, the text that the carets mark, and
@@ -67,6 +67,15 @@ const CASES: &[Case] = &[
     ("coherence = { sigma_um = 16.25, edge = \"tile\" }", "coherence = 16.25", "10:13", "16.25", &["table"]),
     ("[[scene]]\nname = \"sphere\"", "[scene]\nname = \"sphere\"", "37:3", "scene", &["TOML"]),
     ("scans = [\"snake.tif\"]\npitch", "scans = 5\npitch", "20:9", "5", &["string"]),
+    // A source of fixed size.
+    ("sigma_um = 16.25, edge = \"tile\"", "source_deg = 0.53, sigma_um = 16.25", "10:28", "0.53", &["`optics.coherence.source_deg`", "`sigma_um`"]),
+    ("sigma_um = 16.25, edge = \"tile\"", "source_deg = 0.53, edge = \"fade\"", "10:1", "coherence", &["\"auto\"", "\"tile\"", "`sigma_um`"]),
+    ("sigma_um = 16.25, edge = \"tile\" }\nwindows = \"grid\"", "source_deg = 0.53 }\nwindows = \"centre\"", "11:1", "windows", &["windows = \"grid\"", "`sigma_um`"]),
+    ("sigma_um = 16.25", "source_deg = 0", "10:28", "0", &["`optics.coherence.source_deg`", "20 degrees"]),
+    ("level = \"plane\"", "coherence = { source_deg = 2, edge = \"fade\" }", "23:1", "coherence", &["edge = \"auto\""]),
+    // A specimen's own light.
+    ("level = \"plane\"", "illuminant = \"D66\"", "23:14", "\"D66\"", &["`specimen[0].illuminant`", "\"D65\""]),
+    ("level = \"plane\"", "illuminant = { lines_nm = [800, 600] }", "23:14", "{ lines_nm = [800, 600] }", &["800 nm", "`optics.wavelength_nm`"]),
     // Numbers out of range.
     ("[48.8, 48.8]", "-48.8", "21:12", "-48.8", &["`specimen[0].pitch_nm`", "above 0", "-48.8"]),
     ("[48.8, 48.8]", "0", "21:12", "0", &["above 0"]),
@@ -282,7 +291,7 @@ fn no_specimen_is_a_fault() {
 }
 
 #[test]
-fn scenes_to_serve_must_be_there() {
+fn scenes_to_cover_must_be_there() {
     let folder = folder();
     let good = good_with("size = 501", "serve = [\"q\"]");
     let message = parse_in(folder.path(), &good).unwrap_err().to_string();
@@ -309,8 +318,10 @@ fn windows_line_ends_tabs_and_marks_do_not_shift_places() {
 fn files_that_are_no_manifest_are_refused() {
     let folder = folder();
     let path = folder.path().join("bad.toml");
-    assert!(matches!(manifest::load(&path), Err(Error::Call(message)) if message.contains("bad.toml")));
-    assert!(matches!(manifest::load(folder.path()), Err(Error::Call(_))));
+    assert!(
+        matches!(manifest::load(&path), Err(Error::Library(diffraction_brdf::Error::Call(message))) if message.contains("bad.toml"))
+    );
+    assert!(matches!(manifest::load(folder.path()), Err(Error::Library(diffraction_brdf::Error::Call(_)))));
     std::fs::write(&path, b"schema = 1\nname = \"\xff\"").unwrap();
     let message = manifest::load(&path).unwrap_err().to_string();
     assert!(message.contains("bad.toml:2:9: not UTF-8"), "{message}");

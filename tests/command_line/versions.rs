@@ -7,14 +7,15 @@ use diffraction_brdf::atlas::{self, TIMED_FILES};
 use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, contents, usual};
 
 /// The layout of a version with `tables` tables per specimen, one window per scan over all positions.
-fn layout(specimens: &[(&str, usize)], scenes: &[&str]) -> BTreeSet<String> {
+fn layout(specimens: &[(&str, [usize; 2])], scenes: &[&str]) -> BTreeSet<String> {
     let mut files: BTreeSet<String> =
         ["atlas.json", "FORMAT.md", "report.html", "report.json"].map(String::from).into();
-    for (specimen, tables) in specimens {
-        for file in ["specimen.json", "lobe.exr", "preview.png", "heights.png", "spectrum.png"] {
+    for (specimen, [tables, spectral]) in specimens {
+        for file in ["specimen.json", "lobe.exr", "spectral_lobe.exr", "preview.png", "heights.png", "spectrum.png"] {
             files.insert(format!("{specimen}/{file}"));
         }
         files.extend((0..*tables).map(|n| format!("{specimen}/table.{n:03}.exr")));
+        files.extend((0..spectral.div_ceil(3)).map(|n| format!("{specimen}/spectral.{n:03}.exr")));
         for scene in scenes {
             for ending in [".exr", ".png", ".reference.exr", ".difference.exr", ".difference.png", ".compare.png"] {
                 files.insert(format!("{specimen}/scenes/{scene}{ending}"));
@@ -37,7 +38,8 @@ fn a_run_publishes_once_and_again_only_after_a_change() {
     let v1 = contents(&place.path("out/small/v0001"));
     let tables = |name: &str| {
         let specimen = place.json(&format!("out/small/v0001/{name}/specimen.json"));
-        specimen["tables"]["tables"].as_array().unwrap().len()
+        let spectral = specimen["spectral"]["tables"].as_u64().unwrap();
+        [specimen["tables"]["tables"].as_array().unwrap().len(), spectral as usize]
     };
     let expected = layout(&[("rough", tables("rough")), ("wave", tables("wave"))], &["map", "ball"]);
     assert_eq!(v1.keys().cloned().collect::<BTreeSet<_>>(), expected);

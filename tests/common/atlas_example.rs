@@ -9,23 +9,16 @@ use diffraction_brdf::direction::from_angles_deg;
 use diffraction_brdf::specimen::{CheckValue, SCHEMA};
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_brdf::storage;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, BuildRecord, Lobe, Storage, TableSet};
 use ndarray::Array3;
 use serde_json::json;
 
 fn optics(shadowing: bool) -> OpticsConfig {
     OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm: 16_250.0,
-        lobe_sigma_nm: None,
-        edge: Edge::Tile,
-        windows: Windows::Grid,
         material: Material::Dielectric { n: 1.56 },
-        dispersion: None,
         shadowing,
-        factor: Factor::Scalar,
+        ..OpticsConfig::ideal(Illuminant::D65, 16_250.0, Edge::Tile, Windows::Grid)
     }
 }
 
@@ -51,7 +44,7 @@ pub fn random_tables(seed: u64, basis: Basis, size: usize) -> TableSet {
         lobe,
         prefilter_width: 0.008,
         front_factor: optics(true).front_factor(),
-        served: None,
+        restriction: None,
         usable_radius: 1.71,
     }
 }
@@ -97,9 +90,11 @@ pub fn write_specimen(version: &Path, name: &str, set: &TableSet, storage: Stora
         optics: optics(true),
         pigment: None,
         build: BuildRecord { transforms: 12, windows: 1, ..BuildRecord::default() },
+        spectral: None,
         tables: stored,
         errors: json!({"basis": {"p95": 1.2e-4}}),
         albedo: Vec::new(),
+        energy_limit: None,
         check_values: check_values(&rounded, 3),
         warnings: vec!["Made up.".to_owned()],
     };

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use diffraction_atlas::error::Result;
 use diffraction_atlas::manifest::{self, Manifest};
-use diffraction_brdf::error::Result;
 use diffraction_brdf::exr_image::{Precision, write_rgb};
 use ndarray::Array3;
 

@@ -10,7 +10,7 @@ use std::path::Path;
 use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg};
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use ndarray::Array2;
 use tiff::decoder::{Decoder, DecodingResult};
 
@@ -29,18 +29,7 @@ pub fn load(path: &Path, pitch_nm: [f64; 2], scale_nm: f64) -> HeightField {
 
 /// The settings of the independent evaluator.
 pub fn reference_optics(sigma_nm: f64, edge: Edge) -> OpticsConfig {
-    OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm,
-        lobe_sigma_nm: None,
-        edge,
-        windows: Windows::Centre,
-        material: Material::Ideal,
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
-    }
+    OpticsConfig::ideal(Illuminant::D65, sigma_nm, edge, Windows::Centre)
 }
 
 /// One scan with its settings and the independent evaluator's rows.

@@ -28,8 +28,8 @@ pub fn fresnel(material: Material, cos: f64) -> f64 {
 pub fn front(material: Material, wi: Vec3, wo: Vec3) -> f64 {
     let cos_between = wi[0] * wo[0] + wi[1] * wo[1] + wi[2] * wo[2];
     let between = 1.0 + cos_between;
-    let depth = wi[2] + wo[2];
-    fresnel(material, (0.5 * between).sqrt()) * between * between / (wi[2] * wo[2] * depth * depth)
+    let abs_w = wi[2] + wo[2];
+    fresnel(material, (0.5 * between).sqrt()) * between * between / (wi[2] * wo[2] * abs_w * abs_w)
 }
 
 /// Density over (u, v) of a unit of power in a lobe of this deviation.

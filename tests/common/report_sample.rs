@@ -16,7 +16,7 @@ use diffraction_build::accuracy::power_sums::{DirectionalAlbedo, PowerSum};
 use diffraction_build::accuracy::rows::{Cause, ErrorRow};
 use diffraction_build::ground::sampling::Region;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::coverage::budget::Cost;
 use diffraction_build::tables::model::{Basis, BuildRecord, Rounding, Storage};
 use diffraction_render::render::gpu::GpuInfo;
@@ -138,6 +138,7 @@ fn truncated() -> SpecimenResult {
         spectrum: None,
         preview_png: None,
         reached_png: None,
+        spectral: None,
         budget: None,
         warnings: vec![],
         failed: Some(
@@ -192,6 +193,16 @@ fn specimen(
         spectrum: Some(spectrum_file(name, field, &periods, pictures)),
         preview_png: Some(preview),
         reached_png: None,
+        spectral: Some(SpectralResult {
+            tables: 6,
+            size: 601,
+            storage: Storage::Half,
+            range_nm: [380.0, 780.0],
+            stored_bytes: 2_100_000,
+            build_s: 0.3,
+            build_cpu_s: Some(0.3),
+            errors: errors().into_iter().filter(|row| row.cause != Cause::WavelengthStep).collect(),
+        }),
         budget: None,
         warnings: vec![],
         failed: None,
@@ -218,16 +229,8 @@ fn statistics(field: &HeightField, dominant_periods: Vec<Period>) -> Statistics 
 
 fn optics() -> OpticsConfig {
     OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm: 16_250.0,
-        lobe_sigma_nm: None,
-        edge: Edge::Tile,
-        windows: Windows::Grid,
         material: Material::Dielectric { n: 1.56 },
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
+        ..OpticsConfig::ideal(Illuminant::D65, 16_250.0, Edge::Tile, Windows::Grid)
     }
 }
 
@@ -329,7 +332,7 @@ fn scene(name: &str, period: &Period, pictures: &mut BTreeMap<String, Vec<u8>>) 
             ciede2000_p95: 0.13,
             ciede2000_max: 0.92,
         }),
-        unserved_pixels: 0,
+        uncovered_pixels: 0,
         table_png: path(""),
         side_by_side_png: Some(path(".side_by_side")),
         difference_png: Some(path(".difference")),

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use diffraction_brdf::direction::Vec3;
 use diffraction_brdf::spectrum::{Illuminant, Line};
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::tables::build::build;
 use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
@@ -14,20 +14,12 @@ use ndarray::{Array2, Axis, Slice};
 /// Laser light of equal luminance weights on these wavelengths; XYZ's Y is then the BRDF itself where
 /// there is one line.
 pub fn laser(wavelengths_nm: &[f64], sigma_nm: f64, edge: Edge, windows: Windows) -> OpticsConfig {
-    OpticsConfig {
-        illuminant: Illuminant::Lines(
-            wavelengths_nm.iter().map(|&wavelength_nm| Line { wavelength_nm, power: 1.0 }).collect(),
-        ),
-        wavelength_nm: [380.0, 780.0],
+    OpticsConfig::ideal(
+        Illuminant::Lines(wavelengths_nm.iter().map(|&wavelength_nm| Line { wavelength_nm, power: 1.0 }).collect()),
         sigma_nm,
-        lobe_sigma_nm: None,
         edge,
         windows,
-        material: Material::Ideal,
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
-    }
+    )
 }
 
 /// Every way of placing windows.

@@ -8,7 +8,7 @@ use diffraction_build::tables::model::{Basis, TableSet};
 use diffraction_render::render::gpu_tables::upload;
 use half::f16;
 
-use crate::sets::{self, build_set, full_set, gpu, scenes, served_set, sphere};
+use crate::sets::{self, build_set, full_set, gpu, restricted_set, scenes, sphere};
 
 fn agrees(name: &str, surface: Surface) {
     let Some(gpu) = gpu(name) else { return };
@@ -63,13 +63,13 @@ fn powers_of_w_on_an_ideal_reflector() {
     agrees("taylor", Surface::without_pigment(&build_set(Basis::Taylor, Windows::Centre, Material::Ideal, false)));
 }
 
-/// Tables for one scene: a window of the grid, a range of depths in each texel.
+/// Tables for one scene: a window of the grid, a range of `|w|` in each texel.
 #[test]
-fn tables_that_serve_one_scene() {
-    let Some(gpu) = gpu("served") else { return };
+fn tables_restricted_to_one_scene() {
+    let Some(gpu) = gpu("restricted tables") else { return };
     for scene in scenes() {
-        let set = served_set(&scene);
-        assert!(set.served.is_some());
+        let set = restricted_set(&scene);
+        assert!(set.restriction.is_some());
         let check =
             check_specimen(gpu, Surface::without_pigment(&set), std::slice::from_ref(&scene)).unwrap().remove(0);
         println!("{}: share {:.3} of {:.2e}", check.scene, check.worst_of_tolerance, check.tolerance);
@@ -77,12 +77,12 @@ fn tables_that_serve_one_scene() {
     }
 }
 
-/// What they do not serve has no answer on the GPU either.
+/// What they do not cover has no answer on the GPU either.
 #[test]
-fn look_ups_beyond_what_is_served_fail() {
-    let Some(gpu) = gpu("beyond what is served") else { return };
+fn look_ups_beyond_what_is_covered_fail() {
+    let Some(gpu) = gpu("beyond what is covered") else { return };
     let patch = scenes().swap_remove(2);
-    let set = served_set(&patch);
+    let set = restricted_set(&patch);
     let check = check_specimen(gpu, Surface::without_pigment(&set), &[sphere(24)]).unwrap().remove(0);
     assert!(!check.passed && check.not_finite > 0, "{check:?}");
 }

@@ -7,7 +7,7 @@ use diffraction_build::optics::pigment::Surface;
 use diffraction_render::render::gpu_tables::upload;
 use half::f16;
 
-use crate::sets::{full_set, gpu, served_set, sphere};
+use crate::sets::{full_set, gpu, restricted_set, sphere};
 
 /// The check of the full set with an upload that was tampered with.
 fn check_with(test: &str, tamper: impl FnOnce(&mut TableImage)) -> Option<GpuSceneCheck> {
@@ -82,11 +82,11 @@ fn a_mirrored_or_shifted_table() {
     must_fail("one column further", |image| layer(image, 0).rotate_right(1));
 }
 
-/// What holds where tables serve one scene alone.
+/// What holds where tables are restricted to one scene.
 #[test]
 fn a_wrong_range_or_window() {
     let scene = sphere(32);
-    let set = served_set(&scene);
+    let set = restricted_set(&scene);
     let Some(gpu) = gpu("range") else { return };
     let check = |tamper: &dyn Fn(&mut TableImage)| {
         let mut image = table_image(&set, None).unwrap();
@@ -100,13 +100,13 @@ fn a_wrong_range_or_window() {
     };
     type Tamper<'a> = &'a dyn Fn(&mut TableImage);
     let tampers: [(&str, Tamper); 5] = [
-        ("lowest depth 5 % down", &|image| {
+        ("lowest `t` 5 % down", &|image| {
             range(image, &|[low, high, there, x]| [low * f16::from_f32(0.95), high, there, x])
         }),
-        ("nothing served", &|image| range(image, &|[low, high, _, x]| [low, high, f16::ZERO, x])),
+        ("nothing covered", &|image| range(image, &|[low, high, _, x]| [low, high, f16::ZERO, x])),
         ("window one column further", &|image| image.params.first_column += 1.0),
         ("window one row further", &|image| image.params.first_row += 1.0),
-        ("range not looked at", &|image| image.params.served = 0),
+        ("range not looked at", &|image| image.params.restricted = 0),
     ];
     for (what, tamper) in tampers {
         let check = check(tamper);

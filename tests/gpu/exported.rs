@@ -1,11 +1,15 @@
 //! An engine that knows nothing but exported files draws what the CPU computes.
 
 use diffraction_build::optics::pigment::Surface;
+use std::path::PathBuf;
 use std::process::Command;
 
+use diffraction_atlas::stages::archive::shader_export::{ShaderLanguage, ShaderSource, shader};
 use diffraction_atlas::stages::archive::specimen_file;
+use diffraction_brdf::Atlas;
 use diffraction_brdf::direction::{Vec3, dot};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::shader_spectral::spectral_image;
 use diffraction_build::ground::colour::xyz_to_linear_srgb;
 use diffraction_render::render::cpu;
 use diffraction_render::render::gpu_bound::bound_image;
@@ -39,14 +43,8 @@ fn samples() -> ShadingSamples {
     samples
 }
 
-/// Allowed are the check's bound in the output's primaries (the magnitudes of a row sum to 5.3 at most) and what the
-/// interpolated directions are off: about 16 u of the triangle's extent, 4e-6, over which `f` changes by at most its own
-/// size over 1 % of a lobe's width 0.03: 1.3e-2 of the largest value.
-#[test]
-fn exported_files_are_all_that_an_engine_needs() {
-    if gpu("engine").is_none() {
-        return;
-    }
+/// The shaders and bytes of the published version, in a folder that lives as long as the first value.
+fn export() -> (tempfile::TempDir, PathBuf) {
     let out = tempfile::tempdir().unwrap();
     let exported = out.path().join("exported");
     let run = Command::new(env!("CARGO_BIN_EXE_diffraction-atlas"))
@@ -55,6 +53,40 @@ fn exported_files_are_all_that_an_engine_needs() {
         .output()
         .unwrap();
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    (out, exported)
+}
+
+/// Spectral tables go out with their shader in every language, as bytes whose sizes the index tells.
+#[test]
+fn spectral_tables_are_exported_with_their_shader() {
+    let (_place, exported) = export();
+    for language in ShaderLanguage::ALL {
+        let bytes = std::fs::read(exported.join(ShaderSource::Spectral.file_name(language))).unwrap();
+        assert!(bytes == shader(ShaderSource::Spectral, language).unwrap(), "{}", language.name());
+    }
+    let specimen = exported.join("wave");
+    let read = |name: &str| std::fs::read(specimen.join(name)).unwrap();
+    let index: serde_json::Value = serde_json::from_slice(&read("spectral_textures.json")).unwrap();
+    for (name, texel_bytes) in [("tables", 8), ("cross_terms", 8), ("lobe", 4)] {
+        let texels: u64 = (0..3).map(|axis| index[name]["width_height_layers"][axis].as_u64().unwrap()).product();
+        assert_eq!(read(index[name]["file"].as_str().unwrap()).len() as u64, texels * texel_bytes, "{name}");
+    }
+    let atlas = Atlas::open(&published().config.atlas_root).unwrap();
+    let brdf = atlas.brdf("wave").unwrap();
+    let image = spectral_image(brdf.spectral().unwrap()).unwrap();
+    assert_eq!(read("spectral_params.bin"), bytemuck::bytes_of(&image.params));
+    assert_eq!(read("spectral_tables.rgba16f"), bytemuck::cast_slice::<_, u8>(&image.tables.texels));
+}
+
+/// Allowed are the check's bound in the output's primaries (the magnitudes of a row sum to 5.3 at most) and what the
+/// interpolated directions are off: about 16 u of the triangle's extent, 4e-6, over which `f` changes by at most its own
+/// size over 1 % of a lobe's width 0.03: 1.3e-2 of the largest value.
+#[test]
+fn exported_files_are_all_that_an_engine_needs() {
+    if gpu("engine").is_none() {
+        return;
+    }
+    let (_place, exported) = export();
     let drawn = engine::draw(&exported, "wave", SIDE as u32).unwrap();
     let (_, set) = specimen_file::load(&published().version.join("wave")).unwrap();
     let samples = samples();

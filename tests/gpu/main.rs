@@ -12,3 +12,4 @@ mod published;
 mod sets;
 mod shader_export;
 mod shader_layout;
+mod spectral;

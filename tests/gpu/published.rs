@@ -242,7 +242,7 @@ fn more_tables_than_a_texture_has_layers_are_skipped_unless_a_check_is_required(
     let place = tempfile::tempdir().unwrap();
     write_scan_tiff(&place.path().join("wave.tif"), &wave()).unwrap();
     let run = |check: &str| {
-        // The range of what is served takes a layer of its own.
+        // The range of what is covered takes a layer of its own.
         let tables = "size = 65\ncount = 256\nserve = [\"sphere\"]";
         let text = MANIFEST.replace("size = 251", tables).replace("size_px = 150", "size_px = 16");
         std::fs::write(place.path().join("small.toml"), text.replace("\"off\"", check)).unwrap();

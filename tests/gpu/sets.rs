@@ -6,7 +6,7 @@ use crate::skip::skipped;
 use diffraction_atlas::stages::coverage::savings::cover;
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::tables::build::{build, build_planned};
 use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, TablesConfig};
@@ -38,18 +38,7 @@ fn surface() -> HeightField {
 
 /// The optics of the sets.
 pub fn optics(windows: Windows, material: Material, shadowing: bool) -> OpticsConfig {
-    OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm: 1_500.0,
-        lobe_sigma_nm: None,
-        edge: Edge::Tile,
-        windows,
-        material,
-        dispersion: None,
-        shadowing,
-        factor: Factor::Scalar,
-    }
+    OpticsConfig { material, shadowing, ..OpticsConfig::ideal(Illuminant::D65, 1_500.0, Edge::Tile, windows) }
 }
 
 /// What the full set reflects as.
@@ -79,7 +68,7 @@ pub fn full_set() -> &'static TableSet {
 }
 
 /// The same surface's tables for one scene alone, lobe and cross term included.
-pub fn served_set(scene: &Scene) -> TableSet {
+pub fn restricted_set(scene: &Scene) -> TableSet {
     let optics = optics(Windows::Centre, FULL_MATERIAL, true);
     let config = TablesConfig {
         basis: Basis::Chebyshev,

@@ -1,7 +1,9 @@
 //! The shaders as naga reads them: byte layouts against the Rust side.
 
 use diffraction_brdf::shader::{LAYERS_MAX, TABLES_WGSL, TableParams};
+use diffraction_brdf::shader_spectral::{SPECTRAL_WGSL, SpectralParams};
 use diffraction_render::render::gpu_layout::{FrameLight, FrameParams, Run, ShadingSample};
+use diffraction_render::render::gpu_spectral::SpectralQuery;
 use diffraction_render::render::wgsl;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{Module, TypeInner};
@@ -43,7 +45,7 @@ fn structs_have_the_same_bytes() {
         radius_max,
         index_n,
         index_k,
-        served,
+        restricted,
         grid_last,
         first_column,
         first_row,
@@ -63,6 +65,30 @@ fn structs_have_the_same_bytes() {
 }
 
 #[test]
+fn structs_of_spectral_tables_have_the_same_bytes() {
+    let check = module(&wgsl::spectral_check());
+    let params = layout_in_rust!(SpectralParams {
+        table_layers,
+        cross_layers,
+        lobe_count,
+        material,
+        factor,
+        shadowing,
+        index_n,
+        index_k,
+        permittivity,
+        shortest_nm,
+        lobe_sigma_nm,
+        cross_radius,
+        table_scales,
+        cross_scales
+    });
+    assert_eq!(layout_in_shader(&check, "SpectralParams"), params);
+    let query = layout_in_rust!(SpectralQuery { wi, wavelength_nm, wo, own_index, index });
+    assert_eq!(layout_in_shader(&check, "SpectralQuery"), query);
+}
+
+#[test]
 fn a_moved_field_is_noticed() {
     let source = wgsl::check()
         .replace("    basis: u32,\n", "")
@@ -73,10 +99,12 @@ fn a_moved_field_is_noticed() {
 
 #[test]
 fn lists_of_scales_hold_every_layer() {
-    let module = module(TABLES_WGSL);
-    let arrays = module.types.iter().filter_map(|(_, ty)| match ty.inner {
-        TypeInner::Array { size: naga::ArraySize::Constant(count), stride, .. } => Some((count.get(), stride)),
-        _ => None,
-    });
-    assert_eq!(arrays.collect::<Vec<_>>(), [(LAYERS_MAX as u32 / 4, 16)]);
+    for source in [TABLES_WGSL, SPECTRAL_WGSL] {
+        let module = module(source);
+        let arrays = module.types.iter().filter_map(|(_, ty)| match ty.inner {
+            TypeInner::Array { size: naga::ArraySize::Constant(count), stride, .. } => Some((count.get(), stride)),
+            _ => None,
+        });
+        assert_eq!(arrays.collect::<Vec<_>>(), [(LAYERS_MAX as u32 / 4, 16)]);
+    }
 }

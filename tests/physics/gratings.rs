@@ -261,7 +261,7 @@ fn orders_in_tables_meet_their_closed_forms() {
                 pairs.iter().map(|p| brdf_xyz(&set, Interpolation::Cubic, p.0, p.1)[1]).collect()
             });
             println!("{} {wi:?}: {} tables, {worst:?}", grating.name, set.tables.len());
-            // The grid's share, and basis and depth nodes with up to the tolerance each.
+            // The grid's share, and basis and nodes in `|w|` with up to the tolerance each.
             assert!(worst[0] < 2.7e-3 && worst[1] < 2.1e-3, "{}: {worst:?}", grating.name);
         }
     }

@@ -12,6 +12,8 @@ mod gratings;
 mod mirror;
 mod random;
 mod reference_values;
+mod source_size;
+mod spectral;
 mod symmetry;
 mod table_values;
 mod taylor;

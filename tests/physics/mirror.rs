@@ -142,8 +142,8 @@ fn tilted_lobe(wi: Vec3) -> (Vec<(Vec3, Vec3)>, Vec<f64>) {
         .iter()
         .zip(&pairs)
         .map(|(p, (wi, wo))| {
-            let depth = wi[2] + wo[2];
-            front(Material::Ideal, *wi, *wo) * gaussian(p[0] - depth * SLOPE[0], p[1] - depth * SLOPE[1], s)
+            let abs_w = wi[2] + wo[2];
+            front(Material::Ideal, *wi, *wo) * gaussian(p[0] - abs_w * SLOPE[0], p[1] - abs_w * SLOPE[1], s)
         })
         .collect();
     (pairs, expected)
@@ -169,7 +169,7 @@ fn a_tilted_mirror_obeys_the_law_of_reflection() {
         // The front factor's slope, at most 4 here, moves it by its product with the variance.
         assert!((centroid - law).abs() < 4.0 * s * s, "{centroid} against {law}");
         // Texels of 0.27 deviations: the cubic errs by 3/128 · 0.27⁴ · 3 per axis = 7.5e-4 of the peak, and
-        // basis and depth nodes by up to the tolerance.
+        // basis and nodes in `|w|` by up to the tolerance.
         let cubic: Vec<f64> = pairs.iter().map(|p| brdf_xyz(&set, Interpolation::Cubic, p.0, p.1)[1]).collect();
         let error = worst_of_peak(&cubic, &expected);
         assert!(error < 2.5e-3, "cubic: {error:e}");

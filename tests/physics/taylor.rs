@@ -6,7 +6,7 @@ use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::ground::metrics::relative_error_quantiles;
 use diffraction_build::ground::sampling::four;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::optics::reference::brdf_xyz_batch;
 use diffraction_build::tables::build::build;
 use diffraction_build::tables::input::BuildInput;
@@ -25,18 +25,7 @@ fn relief(depth_nm: f64) -> HeightField {
 
 fn optics(edge: Edge, windows: Windows) -> OpticsConfig {
     let sigma_nm = 1_200.0;
-    OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm,
-        lobe_sigma_nm: None,
-        edge,
-        windows,
-        material: Material::Ideal,
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
-    }
+    OpticsConfig::ideal(Illuminant::D65, sigma_nm, edge, windows)
 }
 
 fn config(basis: Basis) -> TablesConfig {

@@ -1,6 +1,6 @@
 """A small rigorous solver for one-dimensional reflection gratings: Maxwell's equations, no model of the surface.
 
-It is the yardstick for the front factors of the scalar model (`factors.py`). Classical mounting: the plane of
+It is the reference for the front factors of the scalar model (`factors.py`). Classical mounting: the plane of
 incidence is perpendicular to the grooves, so the two polarisations do not mix. Three methods, each where it converges
 best:
 

@@ -15,4 +15,4 @@ mod error_directions;
 mod measured;
 mod publishing;
 mod report_page;
-mod served;
+mod restricted;

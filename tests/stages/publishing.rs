@@ -6,6 +6,7 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 
 use crate::atlas_example::{index, random_tables, write_specimen};
+use diffraction_atlas::error::Error;
 use diffraction_atlas::stages::archive::diff::diff;
 use diffraction_atlas::stages::archive::publish;
 use diffraction_atlas::stages::archive::publish::{Published, Staging};
@@ -126,7 +127,8 @@ fn damaged_versions_are_passed_over_and_never_overwritten() {
 fn an_empty_folder_is_no_atlas() {
     let root = tempfile::tempdir().unwrap();
     let error = atlas::resolve(root.path()).unwrap_err();
-    assert!(error.to_string().contains("this is no atlas") && error.exit_status() == 2);
+    assert!(error.to_string().contains("this is no atlas"));
+    assert_eq!(Error::from(error).exit_status(), 2);
     assert!(atlas::resolve(&root.path().join("missing")).unwrap_err().to_string().contains("no such folder"));
 }
 

@@ -5,6 +5,8 @@
 mod skip;
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../../crates/study/tests/waves/mod.rs"]
+mod waves;
 
 mod study_page;
 mod tolerance;

@@ -1,71 +1,20 @@
 //! The page of a study, and figures on real scans; the study itself has its own tests.
 
+use crate::waves;
 use diffraction_atlas::report::study_page::study_files;
 use diffraction_atlas::stages::study::{FrameClock, drawn};
-use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::ground::progress::Silent;
-use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_render::scene::model::{Light, Scene, Shape};
 use diffraction_study::stability::{DepthRow, GrazingRow, Guard, SeriesRow, Stability, StabilityCase};
 use diffraction_study::study::{GpuClock, PURPOSES, Study, StudyConfig, StudySpecimen, run_study};
-use ndarray::Array2;
 
-fn specimen(depth_nm: f64) -> StudySpecimen {
-    let heights_nm = Array2::from_shape_fn((128, 128), |(row, column)| {
-        let (x, y) = (column as f64 / 128.0, row as f64 / 128.0);
-        // Waves of many directions: dark gaps between orders would leave nothing to compare.
-        (0..24)
-            .map(|i| {
-                let (a, b) = (2.0 * f64::from(i % 7) + 1.0, 2.0 * f64::from(i % 11) - 10.0);
-                (std::f64::consts::TAU * (a * x + b * y) + f64::from(i * i)).sin()
-            })
-            .sum::<f64>()
-            * depth_nm
-            / 28.0
-    });
-    StudySpecimen {
-        name: format!("waves {depth_nm} nm"),
-        fields: vec![HeightField { heights_nm, pitch_nm: [90.0, 90.0] }],
-        optics: OpticsConfig {
-            illuminant: Illuminant::D65,
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: 900.0,
-            lobe_sigma_nm: None,
-            edge: Edge::Tile,
-            windows: Windows::Grid,
-            material: Material::Ideal,
-            dispersion: None,
-            shadowing: false,
-            factor: Factor::Scalar,
-        },
-        scenes: vec![Box::new(drawn(&ball(), 1_000).unwrap())],
-    }
+fn specimen(height_nm: f64) -> StudySpecimen {
+    waves::specimen(height_nm, vec![Box::new(drawn(&ball(), 1_000).unwrap())])
 }
 
 fn ball() -> Scene {
     Scene::still("ball", Shape::Sphere, vec![Light::point([0.3, 0.2, 1.0])], 24)
-}
-
-fn config() -> StudyConfig {
-    StudyConfig {
-        directions: 40,
-        timed_directions: 2_000,
-        size: 141,
-        chebyshev: vec![2, 6],
-        taylor: vec![6, 24],
-        harmonics: vec![4],
-        light_fields: vec![[8, 32], [64, 256]],
-        paths: vec![64, 4096],
-        wavelength_steps_nm: vec![40.0, 5.0],
-        sizes: vec![41, 141],
-        equal_size: 101,
-        tolerances: vec![1e-2],
-        size_max: 201,
-        picture_samples: 1_000,
-        gpu: false,
-        memory_mib: 512,
-    }
 }
 
 /// One case and one row of each kind: the suite itself has its own tests.
@@ -114,7 +63,7 @@ fn the_page_holds_every_row_and_needs_nothing_else() {
         tolerances: vec![3e-2],
         size_max: 101,
         directions: 6,
-        ..config()
+        ..waves::config()
     };
     let mut named = specimen(100.0);
     named.name = "<b>bold</b> & co".into();
@@ -192,7 +141,7 @@ fn measuring_snake_scans_at_equal_error() {
         tolerances: vec![],
         gpu: true,
         memory_mib: 4096,
-        ..config()
+        ..waves::config()
     };
     let gpu = FrameClock::open().unwrap();
     let gpu = gpu.as_ref().map(|clock| clock as &dyn GpuClock).ok_or("no adapter");

@@ -281,8 +281,13 @@ mod tests {
     #[test]
     fn another_schema_is_named_in_the_error() {
         let folder = tempfile::tempdir().unwrap();
-        let mut index = AtlasIndex { schema: 3, ..AtlasIndex::new("test", "", vec![], vec![]) };
+        let mut index = AtlasIndex { schema: SCHEMA + 1, ..AtlasIndex::new("test", "", vec![], vec![]) };
         write_index(folder.path(), &mut index).unwrap();
-        assert!(read_index(folder.path()).unwrap_err().to_string().contains("schema is 3, this program reads 1 to 2"));
+        assert!(
+            read_index(folder.path())
+                .unwrap_err()
+                .to_string()
+                .contains(&format!("schema is {}, this program reads 1 to {SCHEMA}", SCHEMA + 1))
+        );
     }
 }

@@ -4,10 +4,17 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use crate::direction::{Vec3, Xyz};
+use crate::energy::EnergyLimit;
 use crate::error::{Error, Result};
 use crate::evaluate::{self, Interpolation};
+use crate::filtered::{Pyramids, brdf_xyz_filtered, spectral_filtered};
+use crate::footprint::Footprint;
 use crate::sampling::Sampler;
 use crate::specimen::{CheckValue, SpecimenRecord};
+use crate::spectral::SpectralTables;
+use crate::spectral_light::UnderLight;
+use crate::spectral_storage::read_spectral;
+use crate::spectrum::Illuminant;
 use crate::storage;
 use crate::table_set::TableSet;
 
@@ -17,9 +24,14 @@ use crate::table_set::TableSet;
 #[derive(Debug, Clone)]
 pub struct Brdf {
     tables: TableSet,
+    spectral: Option<SpectralTables>,
     interpolation: Interpolation,
     check_values: Vec<CheckValue>,
+    energy_limit: Option<EnergyLimit>,
+    is_limited: bool,
     sampler: OnceLock<Sampler>,
+    pyramids: OnceLock<Pyramids>,
+    spectral_pyramids: OnceLock<Pyramids>,
 }
 
 /// A direction drawn by [`Brdf::sample`].
@@ -50,7 +62,7 @@ impl Brdf {
     ///     lobe: None,
     ///     prefilter_width: 0.0,
     ///     front_factor: FrontFactor { material: Material::Ideal, shadowing: false, factor: Factor::Scalar },
-    ///     served: None,
+    ///     restriction: None,
     ///     usable_radius: 2.0,
     /// })?;
     /// let up = [0.0, 0.0, 1.0];
@@ -59,18 +71,33 @@ impl Brdf {
     /// ```
     pub fn new(tables: TableSet) -> Result<Self> {
         tables.check().map_err(|what| Error::Call(format!("a table set cannot be evaluated: {what}")))?;
-        let sampler = OnceLock::new();
-        Ok(Self { tables, interpolation: Interpolation::Bilinear, check_values: Vec::new(), sampler })
+        Ok(Self {
+            tables,
+            spectral: None,
+            interpolation: Interpolation::Bilinear,
+            check_values: Vec::new(),
+            energy_limit: None,
+            is_limited: false,
+            sampler: OnceLock::new(),
+            pyramids: OnceLock::new(),
+            spectral_pyramids: OnceLock::new(),
+        })
     }
 
     /// Reads the tables beside `specimen.json`.
     pub(crate) fn read(folder: &Path, record: SpecimenRecord) -> Result<Self> {
         let tables = storage::read_tables(folder, &record.tables, record.front_factor)?;
+        let spectral = record.spectral.as_ref();
         Ok(Self {
             tables,
+            spectral: spectral.map(|stored| read_spectral(folder, stored, record.front_factor)).transpose()?,
             interpolation: Interpolation::Bilinear,
             check_values: record.check_values,
+            energy_limit: record.energy_limit,
+            is_limited: false,
             sampler: OnceLock::new(),
+            pyramids: OnceLock::new(),
+            spectral_pyramids: OnceLock::new(),
         })
     }
 
@@ -92,12 +119,100 @@ impl Brdf {
         Self { interpolation, ..self }
     }
 
+    /// The same BRDF divided by `max(1, albedo(wi), albedo(wo))`, for path tracers: no direction reflects more than arrives, and
+    /// it stays reciprocal ([`EnergyLimit`]). `sample` draws as before, with weights that are that much smaller.
+    ///
+    /// The scalar factor and ideal reflectors have no bound at grazing angles. Tables that show it come with a limit; others,
+    /// and those made in memory, with none, and are what they were, bit for bit. The limit is of luminance, to about 1 %; it
+    /// darkens every azimuth by what the brightest needs. Off by default: values then are those of the model.
+    ///
+    /// ```
+    /// # mod tiny { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tiny_atlas/mod.rs")); }
+    /// use diffraction_brdf::{Brdf, EnergyLimit};
+    /// # let tables = tiny::tiny_tables();
+    /// let limit = EnergyLimit::new(vec![0.1, 1.0], vec![4.0, 0.4]).unwrap();
+    /// let free = Brdf::new(tables)?.with_limit(limit);
+    /// let limited = free.clone().with_energy_limit();
+    /// let [low, up] = [[0.99498743710662, 0.0, 0.1], [0.0, 0.0, 1.0]];
+    /// assert!((limited.eval(low, up)[1] / free.eval(low, up)[1] - 0.25).abs() < 1e-9);
+    /// assert_eq!(limited.eval(up, up), free.eval(up, up));
+    /// # Ok::<(), diffraction_brdf::Error>(())
+    /// ```
+    pub fn with_energy_limit(self) -> Self {
+        Self { is_limited: true, ..self }
+    }
+
+    /// The same BRDF with another limit for [`Self::with_energy_limit`], such as for tables made in memory.
+    pub fn with_limit(self, limit: EnergyLimit) -> Self {
+        Self { energy_limit: Some(limit), ..self }
+    }
+
+    /// The limit that came with the tables, whether it is switched on or not; `None` where nothing needs one.
+    pub fn energy_limit(&self) -> Option<&EnergyLimit> {
+        self.energy_limit.as_ref()
+    }
+
     /// XYZ of the BRDF in 1/sr for unit vectors to the light and to the viewer; the cosine is not in it.
     ///
     /// Zero for directions that are not above the surface, not a number where the tables have no answer ([`Self::answers`]).
     /// Values may be slightly negative where the tables are.
     pub fn eval(&self, wi: Vec3, wo: Vec3) -> Xyz {
-        evaluate::brdf_xyz(&self.tables, self.interpolation, wi, wo)
+        self.limited(evaluate::brdf_xyz(&self.tables, self.interpolation, wi, wo), wi, wo)
+    }
+
+    fn limited(&self, xyz: Xyz, wi: Vec3, wo: Vec3) -> Xyz {
+        match self.energy_limit.as_ref().filter(|_| self.is_limited) {
+            None => xyz,
+            Some(limit) => xyz.map(|value| value * limit.factor(wi, wo)),
+        }
+    }
+
+    /// Mean of the BRDF over a footprint around two directions, XYZ in 1/sr: a light with a size, or a pixel of a curved
+    /// surface, in one look-up.
+    ///
+    /// It stands where [`Self::eval`] stands for a point of light: with the light's irradiance `E` on a plane that faces it,
+    /// evenly over its disc, the radiance is `eval_filtered cos_theta_i E`. For light alone it is the mean of `f cos_theta_i` over
+    /// the disc, divided by `cos_theta_i` at its centre, which is the mean of `f` over the disc seen along the normal. A footprint
+    /// with a pixel's curvature in it has the mean over that as well; footprints add.
+    ///
+    /// Tables and lobe are averaged over the ellipse, at the centre's front factor and `|w|`: within 0.1 % for the sun, 1 %
+    /// for a lamp two degrees wide, at 95 of 100 directions. For much larger ones, and where the light's disc meets the horizon,
+    /// sample the light instead. Small footprints give [`Self::eval`], without a step. Zero and not a number as there; not a
+    /// number, too, where the tables have no answer for a part of the footprint. Coarser copies of the tables, a third of their
+    /// memory, are made at the first call.
+    ///
+    /// ```
+    /// # mod tiny { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tiny_atlas/mod.rs")); }
+    /// # let brdf = diffraction_brdf::Brdf::new(tiny::tiny_tables())?;
+    /// use diffraction_brdf::Footprint;
+    /// let [wi, wo] = [[0.6, 0.0, 0.8], [-0.56, 0.0, 0.8284926]];
+    /// let sun = Footprint::of_light(wi, 0.53)?;
+    /// let pixel = Footprint::of_normals(wi, wo, [1e-4, 0.0, 1e-4])?;
+    /// let blurred = brdf.eval_filtered(wi, wo, sun + pixel);
+    /// assert!(blurred[1] < brdf.eval(wi, wo)[1]);
+    /// # Ok::<(), diffraction_brdf::Error>(())
+    /// ```
+    pub fn eval_filtered(&self, wi: Vec3, wo: Vec3, footprint: Footprint) -> Xyz {
+        let pyramids = self.pyramids.get_or_init(|| Pyramids::new(&self.tables));
+        let xyz = brdf_xyz_filtered(&self.tables, pyramids, self.interpolation, [wi, wo], footprint);
+        self.limited(xyz, wi, wo)
+    }
+
+    /// [`Self::eval_wavelengths`] over a footprint, as [`Self::eval_filtered`] is [`Self::eval`] over one.
+    ///
+    /// # Errors
+    /// As [`Self::eval_wavelengths`].
+    pub fn eval_wavelengths_filtered(
+        &self,
+        wi: Vec3,
+        wo: Vec3,
+        footprint: Footprint,
+        wavelengths_nm: &[f64],
+    ) -> Result<Vec<f64>> {
+        let tables = self.spectral_tables()?;
+        tables.check_wavelengths(wavelengths_nm)?;
+        let pyramids = self.spectral_pyramids.get_or_init(|| Pyramids::of_spectral(tables));
+        Ok(spectral_filtered(tables, pyramids, self.interpolation, [wi, wo], footprint, wavelengths_nm))
     }
 
     /// [`Self::eval`] for slices of directions, on all threads with the feature `rayon`.
@@ -127,9 +242,43 @@ impl Brdf {
         wi.iter().zip(wo).zip(xyz).for_each(|((wi, wo), xyz)| *xyz = self.eval(*wi, *wo));
     }
 
+    /// The BRDF in 1/sr at each wavelength in nm, from the spectral tables: zero for directions not above the surface.
+    ///
+    /// # Errors
+    /// [`Error::Call`] for a specimen without spectral tables, and for a wavelength shorter than they answer for.
+    pub fn eval_wavelengths(&self, wi: Vec3, wo: Vec3, wavelengths_nm: &[f64]) -> Result<Vec<f64>> {
+        let tables = self.spectral_tables()?;
+        tables.check_wavelengths(wavelengths_nm)?;
+        Ok(tables.eval(self.interpolation, wi, wo, wavelengths_nm))
+    }
+
+    /// The BRDF under any light, from the spectral tables: its `eval` gives XYZ in 1/sr relative to that light.
+    ///
+    /// # Errors
+    /// [`Error::Call`] for a specimen without spectral tables, a light that the eye does not see, and laser lines shorter
+    /// than the tables answer for.
+    pub fn xyz_under(&self, illuminant: &Illuminant) -> Result<UnderLight<'_>> {
+        self.spectral_tables()?.under(self.interpolation, illuminant)
+    }
+
+    /// The spectral tables; `None` where the atlas holds none.
+    pub fn spectral(&self) -> Option<&SpectralTables> {
+        self.spectral.as_ref()
+    }
+
+    fn spectral_tables(&self) -> Result<&SpectralTables> {
+        self.spectral.as_ref().ok_or_else(|| {
+            Error::Call(
+                "this specimen has no spectral tables: run the pipeline with \"spectral\" in tables.hold, or ask for X, Y, Z \
+                 under the light of its tables"
+                    .into(),
+            )
+        })
+    }
+
     /// Whether the tables can answer for a pair of directions: always, unless they were made for certain scenes only.
     pub fn answers(&self, wi: Vec3, wo: Vec3) -> bool {
-        evaluate::serves(&self.tables, self.interpolation, wi, wo)
+        evaluate::answers(&self.tables, self.interpolation, wi, wo)
     }
 
     /// Draws a direction to the light, given the one to the viewer and three numbers that are uniform in [0, 1).
@@ -168,7 +317,7 @@ impl Brdf {
     /// Its integral over directions is the probability that a sample is drawn: 1 but for tables made for certain scenes,
     /// and for rims of the hemisphere within rounding.
     pub fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
-        if self.tables.served.is_some() && !self.answers(wi, wo) {
+        if self.tables.restriction.is_some() && !self.answers(wi, wo) {
             return 0.0;
         }
         self.sampler().pdf(wi, wo)

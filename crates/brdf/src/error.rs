@@ -1,4 +1,4 @@
-//! Errors by whose fault they are: the call, the manifest, a file, the disk, a limit, or the GPU.
+//! Errors by whose fault they are: the call, a file, the disk, or a limit.
 
 use std::path::{Path, PathBuf};
 
@@ -8,24 +8,9 @@ pub type Result<T> = std::result::Result<T, Error>;
 /// Everything that can go wrong, sorted by who can put it right.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The command line is wrong (exit status 2).
+    /// What was asked for is wrong.
     #[error("{0}")]
     Call(String),
-
-    /// The manifest is wrong (exit status 2); `excerpt` shows the line with a caret below it.
-    #[error("{file}:{line}:{column}: {message}\n{excerpt}")]
-    Manifest {
-        /// The manifest's path as the user gave it.
-        file: String,
-        /// Line, from 1.
-        line: usize,
-        /// Column in characters, from 1.
-        column: usize,
-        /// The key, what was found and what was expected.
-        message: String,
-        /// The offending line and a caret, ready to print.
-        excerpt: String,
-    },
 
     /// A file is damaged or does not hold what it must; `fix` says what to do about it.
     #[error("{}: {what}\n  {fix}", path.display())]
@@ -57,10 +42,6 @@ pub enum Error {
         /// What to change.
         fix: String,
     },
-
-    /// No usable GPU, or the GPU failed.
-    #[error("GPU: {0}")]
-    Gpu(String),
 }
 
 impl Error {
@@ -82,13 +63,5 @@ impl Error {
     /// Whether the operating system refused to read or write something in this folder.
     pub fn is_of_disk_below(&self, folder: &Path) -> bool {
         matches!(self, Self::Disk { path, .. } if path.starts_with(folder))
-    }
-
-    /// The process exit status this error calls for: 2 for a wrong call or manifest, 1 otherwise.
-    pub fn exit_status(&self) -> u8 {
-        match self {
-            Self::Call(_) | Self::Manifest { .. } => 2,
-            _ => 1,
-        }
     }
 }

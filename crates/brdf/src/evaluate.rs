@@ -5,7 +5,7 @@ use ndarray::{Array3, ArrayView3};
 use crate::chebyshev;
 use crate::direction::{Vec3, Xyz, normalised_abs_w, wave_vector_change};
 use crate::front_factor::{Factor, image_radius2};
-use crate::table_set::{Basis, Lobe, Served, TableSet};
+use crate::table_set::{Basis, Lobe, Restriction, TableSet};
 
 /// How values between texels are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub enum Interpolation {
 }
 
 /// XYZ of the BRDF in 1/sr; zero for directions not above the surface, not a number for those that the tables do not
-/// serve (see [`serves`]).
+/// cover (see [`answers`]).
 pub fn brdf_xyz(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> Xyz {
     if !(wi[2] > 0.0 && wo[2] > 0.0) {
         return [0.0; 3];
@@ -73,15 +73,15 @@ pub fn window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xy
     sum
 }
 
-/// The tables' part of [`window_power`], without the lobe; not a number where they do not serve.
+/// The tables' part of [`window_power`], without the lobe; not a number where they have no answer.
 pub fn diffuse_window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xyz {
     let w = q[2].abs();
     let size = set.size() as f64 - 1.0;
     let mut at = [(2.0 - q[1]) / 4.0 * size, (q[0] + 2.0) / 4.0 * size];
     let mut t = normalised_abs_w(q);
-    if let Some(served) = &set.served {
-        at = [at[0] - served.first[0] as f64, at[1] - served.first[1] as f64];
-        match share_of_range(served, interpolation, at, t) {
+    if let Some(restriction) = &set.restriction {
+        at = [at[0] - restriction.first[0] as f64, at[1] - restriction.first[1] as f64];
+        match share_of_range(restriction, interpolation, at, t) {
             Some(share) => t = share,
             None => return [f64::NAN; 3],
         }
@@ -94,9 +94,9 @@ pub fn diffuse_window_power(set: &TableSet, interpolation: Interpolation, q: Vec
     expansion(&set.tables, &basis, interpolation, at)
 }
 
-/// Whether the tables can answer for a pair of directions: always where they serve every direction, or where one of
+/// Whether the tables can answer for a pair of directions: always where they cover every direction, or where one of
 /// the two is not above the surface and there is nothing to look up.
-pub fn serves(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> bool {
+pub fn answers(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> bool {
     !(wi[2] > 0.0 && wo[2] > 0.0)
         || diffuse_window_power(set, interpolation, wave_vector_change(wi, wo)).iter().all(|value| !value.is_nan())
 }
@@ -105,9 +105,9 @@ pub fn serves(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) 
 /// graphics hardware.
 const RANGE_SLACK: f64 = 0.02;
 
-/// Where `t` lies in the range at a position in the served window, 0 to 1; `None` outside of what is served.
-fn share_of_range(served: &Served, interpolation: Interpolation, at: [f64; 2], t: f64) -> Option<f64> {
-    let (rows, columns, _) = served.range.dim();
+/// Where `t` lies in the range at a position in the covered window, 0 to 1; `None` outside of what is covered.
+fn share_of_range(restriction: &Restriction, interpolation: Interpolation, at: [f64; 2], t: f64) -> Option<f64> {
+    let (rows, columns, _) = restriction.range.dim();
     let inside = |x: f64, count: usize| x >= 0.0 && x <= (count - 1) as f64;
     if !inside(at[0], rows) || !inside(at[1], columns) {
         return None;
@@ -117,7 +117,7 @@ fn share_of_range(served: &Served, interpolation: Interpolation, at: [f64; 2], t
     let [mut low, mut high] = [0.0; 2];
     for (dy, wy) in wy.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
         for (dx, wx) in wx.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
-            let texel = |channel| f64::from(served.range[[row + dy, column + dx, channel]]);
+            let texel = |channel| f64::from(restriction.range[[row + dy, column + dx, channel]]);
             if texel(2) == 0.0 {
                 return None;
             }

@@ -172,12 +172,20 @@ fn hex(bytes: &[u8]) -> String {
     })
 }
 
+/// Bytes of a file.
+///
+/// # Errors
+/// [`Error::Disk`] where there is none.
+pub fn size(path: &Path) -> Result<u64> {
+    Ok(path.metadata().map_err(|e| Error::disk(path, "read the size of", e))?.len())
+}
+
 /// Bytes of all files in a folder, not below it, with an extension.
 pub fn bytes_of(folder: &Path, extension: &str) -> Result<u64> {
     let mut bytes = 0;
     for (path, kind) in entries(folder)? {
         if kind.is_file() && path.extension().is_some_and(|found| found == extension) {
-            bytes += path.metadata().map_err(|e| Error::disk(&path, "read the size of", e))?.len();
+            bytes += size(&path)?;
         }
     }
     Ok(bytes)

@@ -149,7 +149,7 @@ pub fn image_radius2(wi: Vec3, wo: Vec3) -> f64 {
 }
 
 /// The four polarised reflectances of the lobe, in the order of [`polarised_factors`]: a flat surface keeps s and p apart.
-pub fn polarised_reflectances(index: Complex<f64>, wi: Vec3, wo: Vec3) -> [f64; 4] {
+pub(crate) fn polarised_reflectances(index: Complex<f64>, wi: Vec3, wo: Vec3) -> [f64; 4] {
     let cos = cos_half_angle(wi, wo).clamp(0.0, 1.0);
     let inside = (index * index - (1.0 - cos * cos)).sqrt();
     let s = (inside - cos) / (inside + cos);

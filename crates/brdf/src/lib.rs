@@ -39,8 +39,10 @@
 //! ```
 //!
 //! [`Brdf::sample`] and [`Brdf::pdf`] are for path tracers; the example `path_trace_ball` is one of about a hundred lines.
+//! [`Brdf::eval_filtered`] takes a light with a size, or a pixel of a curved surface, in one look-up: a [`Footprint`].
 //! [`shader::TABLES_WGSL`] evaluates the same tables on a GPU, and [`shader::table_image`] puts them into the layout that it
-//! reads.
+//! reads. [`shader_spectral::SPECTRAL_WGSL`] and [`shader_spectral::spectral_image`] do so for spectral tables:
+//! `brdf_spectral(wi, wo, wavelength_nm)` in WGSL.
 //!
 //! # Features
 //!
@@ -58,19 +60,28 @@ mod cie_data;
 pub mod direction;
 pub mod dispersion;
 mod dispersion_data;
+pub mod energy;
 pub mod error;
 pub mod evaluate;
 mod exr_header;
 pub mod exr_image;
 pub mod files;
+pub mod filtered;
+pub mod footprint;
 pub mod front_factor;
 pub mod json;
+mod lobe_mean;
 pub mod material;
 mod parallel;
+mod pyramid;
 mod reader;
 mod sampling;
 pub mod shader;
+pub mod shader_spectral;
 pub mod specimen;
+pub mod spectral;
+mod spectral_light;
+pub mod spectral_storage;
 pub mod spectrum;
 pub mod storage;
 pub mod table_set;
@@ -78,9 +89,14 @@ pub mod table_set;
 pub use brdf::{Brdf, Sample};
 pub use direction::{Vec3, Xyz};
 pub use dispersion::Dispersion;
+pub use energy::EnergyLimit;
 pub use error::{Error, Result};
 pub use evaluate::Interpolation;
+pub use filtered::FilteredSpectral;
+pub use footprint::Footprint;
 pub use front_factor::{Factor, FrontFactor};
 pub use material::Material;
 pub use reader::Atlas;
-pub use table_set::{Basis, Lobe, Served, TableSet};
+pub use spectral::SpectralTables;
+pub use spectral_light::UnderLight;
+pub use table_set::{Basis, Lobe, Restriction, TableSet};

@@ -9,6 +9,7 @@ use crate::error::{Error, Result};
 use crate::files;
 use crate::parallel;
 use crate::specimen::{self, SpecimenRecord};
+use crate::spectral_storage::StoredSpectral;
 
 const FIX: &str = "Restore the file from a copy of the atlas, or run the pipeline again to publish a new version.";
 
@@ -91,7 +92,8 @@ impl Atlas {
     /// does not hold what it must; [`Error::Disk`].
     pub fn brdf(&self, name: &str) -> Result<Brdf> {
         let record = self.record(name)?;
-        let paths: Vec<String> = record.tables.files().map(|file| format!("{name}/{file}")).collect();
+        let spectral = record.spectral.iter().flat_map(StoredSpectral::files);
+        let paths: Vec<String> = record.tables.files().chain(spectral).map(|file| format!("{name}/{file}")).collect();
         let listed = self.listed();
         parallel::map(&paths, |path| self.check_digest(&listed, path))?;
         Brdf::read(&self.folder.join(name), record)

@@ -5,7 +5,7 @@
 //! | binding | variable | what |
 //! |---|---|---|
 //! | 0 | `params` | uniform buffer: [`TableParams`], 2128 bytes, below |
-//! | 1 | `tables` | 2D array texture, RGBA16F: [`TableImage::tables`]; where tables serve certain scenes, one layer more |
+//! | 1 | `tables` | 2D array texture, RGBA16F: [`TableImage::tables`]; where tables are restricted to scenes, one layer more |
 //! | 2 | `cross_terms` | 2D array texture, RGBA16F: [`TableImage::cross`] |
 //! | 3 | `lobe` | 2D texture, RGBA32F, not filtered: [`TableImage::coherent`] |
 //! | 4 | `bilinear` | sampler: linear, clamped to the edges |
@@ -21,7 +21,7 @@
 //! | 16 | u32 | `shadowing` | 1 with the V-cavity factor |
 //! | 20 | f32 | `radius_max` | of the coherent lobe; 0 without one |
 //! | 24, 28 | f32 | `index_n`, `index_k` | refractive index n + ik |
-//! | 32 | u32 | `served` | 1 where tables serve certain scenes only |
+//! | 32 | u32 | `restricted` | 1 where tables are restricted to scenes |
 //! | 36 | f32 | `grid_last` | texels along u of the whole grid, less one |
 //! | 40, 44 | f32 | `first_column`, `first_row` | where in the whole grid the tables begin |
 //! | 48 | u32 | `factor` | 0 scalar, 1 vector |
@@ -39,10 +39,10 @@ use crate::error::{Error, Result};
 use crate::front_factor::Factor;
 use crate::material::Material;
 use crate::storage::half_scale;
-use crate::table_set::{Basis, Served, TableSet};
+use crate::table_set::{Basis, Restriction, TableSet};
 
 /// WGSL that evaluates tables; declares the bindings of group 0. Entry points are put behind it.
-pub const TABLES_WGSL: &str = include_str!("shaders/tables.wgsl");
+pub const TABLES_WGSL: &str = concat!(include_str!("shaders/optics.wgsl"), "\n", include_str!("shaders/tables.wgsl"));
 
 /// Most layers of a texture: WebGPU's default limit, and the length of the shader's list of scales.
 pub const LAYERS_MAX: usize = 256;
@@ -68,8 +68,8 @@ pub struct TableParams {
     pub index_n: f32,
     /// Imaginary part.
     pub index_k: f32,
-    /// 1 where the tables serve certain scenes alone.
-    pub served: u32,
+    /// 1 where the tables are restricted to scenes.
+    pub restricted: u32,
     /// Texels along u and v of the whole grid, less one.
     pub grid_last: f32,
     /// Where in the whole grid the tables' window begins.
@@ -90,14 +90,14 @@ pub struct TableParams {
     pub cross_scales: [[f32; 4]; LAYERS_MAX / 4],
 }
 
-/// Layers of half floats, `[layer][row][column]`, the fourth channel unused.
+/// Layers of half floats, `[layer][row][column]`, the fourth channel unused but by spectral tables, four to a layer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HalfLayers {
     /// Number of rows and columns.
     pub size: [usize; 2],
-    /// All layers' texels; the range of what is served, where there is one, comes behind the tables.
+    /// All layers' texels; the range of what is covered, where there is one, comes behind the tables.
     pub texels: Vec<[f16; 4]>,
-    /// Value = texel times scale; one per layer.
+    /// Value = texel times scale; one per layer, for spectral tables one per table.
     pub scales: Vec<f32>,
 }
 
@@ -126,16 +126,10 @@ pub fn peak(table: &Array3<f32>) -> f32 {
 /// # Errors
 /// `Error::Limit` for more layers or larger tables than every GPU takes, or if a number is not finite.
 pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Result<TableImage> {
-    let (material, index) = match set.front_factor.material {
-        Material::Ideal => (0, [1.0, 0.0]),
-        // Thinner than air, its roots are complex: the conductor's formulas.
-        Material::Dielectric { n } if n < 1.0 => (2, [n, 0.0]),
-        Material::Dielectric { n } => (1, [n, 0.0]),
-        Material::Conductor { n, k } => (2, [n, k]),
-    };
-    let mut tables = half_layers(&set.tables, "tables", usize::from(set.served.is_some()))?;
-    let first = set.served.as_ref().map_or([0; 2], |served| served.first);
-    if let Some(Served { range, .. }) = &set.served {
+    let MaterialFields { material, index, permittivity } = material_fields(set.front_factor.material);
+    let mut tables = half_layers(&set.tables, "tables", usize::from(set.restriction.is_some()))?;
+    let first = set.restriction.as_ref().map_or([0; 2], |restriction| restriction.first);
+    if let Some(Restriction { range, .. }) = &set.restriction {
         check_finite(range, "ranges")?;
         // Half floats already, read as they are.
         let texel = |range: ArrayView1<f32>| [range[0], range[1], range[2], 0.0].map(f16::from_f32);
@@ -162,18 +156,15 @@ pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Resu
         material,
         shadowing: u32::from(set.front_factor.shadowing),
         radius_max,
-        index_n: index[0] as f32,
-        index_k: index[1] as f32,
-        served: u32::from(set.served.is_some()),
+        index_n: index[0],
+        index_k: index[1],
+        restricted: u32::from(set.restriction.is_some()),
         grid_last: (set.size() - 1) as f32,
         first_column: first[1] as f32,
         first_row: first[0] as f32,
-        factor: match set.front_factor.factor {
-            Factor::Scalar => 0,
-            Factor::Vector => 1,
-        },
+        factor: factor_field(set.front_factor.factor),
         unused: 0,
-        permittivity: [index[0] * index[0] - index[1] * index[1], 2.0 * index[0] * index[1]].map(|x| x as f32),
+        permittivity,
         pigment: pigment_xyz_per_sr.map_or([0.0; 4], |xyz_per_sr| {
             let [x, y, z] = xyz_per_sr.map(|c| c as f32);
             [x, y, z, 1.0]
@@ -184,7 +175,36 @@ pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Resu
     Ok(TableImage { params, tables, cross, coherent_size, coherent })
 }
 
-fn packed(scales: &[f32]) -> [[f32; 4]; LAYERS_MAX / 4] {
+/// What a uniform says of a material.
+pub(crate) struct MaterialFields {
+    /// 0 ideal, 1 dielectric, 2 conductor.
+    pub(crate) material: u32,
+    /// n and k.
+    pub(crate) index: [f32; 2],
+    /// Permittivity, real and imaginary part.
+    pub(crate) permittivity: [f32; 2],
+}
+
+pub(crate) fn material_fields(material: Material) -> MaterialFields {
+    let (material, [n, k]) = match material {
+        Material::Ideal => (0, [1.0, 0.0]),
+        // Thinner than air, its roots are complex: the conductor's formulas.
+        Material::Dielectric { n } if n < 1.0 => (2, [n, 0.0]),
+        Material::Dielectric { n } => (1, [n, 0.0]),
+        Material::Conductor { n, k } => (2, [n, k]),
+    };
+    let permittivity = [n * n - k * k, 2.0 * n * k].map(|x| x as f32);
+    MaterialFields { material, index: [n, k].map(|x| x as f32), permittivity }
+}
+
+pub(crate) fn factor_field(factor: Factor) -> u32 {
+    match factor {
+        Factor::Scalar => 0,
+        Factor::Vector => 1,
+    }
+}
+
+pub(crate) fn packed(scales: &[f32]) -> [[f32; 4]; LAYERS_MAX / 4] {
     let mut out = [[0.0; 4]; LAYERS_MAX / 4];
     for (n, scale) in scales.iter().enumerate() {
         out[n / 4][n % 4] = *scale;
@@ -192,7 +212,7 @@ fn packed(scales: &[f32]) -> [[f32; 4]; LAYERS_MAX / 4] {
     out
 }
 
-fn black_layer() -> HalfLayers {
+pub(crate) fn black_layer() -> HalfLayers {
     HalfLayers { size: [1, 1], texels: vec![[f16::ZERO; 4]], scales: vec![1.0] }
 }
 
@@ -224,7 +244,7 @@ fn half_layers(layers: &[Array3<f32>], what: &str, spare: usize) -> Result<HalfL
     Ok(out)
 }
 
-fn check_side(side: usize, what: &str) -> Result<()> {
+pub(crate) fn check_side(side: usize, what: &str) -> Result<()> {
     if side == 0 || side > SIDE_MAX {
         return Err(Error::limit(
             format!("{what} of {side} texels a side for textures of 1 to {SIDE_MAX}"),
@@ -234,7 +254,7 @@ fn check_side(side: usize, what: &str) -> Result<()> {
     Ok(())
 }
 
-fn check_finite(values: &Array3<f32>, what: &str) -> Result<()> {
+pub(crate) fn check_finite(values: &Array3<f32>, what: &str) -> Result<()> {
     if values.iter().all(|value| value.is_finite()) {
         return Ok(());
     }
@@ -273,7 +293,7 @@ mod tests {
         macro_rules! offsets {
             ($($field:ident)*) => { [$((stringify!($field), offset_of!(TableParams, $field))),*] };
         }
-        let fields = offsets!(basis table_count cross_count material shadowing radius_max index_n index_k served grid_last
+        let fields = offsets!(basis table_count cross_count material shadowing radius_max index_n index_k restricted grid_last
             first_column first_row factor unused permittivity pigment table_scales cross_scales);
         let cells = |line: &'static str| Some(line.strip_prefix("//! | ")?.split(" | ").collect::<Vec<_>>());
         let rows = include_str!("shader.rs").lines().filter_map(cells).filter(|cells| cells.len() == 4);

@@ -7,15 +7,18 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::direction::{Vec3, Xyz};
+use crate::energy::EnergyLimit;
 use crate::error::{Error, Result};
 use crate::front_factor::FrontFactor;
 use crate::json;
+use crate::spectral_storage::StoredSpectral;
 use crate::storage::{self, StoredTables};
 use crate::table_set::TableSet;
 
-/// Version of the layout of the atlas and its files that is written: 2 since `optics.factor`.
-pub const SCHEMA: u32 = 2;
-/// Oldest version that is read. In version 1 every factor is the scalar one.
+/// Version of the layout of the atlas and its files that is written: 2 since `optics.factor`, 3 since `spectral`.
+pub const SCHEMA: u32 = 3;
+/// Oldest version that is read. In version 1 every factor is the scalar one; 1 and 2 have no spectral
+/// tables.
 pub const OLDEST_SCHEMA: u32 = 1;
 /// Name of the file in the specimen's folder.
 pub const FILE: &str = "specimen.json";
@@ -51,6 +54,12 @@ pub struct SpecimenRecord {
     pub front_factor: FrontFactor,
     /// The tables' files, axes, scales and formula.
     pub tables: StoredTables,
+    /// The files of its spectral tables; absent where the atlas holds none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spectral: Option<StoredSpectral>,
+    /// What keeps the surface from reflecting more than arrives, where it would.
+    #[serde(default)]
+    pub energy_limit: Option<EnergyLimit>,
     /// Directions with values, for testing a reader.
     pub check_values: Vec<CheckValue>,
     /// Doubts in whole sentences.

@@ -11,7 +11,7 @@ use crate::exr_image::{self, Place, Precision};
 use crate::files;
 use crate::front_factor::FrontFactor;
 use crate::parallel;
-use crate::table_set::{Basis, Lobe, Rounding, Served, Storage, TableSet};
+use crate::table_set::{Basis, Lobe, Restriction, Rounding, Storage, TableSet};
 
 /// Exponent of the power of two at which the largest value of a half table is stored: 2^11 < peak <= 2^12.
 ///
@@ -21,13 +21,13 @@ use crate::table_set::{Basis, Lobe, Rounding, Served, Storage, TableSet};
 /// sums or converts colours in half floats does not overflow at 65504.
 const PEAK_EXPONENT: i32 = 12;
 
-const FIX: &str = "Restore specimen.json and the files beside it, or run the pipeline again.";
+pub(crate) const FIX: &str = "Restore specimen.json and the files beside it, or run the pipeline again.";
 
 /// What a renderer computes from tables in the Chebyshev basis.
 const CHEBYSHEV_FORMULA: &str =
     "f = D (sum_n table_n T_n(2t - 1) + sum_n cross_n T_n(2t - 1) / |w|) + C lobe, t = |w| / sqrt(4 - u^2 - v^2)";
 /// The same from tables made for certain scenes.
-const SERVED_FORMULA: &str = "f = D (sum_n table_n T_n(2s - 1) + sum_n cross_n T_n(2t - 1) / |w|) + C lobe, t = |w| / sqrt(4 - u^2 - v^2), s = (t - low) / (high - low)";
+const RESTRICTED_FORMULA: &str = "f = D (sum_n table_n T_n(2s - 1) + sum_n cross_n T_n(2t - 1) / |w|) + C lobe, t = |w| / sqrt(4 - u^2 - v^2), s = (t - low) / (high - low)";
 /// What a renderer computes from tables in powers of w.
 const TAYLOR_FORMULA: &str = "f = D (sum_n table_n |w|^n) / w^2";
 
@@ -85,12 +85,12 @@ pub struct StoredCross {
 
 /// What tables made for certain scenes can answer for.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct StoredServed {
+pub struct StoredRestriction {
     /// Texels along u and v of the whole grid over [-2, 2], of which the tables are a window.
     pub size: usize,
     /// Row and column of the whole grid at which the window begins.
     pub first: [usize; 2],
-    /// Channels R, G, B: lowest `t`, highest `t`, and 1 where a texel is served or 0 where not; 16-bit floats, exact.
+    /// Channels R, G, B: lowest `t`, highest `t`, and 1 where a texel is covered or 0 where not; 16-bit floats, exact.
     pub range: StoredArray,
 }
 
@@ -116,10 +116,10 @@ pub struct StoredTables {
     pub usable_radius: f64,
     /// The tables, one per basis function.
     pub tables: Vec<StoredArray>,
-    /// What they can answer for; absent where they serve every direction.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub served: Option<StoredServed>,
-    /// The lobe; `None` for powers of `w`, and where no served direction lies in it.
+    /// What they can answer for; absent where they cover every direction.
+    #[serde(rename = "served", default, skip_serializing_if = "Option::is_none")]
+    pub restriction: Option<StoredRestriction>,
+    /// The lobe; `None` for powers of `w`, and where no direction that they cover lies in it.
     pub lobe: Option<StoredLobe>,
 }
 
@@ -130,7 +130,7 @@ impl StoredTables {
             let patches = lobe.cross.iter().flat_map(|cross| &cross.patches);
             std::iter::once(&lobe.coherent).chain(patches)
         });
-        let range = self.served.iter().map(|served| &served.range);
+        let range = self.restriction.iter().map(|restriction| &restriction.range);
         self.tables.iter().chain(lobe).chain(range).map(|array| array.file.as_str())
     }
 }
@@ -146,7 +146,7 @@ struct Job<'a> {
     rows: (&'static str, Axis),
 }
 
-/// Writes `table.NNN.exr`, where there is a lobe `lobe.exr` and `lobe.NNN.exr`, and where not every direction is served
+/// Writes `table.NNN.exr`, where there is a lobe `lobe.exr` and `lobe.NNN.exr`, and where not every direction is covered
 /// `range.exr`, into an existing folder.
 pub fn write_tables(folder: &Path, set: &TableSet, storage: Storage) -> Result<StoredTables> {
     let [u, v] = table_axes(set);
@@ -170,13 +170,13 @@ pub fn write_tables(folder: &Path, set: &TableSet, storage: Storage) -> Result<S
     if let (Some(lobe), Some(axes)) = (&set.lobe, &axes) {
         jobs.extend(lobe_jobs(lobe, axes, storage));
     }
-    jobs.extend(set.served.as_ref().map(|served| {
-        assert_eq!(served.range.dim(), shape, "ranges are those of the tables' texels");
+    jobs.extend(set.restriction.as_ref().map(|restriction| {
+        assert_eq!(restriction.range.dim(), shape, "ranges are those of the tables' texels");
         Job {
             file: "range.exr".to_owned(),
             kind: "range",
             order: 0,
-            values: &served.range,
+            values: &restriction.range,
             // Half floats from the start: nothing is rounded here.
             storage: Storage::Half,
             columns: ("u", u),
@@ -185,17 +185,21 @@ pub fn write_tables(folder: &Path, set: &TableSet, storage: Storage) -> Result<S
     }));
     // Collected in the order of the jobs, whatever thread wrote which.
     let mut stored: Vec<StoredArray> = parallel::map(&jobs, |job| write_array(folder, set, job))?;
-    let served = set.served.as_ref().zip(stored.pop_if(|last| last.file == "range.exr"));
+    let restriction = set.restriction.as_ref().zip(stored.pop_if(|last| last.file == "range.exr"));
     let lobe_arrays = stored.split_off(set.tables.len());
-    let formula = match (set.basis, &set.served) {
+    let formula = match (set.basis, &set.restriction) {
         (Basis::Chebyshev, None) => CHEBYSHEV_FORMULA,
-        (Basis::Chebyshev, Some(_)) => SERVED_FORMULA,
+        (Basis::Chebyshev, Some(_)) => RESTRICTED_FORMULA,
         (Basis::Taylor, _) => TAYLOR_FORMULA,
     };
     Ok(StoredTables {
         basis: set.basis,
         formula: formula.to_owned(),
-        served: served.map(|(served, range)| StoredServed { size: served.size, first: served.first, range }),
+        restriction: restriction.map(|(restriction, range)| StoredRestriction {
+            size: restriction.size,
+            first: restriction.first,
+            range,
+        }),
         storage,
         rounding: None,
         u,
@@ -232,12 +236,12 @@ pub fn read_tables(folder: &Path, stored: &StoredTables, front_factor: FrontFact
         lobe,
         prefilter_width: stored.prefilter_width,
         front_factor,
-        served: match &stored.served {
+        restriction: match &stored.restriction {
             None => None,
-            Some(served) => Some(Served {
-                size: served.size,
-                first: served.first,
-                range: read_array(folder, &served.range, shape)?,
+            Some(restriction) => Some(Restriction {
+                size: restriction.size,
+                first: restriction.first,
+                range: read_array(folder, &restriction.range, shape)?,
             }),
         },
         usable_radius: stored.usable_radius,
@@ -259,11 +263,11 @@ fn check_read(set: &TableSet, stored: &StoredTables) -> std::result::Result<(), 
     Ok(())
 }
 
-/// Columns and rows of the tables: the whole square, or the served window of it.
+/// Columns and rows of the tables: the whole square, or the covered window of it.
 fn table_axes(set: &TableSet) -> [Axis; 2] {
     let (rows, columns, _) = set.tables.first().map_or((0, 0, 0), Array3::dim);
     let whole = Axis { first: -2.0, last: 2.0, samples: columns };
-    let Some(Served { size, first: [row, column], .. }) = set.served else {
+    let Some(Restriction { size, first: [row, column], .. }) = set.restriction else {
         return [whole, reversed(whole)];
     };
     let at = |texel: usize| -2.0 + 4.0 * texel as f64 / (size - 1) as f64;
@@ -355,8 +359,8 @@ fn write_array(folder: &Path, set: &TableSet, job: &Job) -> Result<StoredArray> 
         Storage::Float => Precision::Float,
     };
     let image = scaled.as_ref().unwrap_or(job.values);
-    let place = match (&set.served, job.kind) {
-        (Some(served), "table" | "range") => Place { first: served.first, whole: [served.size; 2] },
+    let place = match (&set.restriction, job.kind) {
+        (Some(restriction), "table" | "range") => Place { first: restriction.first, whole: [restriction.size; 2] },
         _ => Place::whole(image),
     };
     exr_image::write_window(&path, image, place, precision, &attributes)?;
@@ -365,7 +369,7 @@ fn write_array(folder: &Path, set: &TableSet, job: &Job) -> Result<StoredArray> 
 
 /// The numbers to store (`None`: the values themselves), and what storing them does. Values that are not finite pass
 /// through, to be refused by the writer.
-fn scale_array(values: &Array3<f32>, file: &str, storage: Storage) -> (Option<Array3<f32>>, StoredArray) {
+pub(crate) fn scale_array(values: &Array3<f32>, file: &str, storage: Storage) -> (Option<Array3<f32>>, StoredArray) {
     let peak = values.iter().fold(0f32, |peak, value| peak.max(value.abs()));
     let mut stored = StoredArray { file: file.to_owned(), scale: 1.0, peak: peak.into(), flushed: 0, rounding: 0.0 };
     if storage == Storage::Float {
@@ -402,7 +406,7 @@ pub fn round_to_half(values: &mut Array3<f32>) {
     values.mapv_inplace(|value| half::f16::from_f32(value / scale).to_f32() * scale);
 }
 
-fn read_array(folder: &Path, stored: &StoredArray, shape: (usize, usize)) -> Result<Array3<f32>> {
+pub(crate) fn read_array(folder: &Path, stored: &StoredArray, shape: (usize, usize)) -> Result<Array3<f32>> {
     let path = folder.join(&stored.file);
     if !files::stays_below(&stored.file) {
         return Err(Error::bad_file(

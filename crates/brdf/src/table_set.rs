@@ -27,7 +27,7 @@ pub enum Storage {
 }
 
 /// What storing a set's numbers does to its values: 95th percentiles of relative changes, the largest of those of texels
-/// spread over the disc, of lit ones, and of those around the mirror direction.
+/// spread over the disc, of those above the luminance floor, and of those around the mirror direction.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Rounding {
     /// With 16-bit floats.
@@ -53,19 +53,19 @@ pub struct Lobe {
     pub cross: Vec<Array3<f32>>,
 }
 
-/// The part of (u, v, w) that tables made for certain scenes can answer for.
+/// The part of (u, v, w) that tables restricted to scenes can answer for.
 ///
 /// Tables then hold a window of the whole grid, and at each texel the Chebyshev polynomials run over that texel's own
 /// range of `t` instead of [0, 1]: they are `T_n(2s - 1)` with `s = (t - low) / (high - low)`, where `low` and `high`
-/// are interpolated between texels like the tables themselves. A look-up that reads a texel which is not served, or
+/// are interpolated between texels like the tables themselves. A look-up that reads a texel which is not covered, or
 /// lies outside the range, has no answer.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Served {
+pub struct Restriction {
     /// Texels along u and v of the whole grid over [-2, 2].
     pub size: usize,
     /// Row and column of the whole grid at which the window begins.
     pub first: [usize; 2],
-    /// Lowest `t`, highest `t`, and 1 where the texel is served or 0 where not; shape `[rows, columns, 3]`, that of
+    /// Lowest `t`, highest `t`, and 1 where the texel is covered or 0 where not; shape `[rows, columns, 3]`, that of
     /// the tables.
     pub range: Array3<f32>,
 }
@@ -83,7 +83,7 @@ pub struct Served {
 pub struct TableSet {
     /// Which expansion the tables hold.
     pub basis: Basis,
-    /// One array per basis function, shape `[size, size, 3]` or that of the served window, 0 beyond the disc of radius 2 but for a rim of
+    /// One array per basis function, shape `[size, size, 3]` or that of the covered window, 0 beyond the disc of radius 2 but for a rim of
     /// three texels, which keeps interpolation at the rim free of zeros.
     pub tables: Vec<Array3<f32>>,
     /// The coherent lobe; `None` for `Basis::Taylor`, whose tables contain it.
@@ -93,7 +93,7 @@ pub struct TableSet {
     /// What stands in front of the tables' values.
     pub front_factor: FrontFactor,
     /// What they can answer for; `None` for every pair of directions above the surface.
-    pub served: Option<Served>,
+    pub restriction: Option<Restriction>,
     /// Radius of the (u, v) disc that the scans' sampling can answer for; beyond it is zero or doubtful.
     pub usable_radius: f64,
 }
@@ -101,8 +101,8 @@ pub struct TableSet {
 impl TableSet {
     /// Texels along u and v of the whole grid.
     pub fn size(&self) -> usize {
-        match &self.served {
-            Some(served) => served.size,
+        match &self.restriction {
+            Some(restriction) => restriction.size,
             None => self.tables.first().map_or(0, |table| table.dim().0),
         }
     }
@@ -111,14 +111,15 @@ impl TableSet {
     pub(crate) fn check(&self) -> Result<(), String> {
         let (rows, columns, _) = self.tables.first().ok_or("it holds no table")?.dim();
         check_images("tables", &self.tables, [rows, columns])?;
-        match &self.served {
+        match &self.restriction {
             None if rows != columns => return Err(format!("its tables of {columns} x {rows} texels are not square")),
             None => {}
-            Some(served) => {
-                check_images("ranges", std::slice::from_ref(&served.range), [rows, columns])?;
-                let reaches = |first: usize, count: usize| first.checked_add(count).is_none_or(|end| end > served.size);
-                if reaches(served.first[0], rows) || reaches(served.first[1], columns) {
-                    let ([row, column], size) = (served.first, served.size);
+            Some(restriction) => {
+                check_images("ranges", std::slice::from_ref(&restriction.range), [rows, columns])?;
+                let reaches =
+                    |first: usize, count: usize| first.checked_add(count).is_none_or(|end| end > restriction.size);
+                if reaches(restriction.first[0], rows) || reaches(restriction.first[1], columns) {
+                    let ([row, column], size) = (restriction.first, restriction.size);
                     return Err(format!(
                         "its {columns} x {rows} texels begin at column {column}, row {row} of {size} x {size}"
                     ));

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use diffraction_brdf::atlas::{AtlasIndex, SpecimenEntry};
 use diffraction_brdf::direction::from_angles_deg;
+use diffraction_brdf::specimen::SCHEMA;
 use diffraction_brdf::{Atlas, Brdf, Error, Result, Vec3, Xyz, files};
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -183,12 +184,14 @@ fn another_schema_is_named_in_either_file() {
         let version = folder.path().join("v0001");
         let path = version.join(file);
         let text = fs::read_to_string(&path).unwrap();
-        fs::write(&path, text.replace("\"schema\": 2", "\"schema\": 3")).unwrap();
+        fs::write(&path, text.replace(&format!("\"schema\": {SCHEMA}"), &format!("\"schema\": {}", SCHEMA + 1)))
+            .unwrap();
         if file != "atlas.json" {
             republish(&version);
         }
         let error = read_all(folder.path()).unwrap_err().to_string();
-        assert!(error.contains("its schema is 3, this program reads 1 to 2"), "{error}");
+        let said = format!("its schema is {}, this program reads 1 to {SCHEMA}", SCHEMA + 1);
+        assert!(error.contains(&said), "{error}");
     }
 }
 

@@ -17,7 +17,7 @@ pub mod paths;
 pub mod regular;
 pub mod rough;
 pub mod statistics;
-pub mod wigner;
+pub(crate) mod wigner;
 
 mod screen;
 
@@ -54,7 +54,7 @@ pub fn integrate(
 ///
 /// # Errors
 /// `Error::Call` for an invisible light.
-pub fn integrate_spectra(
+pub(crate) fn integrate_spectra(
     optics: &OpticsConfig,
     half_range_nm: f64,
     pairs: &[Pair],
@@ -84,13 +84,6 @@ pub fn integrate_spectra(
 
 /// A pair of directions, to the light and to the viewer.
 type Pair = (Vec3, Vec3);
-
-/// [`integrate`] for one pair.
-fn integrated(optics: &OpticsConfig, wi: Vec3, wo: Vec3, power_nm2: impl Fn(Vec3, f64) -> f64) -> Result<Xyz> {
-    let mut xyz = [[0.0; 3]];
-    integrate(optics, &[(wi, wo)], power_nm2, &mut xyz)?;
-    Ok(xyz[0])
-}
 
 #[cfg(test)]
 mod tests {

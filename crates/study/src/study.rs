@@ -31,7 +31,7 @@ use timing::Clock;
 use serde::{Deserialize, Serialize};
 
 use crate::baselines::statistics::{SurfaceStatistics, surface_statistics};
-use diffraction_brdf::error::Result;
+use crate::error::Result;
 use diffraction_build::accuracy::directions::FLOOR_SHARE;
 use diffraction_build::ground::progress::Progress;
 use diffraction_build::height::HeightField;
@@ -74,7 +74,7 @@ pub struct SpecimenStudy {
     /// Luminance in 1/sr up to which directions are left out of pointwise errors.
     pub floor_per_sr: f64,
     /// What the closed forms were fitted to.
-    pub statistics: SurfaceStatistics,
+    pub(crate) statistics: SurfaceStatistics,
     /// Digits that cancel in the published method's series.
     pub taylor_digits_lost: f64,
     /// Tables that the published method needs for 1e-3.

@@ -1,17 +1,17 @@
 //! The study measures what is known: the order of the methods, and the limits of the published one.
 
+mod waves;
+
 use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg};
-use diffraction_brdf::front_factor::Factor;
-use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::ground::colour::auto_exposure;
 use diffraction_build::ground::progress::Silent;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{bundled, synthesize};
-use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::OpticsConfig;
 use diffraction_study::study::{
     Contender, Measure, MethodRow, SceneSamples, SpecimenStudy, StudyConfig, StudySpecimen, run_study,
 };
-use ndarray::{Array2, Array3};
+use ndarray::Array3;
 
 /// Why no GPU is lent.
 const NO_GPU: Result<&dyn diffraction_study::study::GpuClock, &str> = Err("not asked for");
@@ -52,57 +52,8 @@ impl SceneSamples for Dome {
     }
 }
 
-fn specimen(depth_nm: f64) -> StudySpecimen {
-    let heights_nm = Array2::from_shape_fn((128, 128), |(row, column)| {
-        let (x, y) = (column as f64 / 128.0, row as f64 / 128.0);
-        // Waves of many directions: dark gaps between orders would leave nothing to compare.
-        (0..24)
-            .map(|i| {
-                let (a, b) = (2.0 * f64::from(i % 7) + 1.0, 2.0 * f64::from(i % 11) - 10.0);
-                (std::f64::consts::TAU * (a * x + b * y) + f64::from(i * i)).sin()
-            })
-            .sum::<f64>()
-            * depth_nm
-            / 28.0
-    });
-    StudySpecimen {
-        name: format!("waves {depth_nm} nm"),
-        fields: vec![HeightField { heights_nm, pitch_nm: [90.0, 90.0] }],
-        optics: OpticsConfig {
-            illuminant: Illuminant::D65,
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: 900.0,
-            lobe_sigma_nm: None,
-            edge: Edge::Tile,
-            windows: Windows::Grid,
-            material: Material::Ideal,
-            dispersion: None,
-            shadowing: false,
-            factor: Factor::Scalar,
-        },
-        scenes: vec![Box::new(Dome::new())],
-    }
-}
-
-fn config() -> StudyConfig {
-    StudyConfig {
-        directions: 40,
-        timed_directions: 2_000,
-        size: 141,
-        chebyshev: vec![2, 6],
-        taylor: vec![6, 24],
-        harmonics: vec![4],
-        light_fields: vec![[8, 32], [64, 256]],
-        paths: vec![64, 4096],
-        wavelength_steps_nm: vec![40.0, 5.0],
-        sizes: vec![41, 141],
-        equal_size: 101,
-        tolerances: vec![1e-2],
-        size_max: 201,
-        picture_samples: 1_000,
-        gpu: false,
-        memory_mib: 512,
-    }
+fn specimen(height_nm: f64) -> StudySpecimen {
+    waves::specimen(height_nm, vec![Box::new(Dome::new())])
 }
 
 fn median(study: &SpecimenStudy, method: &str, setting: &str) -> f64 {
@@ -112,7 +63,7 @@ fn median(study: &SpecimenStudy, method: &str, setting: &str) -> f64 {
 
 #[test]
 fn methods_rank_as_theory_says() {
-    let study = run_study(&[specimen(200.0)], &config(), NO_GPU, &Silent);
+    let study = run_study(&[specimen(200.0)], &waves::config(), NO_GPU, &Silent);
     assert!(study.failures.is_empty(), "{:?}", study.failures);
     let shallow = &study.specimens[0];
     for row in &shallow.methods {
@@ -174,7 +125,7 @@ fn measuring_deeper_structures_at_equal_error() {
         equal_size: 601,
         tolerances: vec![],
         memory_mib: 8192,
-        ..config()
+        ..waves::config()
     };
     let mut smaller = Vec::new();
     for times in [1.0, 1.5, 2.0, 2.5, 3.0] {
@@ -208,7 +159,7 @@ fn a_deep_surface_lists_the_published_method_as_refused() {
         equal_size: 41,
         tolerances: vec![],
         directions: 4,
-        ..config()
+        ..waves::config()
     };
     let study = run_study(&[StudySpecimen { scenes: vec![], ..specimen(1_500.0) }], &config, NO_GPU, &Silent);
     let deep = &study.specimens[0];

@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use crate::cli::options::MANIFEST;
 use crate::cli::output::{self, Outcome};
+use crate::error::Result;
 use crate::manifest;
 use crate::stages::cache::store;
-use diffraction_brdf::error::Result;
 
 /// Arguments of `cache`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]

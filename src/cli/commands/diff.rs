@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
+use crate::error::Result;
 use crate::stages::archive::diff::diff;
-use diffraction_brdf::error::Result;
 
 /// Arguments of `diff`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]

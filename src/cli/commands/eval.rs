@@ -7,15 +7,19 @@ use rayon::prelude::*;
 use crate::cli::directions;
 use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
+use crate::error::Result;
 use crate::manifest;
+use crate::manifest::illuminant;
 use crate::stages::archive::specimen_file;
 use crate::stages::ingest::{Scans, ingest};
 use diffraction_brdf::atlas;
 use diffraction_brdf::direction::{Vec3, Xyz};
-use diffraction_brdf::error::{Error, Result};
-use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, brdf_xyz_polarised, serves};
+use diffraction_brdf::error::{self, Error};
+use diffraction_brdf::evaluate::{Interpolation, answers, brdf_xyz, brdf_xyz_polarised};
 use diffraction_brdf::files;
 use diffraction_brdf::front_factor::{Factor, FrontFactor};
+use diffraction_brdf::spectral_storage::read_spectral;
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::optics::reference;
 use diffraction_build::tables::resolution::usable_radius;
 
@@ -24,11 +28,12 @@ use diffraction_build::tables::resolution::usable_radius;
 #[command(after_help = "Examples:
   diffraction-atlas eval --directions d.csv --atlas out/atlas/squamates --specimen elaphe_guttata
   diffraction-atlas eval --directions d.csv --method reference --manifest pipeline.toml --specimen elaphe_guttata
-  diffraction-atlas eval --directions d.csv --method reference --specimen elaphe_guttata --wavelengths-nm 450,550,650
+  diffraction-atlas eval --directions d.csv --atlas out/atlas/squamates --specimen elaphe_guttata --wavelengths-nm 450,550,650
+  diffraction-atlas eval --directions d.csv --atlas out/atlas/squamates --specimen elaphe_guttata --illuminant F11
 
 The CSV has the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, thetas below 90 either way, between commas,
-semicolons or tabs; lines that start with # are comments. X, Y, Z in 1/sr are added to them, or one column for each of
-the wavelengths asked for; with --polarised X_ss, X_sp, X_ps, X_pp, Y_ss and so on.")]
+semicolons or tabs; lines that start with # are comments. X, Y, Z in 1/sr are added to them, X, Y, Z under
+another light, or one column for each of the wavelengths asked for; with --polarised X_ss, X_sp, X_ps, X_pp, Y_ss and so on.")]
 pub(crate) struct EvalArgs {
     /// Directions to the light and to the viewer, in degrees
     #[arg(long, value_name = "CSV")]
@@ -45,9 +50,13 @@ pub(crate) struct EvalArgs {
     /// Specimen
     #[arg(long, value_name = "NAME")]
     pub specimen: String,
-    /// Values at these wavelengths in place of X, Y, Z (with --method reference)
+    /// Values at these wavelengths in place of X, Y, Z: from the scan, or from an atlas with spectral tables
     #[arg(long, value_name = "NM", value_delimiter = ',', value_parser = crate::cli::lengths::positive)]
     pub wavelengths_nm: Vec<f64>,
+    /// X, Y, Z under this light in place of the atlas's own, from its spectral tables: D65, A, E, F1 to F12, a CSV file with the
+    /// columns wavelength_nm and power, or laser lines in nm (632.8, or 450,532)
+    #[arg(long, value_name = "LIGHT", value_parser = illuminant::from_argument, conflicts_with_all = ["wavelengths_nm", "polarised"])]
+    pub illuminant: Option<Illuminant>,
     /// Four values for each: ss, sp, ps, pp, the light's polarisation first, s across the plane that holds the normal. Half
     /// their sum is the value without. Needs the factor "vector" and a material with a refractive index
     #[arg(long)]
@@ -71,11 +80,20 @@ pub(crate) enum Method {
 
 /// How values between texels are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum Lookup {
+pub(crate) enum Lookup {
     /// Two by two texels, as graphics hardware does
     Bilinear,
     /// Four by four texels: closest to the scan where the grid is fine enough
     Cubic,
+}
+
+impl Lookup {
+    fn look_up(self) -> Interpolation {
+        match self {
+            Self::Bilinear => Interpolation::Bilinear,
+            Self::Cubic => Interpolation::Cubic,
+        }
+    }
 }
 
 /// Where the values come from.
@@ -93,14 +111,17 @@ impl EvalArgs {
     /// # Errors
     /// [`Error::Call`] where they do not fit together.
     pub(crate) fn source(&self) -> Result<EvalSource<'_>> {
-        let wrong = |message: &str| Err(Error::Call(message.to_owned()));
+        let wrong = |message: &str| Err(Error::Call(message.to_owned()).into());
         match (self.method, &self.atlas, &self.manifest) {
             (Method::Tables, _, Some(_)) => wrong("`--manifest` goes with `--method reference`"),
             (Method::Tables, None, None) => {
                 wrong("`--atlas DIR` is missing; `--method reference` evaluates scans instead")
             }
-            (Method::Tables, Some(_), None) if !self.wavelengths_nm.is_empty() => {
-                wrong("tables hold X, Y, Z alone; `--wavelengths-nm` goes with `--method reference`")
+            (Method::Tables, Some(_), None) if !self.wavelengths_nm.is_empty() && self.polarised => {
+                wrong("`--polarised` with `--wavelengths-nm` goes with `--method reference`")
+            }
+            (Method::Reference, _, _) if self.illuminant.is_some() => {
+                wrong("`--illuminant` goes with `--method tables`; for scans optics.illuminant of the manifest says it")
             }
             (Method::Tables, Some(atlas), None) => Ok(EvalSource::Tables(atlas)),
             (Method::Reference, Some(_), _) => wrong("`--atlas` goes with `--method tables`"),
@@ -177,20 +198,22 @@ fn check_polarised(front: FrontFactor, specimen: &str) -> Result<()> {
     Err(Error::limit(
         format!("`{specimen}` {what}, and so knows no polarisation"),
         "leave `--polarised` out, or set optics.factor = \"vector\" and a material such as { n = 1.56 } for it",
-    ))
+    )
+    .into())
 }
 
 fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<Table> {
     let folder = output::version_folder(atlas)?;
     let index = atlas::read_index(&folder)?;
-    let (_, set) = specimen_file::load(&atlas::specimen_folder(&folder, &index, &args.specimen)?)?;
+    let specimen_folder = atlas::specimen_folder(&folder, &index, &args.specimen)?;
+    if args.illuminant.is_some() || !args.wavelengths_nm.is_empty() {
+        return from_spectral(&specimen_folder, args, pairs);
+    }
+    let (_, set) = specimen_file::load(&specimen_folder)?;
     warn_beyond(set.usable_radius, pairs);
-    let interpolation = match args.interpolation {
-        Lookup::Bilinear => Interpolation::Bilinear,
-        Lookup::Cubic => Interpolation::Cubic,
-    };
+    let interpolation = args.interpolation.look_up();
     let beyond: Vec<usize> = (0..pairs.len())
-        .filter(|&index| !serves(&set, interpolation, pairs[index].0, pairs[index].1))
+        .filter(|&index| !answers(&set, interpolation, pairs[index].0, pairs[index].1))
         .map(|index| index + 1)
         .collect();
     if let Some(first) = beyond.first() {
@@ -202,7 +225,8 @@ fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<
                 pairs.len()
             ),
             "set tables.serve = \"all\" and run the pipeline again, or evaluate with `--method reference`",
-        ));
+        )
+        .into());
     }
     if args.polarised {
         check_polarised(set.front_factor, &args.specimen)?;
@@ -211,6 +235,32 @@ fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<
         return Ok(polarised_table(&values));
     }
     Ok(xyz_table(pairs.par_iter().map(|&(wi, wo)| brdf_xyz(&set, interpolation, wi, wo)).collect::<Vec<_>>()))
+}
+
+/// From the spectral tables: single wavelengths, or X, Y, Z under a light.
+fn from_spectral(folder: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<Table> {
+    let file = specimen_file::read(folder)?;
+    let Some(stored) = &file.spectral else {
+        return Err(Error::limit(
+            format!("`{}` has no spectral tables in this atlas", args.specimen),
+            "run the pipeline with tables.hold = [\"spectral\", \"xyz\"], or evaluate with `--method reference`",
+        )
+        .into());
+    };
+    let tables = read_spectral(folder, stored, file.optics.front_factor())?;
+    warn_beyond(tables.usable_radius, pairs);
+    let look_up = args.interpolation.look_up();
+    if let Some(illuminant) = &args.illuminant {
+        let light = tables.under(look_up, illuminant)?;
+        return Ok(xyz_table(pairs.par_iter().map(|&(wi, wo)| light.eval(wi, wo)).collect::<Vec<_>>()));
+    }
+    tables.check_wavelengths(&args.wavelengths_nm)?;
+    let values = pairs.par_iter().map(|&(wi, wo)| tables.eval(look_up, wi, wo, &args.wavelengths_nm)).collect();
+    Ok(Table { columns: wavelength_columns(&args.wavelengths_nm), values })
+}
+
+fn wavelength_columns(wavelengths_nm: &[f64]) -> Vec<String> {
+    wavelengths_nm.iter().map(|nm| format!("f_{nm}_nm")).collect()
 }
 
 fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<Table> {
@@ -222,30 +272,31 @@ fn from_reference(path: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Resul
             path.display(),
             args.specimen,
             known.join(", ")
-        )));
+        ))
+        .into());
     };
     let Scans { fields, optics, .. } = ingest(specimen)?;
     let usable = fields.iter().map(|f| usable_radius(&optics, f.pitch_nm)).fold(2.0, f64::min);
     warn_beyond(usable, pairs);
-    let names: Vec<String> = args.wavelengths_nm.iter().map(|nm| format!("f_{nm}_nm")).collect();
+    let names = wavelength_columns(&args.wavelengths_nm);
     if args.polarised {
         check_polarised(optics.front_factor(), &args.specimen)?;
         if names.is_empty() {
             let xyz = |&(wi, wo): &(Vec3, Vec3)| reference::brdf_xyz_polarised(&fields, &optics, wi, wo);
-            return Ok(polarised_table(&pairs.par_iter().map(xyz).collect::<Result<Vec<_>>>()?));
+            return Ok(polarised_table(&pairs.par_iter().map(xyz).collect::<error::Result<Vec<_>>>()?));
         }
         let spectrum = |&(wi, wo): &(Vec3, Vec3)| {
             let spectrum = reference::brdf_spectrum_polarised(&fields, &optics, wi, wo, &args.wavelengths_nm)?;
             Ok(spectrum.concat())
         };
-        let values = pairs.par_iter().map(spectrum).collect::<Result<_>>()?;
+        let values = pairs.par_iter().map(spectrum).collect::<error::Result<_>>()?;
         return Ok(Table { columns: polarised_columns(&names), values });
     }
     if names.is_empty() {
         return Ok(xyz_table(reference::brdf_xyz_batch(&fields, &optics, pairs)?));
     }
     let spectrum = |&(wi, wo): &(Vec3, Vec3)| reference::brdf_spectrum(&fields, &optics, wi, wo, &args.wavelengths_nm);
-    Ok(Table { columns: names, values: pairs.par_iter().map(spectrum).collect::<Result<_>>()? })
+    Ok(Table { columns: names, values: pairs.par_iter().map(spectrum).collect::<error::Result<_>>()? })
 }
 
 /// Values past the scan's sampling are too dark: said, not hidden.
@@ -291,7 +342,8 @@ mod tests {
             ("--manifest m.toml", "--method reference"),
             ("--atlas a --manifest m.toml", "--method reference"),
             ("--atlas a --method reference", "--method tables"),
-            ("--atlas a --wavelengths-nm 500", "X, Y, Z alone"),
+            ("--atlas a --wavelengths-nm 500 --polarised", "--method reference"),
+            ("--method reference --illuminant A", "--method tables"),
         ] {
             let message = parse(line).source().unwrap_err().to_string();
             assert!(message.contains(expected), "{line}: {message}");

@@ -4,12 +4,14 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
-use crate::stages::archive::shader_data::write_shader_data;
-use crate::stages::archive::shader_export::{README, ShaderLanguage, shader};
+use crate::error::Result;
+use crate::stages::archive::shader_data::{write_shader_data, write_spectral_data};
+use crate::stages::archive::shader_export::{README, SPECTRAL_README, ShaderLanguage, ShaderSource, shader};
 use crate::stages::archive::specimen_file;
 use diffraction_brdf::atlas;
-use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::error::{self, Error};
 use diffraction_brdf::files;
+use diffraction_brdf::spectral_storage::read_spectral;
 use diffraction_brdf::storage::write_tables;
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::tables::model::Storage;
@@ -52,7 +54,8 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
     let specimens = names.iter().map(|name| Ok((name, atlas::specimen_folder(&folder, &index, name)?)));
     let specimens = specimens.collect::<Result<Vec<_>>>()?;
     if args.form == Form::Shaders {
-        export_shaders(&args.out)?;
+        fresh_folder(&args.out)?;
+        export_shaders(&args.out, ShaderSource::Tables, README)?;
     }
     for (name, from) in &specimens {
         let to = args.out.join(name);
@@ -62,6 +65,10 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
             Form::Shaders => {
                 let (file, tables) = specimen_file::load(from)?;
                 write_shader_data(&to, Surface { tables: &tables, pigment: file.pigment.as_ref() })?;
+                if let Some(stored) = &file.spectral {
+                    write_spectral_data(&to, &read_spectral(from, stored, tables.front_factor)?)?;
+                    export_shaders(&args.out, ShaderSource::Spectral, SPECTRAL_README)?;
+                }
             }
         }
     }
@@ -70,22 +77,26 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
 }
 
 /// A folder of its own: nothing is overwritten.
-fn fresh_folder(folder: &Path) -> Result<()> {
+fn fresh_folder(folder: &Path) -> error::Result<()> {
     if folder.exists() {
         return Err(Error::Call(format!("{}: is there already; name another `--out`", folder.display())));
     }
     files::create_folder(folder)
 }
 
-fn export_shaders(out: &Path) -> Result<()> {
-    fresh_folder(out)?;
+/// The shader in every language, with what an engine needs to know of it.
+fn export_shaders(out: &Path, source: ShaderSource, readme: &str) -> Result<()> {
     for language in ShaderLanguage::ALL {
-        files::replace(&out.join(language.file_name()), &shader(language)?)?;
+        files::replace(&out.join(source.file_name(language)), &shader(source, language)?)?;
     }
-    files::replace(&out.join("README.md"), README.as_bytes())
+    let name = match source {
+        ShaderSource::Tables => "README.md",
+        ShaderSource::Spectral => "README_spectral.md",
+    };
+    Ok(files::replace(&out.join(name), readme.as_bytes())?)
 }
 
-fn export_float(from: &Path, to: &Path) -> Result<()> {
+fn export_float(from: &Path, to: &Path) -> error::Result<()> {
     let (file, set) = specimen_file::load(from)?;
     let tables = write_tables(to, &set, Storage::Float)?;
     specimen_file::write(to, &specimen_file::SpecimenFile { tables, ..file })

@@ -7,9 +7,9 @@ use serde::Serialize;
 use crate::cli::lengths::PitchNm;
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
+use crate::error::Result;
 use crate::stages::archive::specimen_file;
 use diffraction_brdf::atlas;
-use diffraction_brdf::error::Result;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{CallerWords, HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
 use diffraction_build::height::statistics::{STEEP_SLOPE, Statistics, is_whole_grating, seam_warning, statistics};
@@ -174,7 +174,7 @@ fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
         .specimens
         .iter()
         .map(|entry| specimen_file::read(&folder.join(&entry.name)))
-        .collect::<Result<Vec<_>>>()?;
+        .collect::<diffraction_brdf::Result<Vec<_>>>()?;
     if args.json {
         output::print_json(&serde_json::json!({ "index": index, "specimens": specimens }))?;
         return Ok(Outcome::Done);
@@ -195,14 +195,14 @@ fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
             if file.species.is_empty() { "no species named" } else { &file.species },
             file.tables.tables.len(),
             basis_in_words(file.tables.basis),
-            file.tables.served.as_ref().map_or(file.tables.u.samples, |served| served.size),
+            file.tables.restriction.as_ref().map_or(file.tables.u.samples, |restriction| restriction.size),
             storage_in_words(file.tables.storage),
             file.build.wavelengths_max
         );
-        if let Some(served) = &file.tables.served {
+        if let Some(restriction) = &file.tables.restriction {
             text += &format!(
                 "  restricted to the scenes of its manifest: {} x {} of {} x {} texels\n",
-                file.tables.u.samples, file.tables.v.samples, served.size, served.size
+                file.tables.u.samples, file.tables.v.samples, restriction.size, restriction.size
             );
         }
         text.extend(file.warnings.iter().map(|warning| format!("  warning: {warning}\n")));

@@ -45,7 +45,7 @@ pub(crate) struct VersionListing {
 }
 
 /// Lists and prints.
-pub(crate) fn run(args: &ListArgs, global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &ListArgs, global: &Global) -> crate::error::Result<Outcome> {
     let atlases = list(&args.folder)?;
     if args.json {
         output::print_json(&atlases)?;

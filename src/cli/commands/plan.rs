@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome, bytes_in_words};
+use crate::error::Result;
 use crate::manifest::{self, convert::run_config};
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::coverage::{asked, savings};
@@ -14,7 +15,6 @@ use crate::stages::measured;
 use crate::stages::pictures::scenes::reference_samples;
 use crate::stages::run::reference_forecast::{ReferenceForecast, reference_forecast};
 use crate::stages::run::warnings::scan_warnings;
-use diffraction_brdf::error::Result;
 use diffraction_build::tables::coverage::budget::{Budget, Cost};
 use diffraction_build::tables::forecast::{Forecast, forecast_of};
 use diffraction_build::tables::input::BuildInput;

@@ -6,6 +6,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
+use crate::error::Result;
 use crate::manifest::{self, convert::run_config};
 use crate::report::spectrum_picture::{spectrum_half_range_per_um, spectrum_picture};
 use crate::report::{self, pictures};
@@ -13,7 +14,6 @@ use crate::stages::archive::publish::Published;
 use crate::stages::config::RunConfig;
 use crate::stages::results::{Failure, HeightMapFile, SpectrumFile, Statistics};
 use crate::stages::run::pipeline::{self, Helpers};
-use diffraction_brdf::error::Result;
 use diffraction_build::height::HeightField;
 use diffraction_render::render::png_image::write_png;
 
@@ -83,7 +83,7 @@ fn illustrate(
     statistics: &Statistics,
     folder: &Path,
     prefix: &str,
-) -> Result<(HeightMapFile, SpectrumFile)> {
+) -> diffraction_brdf::Result<(HeightMapFile, SpectrumFile)> {
     let map = pictures::height_map(field)?;
     write_png(&folder.join("heights.png"), &map.rgb)?;
     let periods_nm: Vec<f64> = statistics.dominant_periods.iter().map(|period| period.period_nm).collect();

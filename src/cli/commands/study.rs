@@ -8,7 +8,7 @@ pub(crate) use args::StudyArgs;
 
 use crate::cli::options::Global;
 use crate::cli::output::Outcome;
-use diffraction_brdf::error::Result;
+use crate::error::Result;
 
 /// Studies, runs the stability suite, and writes.
 ///
@@ -25,7 +25,8 @@ pub(crate) fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
 /// Always.
 #[cfg(not(feature = "study"))]
 pub(crate) fn run(_args: &StudyArgs, _global: &Global) -> Result<Outcome> {
-    Err(diffraction_brdf::error::Error::Call(
+    Err(diffraction_brdf::Error::Call(
         "this build has no study: build the program with its default features, or with `--features study`".into(),
-    ))
+    )
+    .into())
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::cli::lengths::{PitchNm, SizePx, finite, positive, share};
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
-use diffraction_brdf::error::Result;
+use crate::error::Result;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{Structure, synthesize};
 use diffraction_build::height::write::write_scan_tiff;

@@ -4,11 +4,12 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
+use crate::error::Result;
 use crate::manifest;
 use crate::manifest::convert::run_config;
 use crate::stages::archive::verify::{MadeBy, Verified, target, verify};
 use crate::stages::archive::verify_scans::Sampling;
-use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::error::Error;
 use diffraction_brdf::files;
 
 /// Arguments of `verify`.
@@ -17,8 +18,8 @@ use diffraction_brdf::files;
 pub(crate) struct VerifyArgs {
     /// An atlas, or one version of it
     pub atlas: PathBuf,
-    /// Lit directions per specimen, over the hemisphere and again around the mirror direction, that are evaluated
-    /// anew against the reference, besides a quarter as many dark ones; 0 checks the files alone
+    /// Directions above the luminance floor per specimen, over the hemisphere and again around the mirror direction, that are evaluated
+    /// anew against the reference, besides a quarter as many below it; 0 checks the files alone
     #[arg(long, value_name = "N", default_value_t = 64)]
     pub samples: usize,
     /// The manifest the atlas was made from, which names the scans [default: pipeline.toml where it is]
@@ -59,7 +60,8 @@ fn matching_manifest(given: Option<&Path>, digest: &str) -> Result<MadeBy> {
         Ok(_) if given.is_some() => Err(Error::Call(format!(
             "{}: this is not the manifest that the atlas was made from (its digest differs)",
             path.display()
-        ))),
+        ))
+        .into()),
         _ => Ok(Err(
             "not evaluated against the scans: give the manifest the atlas was made from with `--manifest`".into()
         )),

@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
+use super::format_spectral::spectral_section;
 use super::specimen_file::{self, SpecimenFile};
 use super::worked::{Lookup, WorkedNumber, work_number};
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
-use diffraction_brdf::storage::{StoredLobe, StoredServed, StoredTables};
+use diffraction_brdf::storage::{StoredLobe, StoredRestriction, StoredTables};
 use diffraction_build::optics::config::{Factor, Material};
 use diffraction_build::optics::dispersive::Dispersive;
 use diffraction_build::tables::model::Basis;
@@ -21,7 +22,7 @@ const WORKED_DEG: [f64; 4] = [35.0, 20.0, 61.0, 250.0];
 /// The disk's.
 pub(crate) fn write_format(specimen_folder: &Path, version_folder: &Path) -> Result<()> {
     let (file, set) = specimen_file::load(specimen_folder)?;
-    let angles = match (&set.served, file.check_values.first()) {
+    let angles = match (&set.restriction, file.check_values.first()) {
         (Some(_), Some(c)) => [c.theta_i_deg, c.phi_i_deg, c.theta_r_deg, c.phi_r_deg],
         _ => WORKED_DEG,
     };
@@ -39,8 +40,9 @@ pub fn format_md(example: &SpecimenFile, worked: &WorkedNumber) -> String {
         factors(example),
         use_in_a_renderer(example),
         worked_number(example, worked),
+        spectral_section(example.spectral.as_ref()),
     ];
-    sections.join("\n")
+    sections.iter().filter(|section| !section.is_empty()).map(String::as_str).collect::<Vec<_>>().join("\n")
 }
 
 fn introduction(name: &str) -> String {
@@ -60,6 +62,9 @@ specimen stand in its `specimen.json`, and each EXR header repeats what concerns
   shift by less than `tables.rounding.half`; a renderer that keeps tables in textures of 16-bit floats shows that.
 - `optics.material`: `\"ideal\"` (`R = 1`), or `{{ \"dielectric\": {{ \"n\" }} }}`, or `{{ \"conductor\": {{ \"n\", \"k\" }} }}` of
   index `n + i k`; `optics.factor`: `\"vector\"` or `\"scalar\"`, see Factors; `optics.shadowing`.
+- `optics.sigma_nm`, `lobe_sigma_nm`, `source_deg`: the coherence that the tables were made for. They hold its blur, the lobe's too:
+  nothing of it is left to evaluate.
+- `spectral`: tables of single wavelengths, see the end of this page; absent where there are none.
 - `check_values`: directions and X, Y, Z to test an implementation with, from linear look-ups.
 - `errors`: measured errors of Y against the reference, by cause (`what`) and region, relative to the value itself: quantiles
   `p50`, `p95`, `p99` and `worst` of the `directions` that are brighter than `floor_per_sr`, and `relative_l2` over all
@@ -67,6 +72,10 @@ specimen stand in its `specimen.json`, and each EXR header repeats what concerns
   evaluated, `missed_directions` are brighter than the floor. `null` where nothing is lit.
 - `albedo`: share of the arriving light of Y that is reflected, for light from the azimuth 0 at each `theta_i_deg`. Above 1, which
   ideal reflectors and the scalar factor can reach, a path tracer has to limit it; left out where tables serve certain scenes alone.
+- `energy_limit`, where something reflects more than arrives: the same, the largest over azimuths, as `albedo` at each of `cos_theta`.
+  A path tracer may divide `f` by `max(1, a(wi_z), a(wo_z))`, with `a(z) = p(z) / z` and `p` the values `albedo cos_theta`,
+  linear between the nodes and constant beyond them: reciprocal, and nothing then reflects more than 1 % above what arrives. Check
+  values and the worked number are without it.
 
 `scenes/` in a specimen's folder holds the pictures the tables were checked by, and `scenes/` beside `atlas.json`, where there
 is one, those of scenes that show several specimens; both are for looking at.
@@ -75,8 +84,8 @@ is one, those of scenes that show several specimens; both are for looking at.
 }
 
 fn files_and_axes(tables: &StoredTables) -> String {
-    if let Some(served) = &tables.served {
-        return served_files(tables, served);
+    if let Some(restriction) = &tables.restriction {
+        return restricted_files(tables, restriction);
     }
     let size = tables.u.samples;
     let lobe = tables.lobe.as_ref().map_or(String::new(), lobe_files);
@@ -97,9 +106,9 @@ fn files_and_axes(tables: &StoredTables) -> String {
     )
 }
 
-/// The same for tables that serve certain scenes.
-fn served_files(tables: &StoredTables, served: &StoredServed) -> String {
-    let (columns, rows, [first_row, first_column]) = (tables.u.samples, tables.v.samples, served.first);
+/// The same for tables restricted to scenes.
+fn restricted_files(tables: &StoredTables, restriction: &StoredRestriction) -> String {
+    let (columns, rows, [first_row, first_column]) = (tables.u.samples, tables.v.samples, restriction.first);
     format!(
         "## Files
 
@@ -119,12 +128,12 @@ over [-2, 2] in u and v, from column {first_column} and row {first_row} on; ever
   management, no gamma.
 - Between texel centres interpolate linearly in both axes, tables and range alike.
 ",
-        size = served.size,
+        size = restriction.size,
         count = tables.tables.len(),
         u_first = tables.u.first,
         v_first = tables.v.first,
-        step = 4.0 / (served.size - 1) as f64,
-        last = served.size - 1,
+        step = 4.0 / (restriction.size - 1) as f64,
+        last = restriction.size - 1,
         lobe = tables.lobe.as_ref().map_or(String::new(), lobe_files),
     )
 }
@@ -152,7 +161,7 @@ fn lobe_files(lobe: &StoredLobe) -> String {
 
 fn evaluation(tables: &StoredTables) -> String {
     let steps = match tables.basis {
-        Basis::Chebyshev if tables.served.is_some() => {
+        Basis::Chebyshev if tables.restriction.is_some() => {
             "2. `t = |w| / sqrt(4 - u^2 - v^2)`, at most 1 (0 where the root is 0).
 3. `low` and `high` from `range.exr` at (u, v); `s = (t - low) / (high - low)`.
 4. `T_0 = 1`, `T_1 = x`, `T_n = 2 x T_(n-1) - T_(n-2)`; `diffuse` = sum over n of `T_n`, for `x = 2 s - 1`, times table n at
@@ -236,7 +245,7 @@ fn use_in_a_renderer(example: &SpecimenFile) -> String {
 
 - Radiance `= f cos(theta_i) E`, with `E` the light's irradiance on a plane facing it; integrate over extended lights. `f` does
   not contain the cosine.
-- X, Y, Z are relative to the illuminant the tables were made for ({illuminant}): a white Lambertian surface would read
+- X, Y, Z are relative to the illuminant the tables were made for, each specimen's `optics.illuminant` (here {illuminant}): a white Lambertian surface would read
   `Y = 1 / pi` and its X, Z those of that illuminant's white over pi. So `E` is a plain number, the light's
   luminous irradiance; its colour is in the tables already.
 - Linear sRGB (D65): `R = 3.2404542 X - 1.5371385 Y - 0.4985314 Z`, `G = -0.9692660 X + 1.8760108 Y + 0.0415560 Z`,
@@ -282,7 +291,7 @@ Specimen `{name}`, light at theta {theta_i}, phi {phi_i}, viewer at theta {theta
         t = digits(worked.t),
         x = digits(2.0 * worked.s - 1.0),
         place = place(&worked.lookup),
-        range = match example.tables.served {
+        range = match example.tables.restriction {
             None => String::new(),
             Some(_) => {
                 let [low, high] = worked.range.map(digits);

@@ -2,6 +2,7 @@
 
 pub mod diff;
 pub mod format_md;
+mod format_spectral;
 pub mod publish;
 pub(crate) mod shader_data;
 pub mod shader_export;

@@ -4,16 +4,21 @@ use std::path::Path;
 
 use serde_json::json;
 
+use diffraction_brdf::SpectralTables;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
 use diffraction_brdf::json;
 use diffraction_brdf::shader::{HalfLayers, table_image};
+use diffraction_brdf::shader_spectral::spectral_image;
 use diffraction_build::optics::pigment::Surface;
 
 /// Name of the file that describes the others.
 pub(crate) const INDEX: &str = "textures.json";
 
-/// Writes `params.bin` (the block `TableParams`, 2112 bytes, little-endian), the texels of the three textures row by row and
+/// The same for spectral tables.
+const SPECTRAL_INDEX: &str = "spectral_textures.json";
+
+/// Writes `params.bin` (the block `TableParams`, 2128 bytes, little-endian), the texels of the three textures row by row and
 /// layer by layer without padding, and [`INDEX`] with their sizes and formats.
 ///
 /// # Errors
@@ -26,10 +31,6 @@ pub(crate) fn write_shader_data(folder: &Path, surface: Surface) -> Result<()> {
     files::replace(&folder.join("tables.rgba16f"), bytemuck::cast_slice(&image.tables.texels))?;
     files::replace(&folder.join("cross_terms.rgba16f"), bytemuck::cast_slice(&image.cross.texels))?;
     files::replace(&folder.join("lobe.rgba32f"), bytemuck::cast_slice(&image.coherent))?;
-    let layers = |layers: &HalfLayers| {
-        let [rows, columns] = layers.size;
-        json!([columns, rows, layers.texels.len() / (rows * columns)])
-    };
     let index = json!({
         "params": { "binding": 0, "file": "params.bin", "kind": "uniform buffer" },
         "tables": { "binding": 1, "file": "tables.rgba16f", "kind": "2D array texture", "format": "RGBA16F",
@@ -40,4 +41,39 @@ pub(crate) fn write_shader_data(folder: &Path, surface: Surface) -> Result<()> {
             "width_height_layers": [columns, rows, 1], "filter": "none: texels are fetched" },
     });
     json::write(&folder.join(INDEX), &index)
+}
+
+/// Writes `spectral_params.bin` (the block `SpectralParams`, 2112 bytes, little-endian), the texels of the three textures, and
+/// their sizes and formats.
+///
+/// # Errors
+/// `Error::Limit` for tables that do not fit every GPU; the disk's.
+pub(crate) fn write_spectral_data(folder: &Path, tables: &SpectralTables) -> Result<()> {
+    let image = spectral_image(tables)?;
+    let [rows, columns] = image.power_size;
+    files::replace(&folder.join("spectral_params.bin"), bytemuck::bytes_of(&image.params))?;
+    files::replace(&folder.join("spectral_tables.rgba16f"), bytemuck::cast_slice(&image.tables.texels))?;
+    files::replace(&folder.join("spectral_cross_terms.rgba16f"), bytemuck::cast_slice(&image.cross.texels))?;
+    files::replace(&folder.join("spectral_lobe.r32f"), bytemuck::cast_slice(&image.power))?;
+    let index = json!({
+        "params": { "binding": 0, "file": "spectral_params.bin", "kind": "uniform buffer" },
+        "tables": { "binding": 1, "file": "spectral_tables.rgba16f", "kind": "2D array texture", "format": "RGBA16F",
+            "width_height_layers": layers(&image.tables), "filter": "linear", "wrap": "clamp to edge" },
+        "cross_terms": { "binding": 2, "file": "spectral_cross_terms.rgba16f", "kind": "2D array texture",
+            "format": "RGBA16F", "width_height_layers": layers(&image.cross), "filter": "linear",
+            "wrap": "clamp to edge" },
+        "lobe": { "binding": 3, "file": "spectral_lobe.r32f", "kind": "2D texture", "format": "R32F",
+            "width_height_layers": [columns, rows, 1], "filter": "none: texels are fetched" },
+        "material": {
+            "shortest_nm": tables.shortest_nm,
+            "depends_on_wavelength": tables.dispersion.as_ref().map(|dispersion| dispersion.name()),
+        },
+    });
+    json::write(&folder.join(SPECTRAL_INDEX), &index)
+}
+
+/// Width, height and layers of a texture.
+fn layers(layers: &HalfLayers) -> serde_json::Value {
+    let [rows, columns] = layers.size;
+    json!([columns, rows, layers.texels.len() / (rows * columns)])
 }

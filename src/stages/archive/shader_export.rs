@@ -1,14 +1,61 @@
-//! The table shader in other shading languages, translated from the one WGSL source.
+//! The table shaders in other shading languages, each translated from its one WGSL source.
 
 use naga::back::{glsl, hlsl, msl, spv};
 use naga::proc::BoundsCheckPolicies;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-use diffraction_brdf::error::{Error, Result};
-use diffraction_render::render::wgsl::{SHADE_MATERIAL, material};
+use crate::error::{Error, Result};
+use diffraction_render::render::wgsl::{SHADE_MATERIAL, SHADE_SPECTRAL, material, spectral_material};
 
 /// What an engine needs to know: bindings in every language, inputs and result.
 pub const README: &str = include_str!("shader_readme.md");
+
+/// What an engine needs to know of the shader of spectral tables.
+pub const SPECTRAL_README: &str = include_str!("shader_spectral_readme.md");
+
+/// Which tables a shader evaluates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ShaderSource {
+    /// Those of XYZ.
+    Tables,
+    /// Spectral ones.
+    Spectral,
+}
+
+impl ShaderSource {
+    /// Name of its files without what tells the language.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Tables => "tables",
+            Self::Spectral => "spectral",
+        }
+    }
+
+    /// Its fragment entry point.
+    fn entry_point(self) -> &'static str {
+        match self {
+            Self::Tables => SHADE_MATERIAL,
+            Self::Spectral => SHADE_SPECTRAL,
+        }
+    }
+
+    /// Its source in WGSL.
+    fn wgsl(self) -> String {
+        match self {
+            Self::Tables => material(),
+            Self::Spectral => spectral_material(),
+        }
+    }
+
+    /// Name of the file in an export. GLSL of either version has the same ending, so there the name tells which it is.
+    pub fn file_name(self, language: ShaderLanguage) -> String {
+        let (name, extension) = (self.name(), language.extension());
+        match language {
+            ShaderLanguage::GlslEs300 | ShaderLanguage::Glsl450 => format!("{name}.{}.{extension}", language.name()),
+            _ => format!("{name}.{extension}"),
+        }
+    }
+}
 
 /// What the shader is translated into.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,14 +90,6 @@ impl ShaderLanguage {
         }
     }
 
-    /// Name of the file in an export. GLSL of either version has the same ending, so there the name tells which it is.
-    pub fn file_name(self) -> String {
-        match self {
-            Self::GlslEs300 | Self::Glsl450 => format!("tables.{}.{}", self.name(), self.extension()),
-            _ => format!("tables.{}", self.extension()),
-        }
-    }
-
     /// The usual ending of its files.
     pub fn extension(self) -> &'static str {
         match self {
@@ -63,31 +102,31 @@ impl ShaderLanguage {
     }
 }
 
-/// The fragment shader `shade_material` with all that it calls, in a language: text in UTF-8, or SPIR-V's words.
+/// The fragment shader with all that it calls, in a language: text in UTF-8, or SPIR-V's words.
 ///
 /// # Errors
 /// `Error::Gpu` if a translation fails, which would be a fault of this program.
-pub fn shader(language: ShaderLanguage) -> Result<Vec<u8>> {
-    let source = material();
+pub fn shader(source: ShaderSource, language: ShaderLanguage) -> Result<Vec<u8>> {
+    let (text, entry) = (source.wgsl(), source.entry_point());
     if language == ShaderLanguage::Wgsl {
-        return Ok(source.into_bytes());
+        return Ok(text.into_bytes());
     }
-    let module = naga::front::wgsl::parse_str(&source).map_err(|error| fault("WGSL", error.emit_to_string(&source)))?;
+    let module = naga::front::wgsl::parse_str(&text).map_err(|error| fault("WGSL", error.emit_to_string(&text)))?;
     let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
         .validate(&module)
-        .map_err(|error| fault("WGSL", error.emit_to_string(&source)))?;
+        .map_err(|error| fault("WGSL", error.emit_to_string(&text)))?;
     match language {
         ShaderLanguage::Wgsl => unreachable!("returned above"),
-        ShaderLanguage::GlslEs300 => to_glsl(&module, &info, glsl::Version::new_gles(300)),
-        ShaderLanguage::Glsl450 => to_glsl(&module, &info, glsl::Version::Desktop(450)),
-        ShaderLanguage::Hlsl => to_hlsl(&module, &info),
-        ShaderLanguage::Msl => to_msl(&module, &info),
-        ShaderLanguage::Spirv => to_spirv(&module, &info),
+        ShaderLanguage::GlslEs300 => to_glsl(&module, &info, entry, glsl::Version::new_gles(300)),
+        ShaderLanguage::Glsl450 => to_glsl(&module, &info, entry, glsl::Version::Desktop(450)),
+        ShaderLanguage::Hlsl => to_hlsl(&module, &info, entry),
+        ShaderLanguage::Msl => to_msl(&module, &info, entry),
+        ShaderLanguage::Spirv => to_spirv(&module, &info, entry),
     }
 }
 
 fn fault(language: &str, message: impl std::fmt::Display) -> Error {
-    Error::Gpu(format!("the table shader has no {language} form, a fault of this program: {message}"))
+    Error::Gpu(format!("a table shader has no {language} form, a fault of this program: {message}"))
 }
 
 /// Where each binding of group 0 goes in GLSL: the number it has in WGSL.
@@ -96,7 +135,7 @@ fn glsl_bindings(module: &naga::Module) -> glsl::BindingMap {
     bindings.map(|binding| (binding, binding.binding as u8)).collect()
 }
 
-fn to_glsl(module: &naga::Module, info: &ModuleInfo, version: glsl::Version) -> Result<Vec<u8>> {
+fn to_glsl(module: &naga::Module, info: &ModuleInfo, entry: &str, version: glsl::Version) -> Result<Vec<u8>> {
     let options = glsl::Options {
         version,
         // Fragment shader only: no coordinate space to adjust.
@@ -104,11 +143,8 @@ fn to_glsl(module: &naga::Module, info: &ModuleInfo, version: glsl::Version) -> 
         binding_map: glsl_bindings(module),
         zero_initialize_workgroup_memory: true,
     };
-    let pipeline = glsl::PipelineOptions {
-        shader_stage: naga::ShaderStage::Fragment,
-        entry_point: SHADE_MATERIAL.into(),
-        multiview: None,
-    };
+    let pipeline =
+        glsl::PipelineOptions { shader_stage: naga::ShaderStage::Fragment, entry_point: entry.into(), multiview: None };
     let mut text = String::new();
     glsl::Writer::new(&mut text, module, info, &options, &pipeline, BoundsCheckPolicies::default())
         .and_then(|mut writer| writer.write())
@@ -116,9 +152,9 @@ fn to_glsl(module: &naga::Module, info: &ModuleInfo, version: glsl::Version) -> 
     Ok(text.into_bytes())
 }
 
-fn to_hlsl(module: &naga::Module, info: &ModuleInfo) -> Result<Vec<u8>> {
+fn to_hlsl(module: &naga::Module, info: &ModuleInfo, entry: &str) -> Result<Vec<u8>> {
     let options = hlsl::Options { shader_model: hlsl::ShaderModel::V5_1, ..Default::default() };
-    let pipeline = hlsl::PipelineOptions { entry_point: Some((naga::ShaderStage::Fragment, SHADE_MATERIAL.into())) };
+    let pipeline = hlsl::PipelineOptions { entry_point: Some((naga::ShaderStage::Fragment, entry.into())) };
     let mut text = String::new();
     hlsl::Writer::new(&mut text, &options, &pipeline)
         .write(module, info, None)
@@ -146,7 +182,7 @@ fn with_a_sampler_of_its_own(text: &str) -> Result<String> {
     if (heap, sampler) == (3, 1) { Ok(out) } else { Err(fault("HLSL", "its samplers are not where they were")) }
 }
 
-fn to_msl(module: &naga::Module, info: &ModuleInfo) -> Result<Vec<u8>> {
+fn to_msl(module: &naga::Module, info: &ModuleInfo, entry: &str) -> Result<Vec<u8>> {
     let slot = |binding: naga::ResourceBinding| {
         let slot = binding.binding as u8;
         let target = msl::BindTarget {
@@ -158,25 +194,22 @@ fn to_msl(module: &naga::Module, info: &ModuleInfo) -> Result<Vec<u8>> {
         (binding, target)
     };
     let resources = module.global_variables.iter().filter_map(|(_, variable)| variable.binding).map(slot).collect();
-    let entry = msl::EntryPointResources { resources, ..Default::default() };
+    let of_entry = msl::EntryPointResources { resources, ..Default::default() };
     let options = msl::Options {
         lang_version: (2, 0),
-        per_entry_point_map: [(SHADE_MATERIAL.to_owned(), entry)].into_iter().collect(),
+        per_entry_point_map: [(entry.to_owned(), of_entry)].into_iter().collect(),
         fake_missing_bindings: false,
         ..Default::default()
     };
-    let pipeline = msl::PipelineOptions {
-        entry_point: Some((naga::ShaderStage::Fragment, SHADE_MATERIAL.into())),
-        ..Default::default()
-    };
+    let pipeline =
+        msl::PipelineOptions { entry_point: Some((naga::ShaderStage::Fragment, entry.into())), ..Default::default() };
     let (text, _) = msl::write_string(module, info, &options, &pipeline).map_err(|error| fault("MSL", error))?;
     Ok(text.into_bytes())
 }
 
-fn to_spirv(module: &naga::Module, info: &ModuleInfo) -> Result<Vec<u8>> {
+fn to_spirv(module: &naga::Module, info: &ModuleInfo, entry: &str) -> Result<Vec<u8>> {
     let options = spv::Options { lang_version: (1, 3), ..Default::default() };
-    let pipeline =
-        spv::PipelineOptions { shader_stage: naga::ShaderStage::Fragment, entry_point: SHADE_MATERIAL.into() };
+    let pipeline = spv::PipelineOptions { shader_stage: naga::ShaderStage::Fragment, entry_point: entry.into() };
     let words = spv::write_vec(module, info, &options, Some(&pipeline)).map_err(|error| fault("SPIR-V", error))?;
     Ok(words.iter().flat_map(|word| word.to_le_bytes()).collect())
 }

@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
+use diffraction_brdf::energy::EnergyLimit;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::json;
 use diffraction_brdf::specimen::{self, CheckValue, FILE};
+use diffraction_brdf::spectral_storage::StoredSpectral;
 use diffraction_brdf::storage::{self, StoredTables};
 use diffraction_build::accuracy::power_sums::DirectionalAlbedo;
 use diffraction_build::optics::config::OpticsConfig;
@@ -37,11 +39,17 @@ pub struct SpecimenFile {
     pub build: BuildRecord,
     /// The tables' files, axes, scales and formula.
     pub tables: StoredTables,
+    /// The files of its spectral tables; absent where the atlas holds none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spectral: Option<StoredSpectral>,
     /// Measured errors, by cause.
     pub errors: Value,
-    /// Share of the arriving light that is reflected, by angle of incidence; empty where the tables serve certain scenes only.
+    /// Share of the arriving light that is reflected, by angle of incidence; empty where the tables are restricted to scenes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub albedo: Vec<DirectionalAlbedo>,
+    /// Largest albedo over azimuths, by which path tracers divide; `None` where nothing reflects more than arrives.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub energy_limit: Option<EnergyLimit>,
     /// Directions with values, for testing a reader.
     pub check_values: Vec<CheckValue>,
     /// Doubts in whole sentences.

@@ -7,11 +7,13 @@ use serde::Serialize;
 use super::specimen_file;
 use super::verify_files::{VerifyReport, verify_files};
 use super::verify_scans::{AgainstScans, ReferenceCheck, Sampling, against_scans};
+use crate::error::Result;
 use crate::stages::config::RunConfig;
+use diffraction_brdf::SpectralTables;
 use diffraction_brdf::atlas;
-use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::specimen::CheckValue;
+use diffraction_brdf::spectral_storage::{SpectralCheckValue, read_spectral};
 use diffraction_build::ground::metrics;
 use diffraction_build::tables::model::TableSet;
 
@@ -75,7 +77,7 @@ pub(crate) fn verify(
 
 /// The version to check: the one named, or the newest of an atlas, complete or damaged. Other commands fall
 /// back on an older version where the newest is damaged; here that would hide the damage.
-pub(crate) fn target(path: &Path) -> Result<PathBuf> {
+pub(crate) fn target(path: &Path) -> diffraction_brdf::Result<PathBuf> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     if !path.is_dir() || atlas::version_number(&name).is_some() {
         let found = atlas::resolve(path).map(|found| found.folder);
@@ -93,9 +95,13 @@ fn check_specimen(folder: &Path, run: Option<&RunConfig>, sampling: Sampling) ->
         Some(run) => against_scans(run, &file, &set, sampling)?,
         None => AgainstScans::default(),
     };
-    let deviations = file.check_values.iter().map(|value| deviation(&set, value)).collect();
+    let mut deviations: Vec<f64> = file.check_values.iter().map(|value| deviation(&set, value)).collect();
+    if let Some(stored) = &file.spectral {
+        let tables = read_spectral(folder, stored, set.front_factor)?;
+        deviations.extend(stored.check_values.iter().map(|value| spectral_deviation(&tables, value)));
+    }
     Ok(SpecimenCheck {
-        check_values: file.check_values.len(),
+        check_values: deviations.len(),
         check_worst: metrics::quantiles(deviations).worst,
         name: file.name,
         other_scans,
@@ -109,6 +115,16 @@ fn deviation(set: &TableSet, value: &CheckValue) -> f64 {
     let scale = value.xyz[1].abs().max(f64::MIN_POSITIVE);
     // A NaN is the worst of all.
     metrics::quantiles((0..3).map(|c| (now[c] - value.xyz[c]).abs() / scale).collect()).worst
+}
+
+/// The same for a check value of spectral tables, relative to its largest.
+fn spectral_deviation(tables: &SpectralTables, value: &SpectralCheckValue) -> f64 {
+    let now = tables.eval(Interpolation::Bilinear, value.wi, value.wo, &value.wavelength_nm);
+    let scale = value.brdf.iter().fold(f64::MIN_POSITIVE, |largest, brdf| largest.max(brdf.abs()));
+    if now.len() != value.brdf.len() {
+        return f64::NAN;
+    }
+    metrics::quantiles(now.iter().zip(&value.brdf).map(|(now, then)| (now - then).abs() / scale).collect()).worst
 }
 
 impl Verified {

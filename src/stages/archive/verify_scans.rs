@@ -90,7 +90,7 @@ pub(super) fn against_scans(
     let recorded: Vec<ErrorRow> = serde_json::from_value(file.errors.clone())
         .map_err(|error| Error::Call(format!("{}: its recorded errors cannot be read: {error}", file.name)))?;
     let total = |group: &Group| recorded.iter().find(|row| row.cause == Cause::Total && row.group == *group);
-    let mut candidates = match set.served {
+    let mut candidates = match set.restriction {
         None => hemisphere_candidates(set, sampling.seed),
         Some(_) => scene_candidates(run, file, set, sampling.seed)?,
     };

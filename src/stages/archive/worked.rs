@@ -10,7 +10,7 @@ use serde::Serialize;
 use diffraction_brdf::direction::{self, Vec3, Xyz};
 use diffraction_brdf::front_factor::Factor;
 use diffraction_brdf::material::{self, Material};
-use diffraction_build::tables::model::{Basis, Lobe, Served, TableSet};
+use diffraction_build::tables::model::{Basis, Lobe, Restriction, TableSet};
 
 /// A look-up between four texels.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -100,7 +100,7 @@ pub fn work_number(tables: &TableSet, angles_deg: [f64; 4]) -> WorkedNumber {
     let [u, v, w] = q;
     let t = relative_w(q);
 
-    let (lookup, range) = match &tables.served {
+    let (lookup, range) = match &tables.restriction {
         None => (look_up([(u + 2.0) / 4.0, (2.0 - v) / 4.0], [tables.size(), tables.size()]), [0.0, 1.0]),
         Some(window) => place_in_window(window, u, v),
     };
@@ -191,7 +191,7 @@ fn vector_factor(material: Material, wi: Vec3, wo: Vec3) -> Option<f64> {
 }
 
 /// Where in the window of restricted tables, and the range of `t` there.
-fn place_in_window(window: &Served, u: f64, v: f64) -> (Lookup, [f64; 2]) {
+fn place_in_window(window: &Restriction, u: f64, v: f64) -> (Lookup, [f64; 2]) {
     let (rows, columns, _) = window.range.dim();
     let texel = 4.0 / (window.size - 1) as f64;
     let at = [(u + 2.0) / texel - window.first[1] as f64, (2.0 - v) / texel - window.first[0] as f64];
@@ -279,18 +279,7 @@ mod tests {
     use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 
     fn optics() -> OpticsConfig {
-        OpticsConfig {
-            illuminant: Illuminant::E,
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: 16_250.0,
-            lobe_sigma_nm: None,
-            edge: Edge::Tile,
-            windows: Windows::Grid,
-            material: Material::Ideal,
-            dispersion: None,
-            shadowing: false,
-            factor: Factor::Scalar,
-        }
+        OpticsConfig::ideal(Illuminant::E, 16_250.0, Edge::Tile, Windows::Grid)
     }
 
     /// Tables that are linear in u and v, which bilinear interpolation gives back exactly.
@@ -308,7 +297,7 @@ mod tests {
             lobe,
             prefilter_width: 0.0,
             front_factor: optics().front_factor(),
-            served: None,
+            restriction: None,
             usable_radius: 2.0,
         }
     }

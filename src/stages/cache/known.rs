@@ -357,7 +357,7 @@ fn decode_tables(bytes: &[u8], input: &BuildInput, plan: &BuildPlan) -> Option<B
         lobe,
         prefilter_width: header.prefilter_width,
         front_factor: input.optics.front_factor(),
-        served: plan.coverage.as_ref().and_then(Coverage::range_texture),
+        restriction: plan.coverage.as_ref().and_then(Coverage::range_texture),
         usable_radius: header.usable_radius,
     };
     let Header { record, build_s: seconds, processor_s, memory_bytes, .. } = header;

@@ -1,27 +1,27 @@
 //! What a manifest asks of each specimen: which scenes its tables answer for, with which tolerance; and what nobody asks for.
 
-use crate::stages::config::{GpuCheck, RunConfig, Serve};
+use crate::stages::config::{Cover, GpuCheck, RunConfig, SpecimenConfig};
 use crate::stages::pictures::sharing::scenes_for;
 use diffraction_build::tables::model::TablesConfig;
 use diffraction_render::scene::model::Scene;
 
 /// The scenes that a specimen's tables are restricted to, or its shares of them; `None` where they are not.
-pub fn restricted_to(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
+pub(crate) fn restricted_to(config: &RunConfig, specimen: &str) -> Option<Vec<Scene>> {
     let shown = scenes_for(&config.scenes, specimen);
-    match &config.serve {
-        Serve::All => None,
-        Serve::Scenes => Some(shown),
-        Serve::Named(names) => Some(shown.into_iter().filter(|scene| names.contains(&scene.name)).collect()),
+    match &config.cover {
+        Cover::All => None,
+        Cover::Scenes => Some(shown),
+        Cover::Named(names) => Some(shown.into_iter().filter(|scene| names.contains(&scene.name)).collect()),
     }
 }
 
 /// The scenes that are pictured with a specimen's tables: those they answer.
-pub fn pictured_scenes(config: &RunConfig, specimen: &str) -> Vec<Scene> {
+pub(crate) fn pictured_scenes(config: &RunConfig, specimen: &str) -> Vec<Scene> {
     restricted_to(config, specimen).unwrap_or_else(|| scenes_for(&config.scenes, specimen))
 }
 
 /// What is asked of a specimen's tables: the tolerance of the scene that asks for most where they are restricted to scenes.
-pub fn tables_for(config: &RunConfig, specimen: &str) -> TablesConfig {
+pub(crate) fn tables_for(config: &RunConfig, specimen: &str) -> TablesConfig {
     let tolerance = |scene: Scene| scene.tolerance.unwrap_or(config.tables.tolerance);
     let strictest =
         restricted_to(config, specimen).and_then(|scenes| scenes.into_iter().map(tolerance).reduce(f64::min));
@@ -29,8 +29,14 @@ pub fn tables_for(config: &RunConfig, specimen: &str) -> TablesConfig {
 }
 
 /// Whether anything is asked of a specimen: always, unless tables are restricted to scenes and none of them shows it.
-pub fn is_asked_for(config: &RunConfig, specimen: &str) -> bool {
+pub(crate) fn is_asked_for(config: &RunConfig, specimen: &str) -> bool {
     restricted_to(config, specimen).is_none_or(|scenes| !scenes.is_empty())
+}
+
+/// Whether a specimen gets spectral tables: where the run asks for them, unless the light's own size blurs each wavelength
+/// differently, which one stack of tables cannot hold.
+pub fn is_spectral(config: &RunConfig, specimen: &SpecimenConfig) -> bool {
+    config.spectral && specimen.optics.source_deg.is_none()
 }
 
 /// Specimens, pictures and stages that nobody asks for, with the reason.
@@ -39,7 +45,15 @@ pub fn left_out(config: &RunConfig) -> Vec<String> {
     for specimen in config.specimens.iter().filter(|specimen| !is_asked_for(config, &specimen.name)) {
         rows.push(format!("the specimen {}: no scene that its tables are restricted to shows it", specimen.name));
     }
-    if let Serve::Named(names) = &config.serve {
+    if config.spectral {
+        for specimen in config.specimens.iter().filter(|specimen| !is_spectral(config, specimen)) {
+            rows.push(format!(
+                "spectral tables of {}: coherence.source_deg blurs every wavelength by another width, sigma_um does not",
+                specimen.name
+            ));
+        }
+    }
+    if let Cover::Named(names) = &config.cover {
         for scene in config.scenes.iter().filter(|scene| !names.contains(&scene.name)) {
             rows.push(format!("the scene {}: tables.serve does not name it", scene.name));
         }

@@ -56,7 +56,7 @@ fn with_look_ups<T>(scenes: &[&Scene], work: impl FnOnce(&[&dyn LookUps]) -> T) 
 }
 
 /// What tables took that were built.
-pub fn cost_of(built: &Built, stored_bytes: f64) -> Cost {
+pub(crate) fn cost_of(built: &Built, stored_bytes: f64) -> Cost {
     Cost {
         node_samples: built.record.node_samples as f64,
         seconds: built.seconds,

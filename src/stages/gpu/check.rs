@@ -7,7 +7,6 @@ use ndarray::{Array3, Axis, Slice};
 
 use super::results::{GpuSceneCheck, ReferenceCheck};
 use crate::stages::pictures::scenes::{every, reference_stride};
-use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::Interpolation;
 use diffraction_brdf::shader::table_image;
 use diffraction_build::ground::colour::NOT_FINITE_RGB8;
@@ -15,6 +14,7 @@ use diffraction_build::ground::metrics::{ColourDifference, ciede2000, relative_l
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::tables::model::Storage;
 use diffraction_build::tables::taylor::unit_roundoff;
+use diffraction_render::error::Result;
 use diffraction_render::render::cpu;
 use diffraction_render::render::gpu::Gpu;
 use diffraction_render::render::gpu_bound::bound_image;

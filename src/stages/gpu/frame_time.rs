@@ -15,7 +15,7 @@ use crate::stages::archive::specimen_file;
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::ingest::{Scans, ingest};
 use diffraction_brdf::direction::{Vec3, Xyz};
-use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::error::Error;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::shader::{TableImage, table_image};
 use diffraction_brdf::storage::round_to_half;
@@ -26,6 +26,7 @@ use diffraction_build::tables::build;
 use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
 use diffraction_build::tables::plan;
+use diffraction_render::error::Result;
 use diffraction_render::render::gpu::Gpu;
 use diffraction_render::render::gpu_frame::{Frame, FramePlan, FrameTime, copy_gb_per_s, time_frames};
 use diffraction_render::render::gpu_tables::upload;
@@ -64,7 +65,7 @@ pub fn compare(
     let (taylor, refused) = match build::build(&BuildInput::new(&fields, &optics, &wanted), &|_| ()) {
         Ok((set, _)) => (Some(at_equal_error(as_on_gpu(set), atlas_errors, errors)), None),
         Err(error @ Error::Limit { .. }) => (None, Some(error.to_string())),
-        Err(error) => return Err(error),
+        Err(error) => return Err(error.into()),
     };
     let atlas_image = table_image(&atlas, None)?;
     let taylor_image = taylor.as_ref().map(|(set, _)| table_image(set, None)).transpose()?;

@@ -13,13 +13,14 @@ use super::results::{GpuRow, ReferenceCheck};
 use crate::stages::archive::specimen_file;
 use crate::stages::pictures::scenes::reference_stride;
 use diffraction_brdf::atlas::DIFFERENCE_SUFFIX;
-use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::error::Error;
 use diffraction_brdf::exr_image::read_rgb;
 use diffraction_brdf::shader::{LAYERS_MAX, SIDE_MAX, table_image};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
-use diffraction_build::tables::resolution::lobe_width;
+use diffraction_build::tables::resolution::narrowest_blur;
+use diffraction_render::error::Result;
 use diffraction_render::render::gpu_tables::{shade, upload};
 use diffraction_render::render::png_image::write_png;
 use diffraction_render::scene::model::Scene;
@@ -99,7 +100,7 @@ impl Job<'_> {
             return Ok(image);
         }
         let what = format!("has {} by {} pixels where the scene has {side} by {side}", image.dim().1, image.dim().0);
-        Err(Error::bad_file(&path, what, "run the pipeline again to draw it anew"))
+        Err(Error::bad_file(&path, what, "run the pipeline again to draw it anew").into())
     }
 
     /// Path of the written picture, relative to the report.
@@ -113,21 +114,20 @@ impl Job<'_> {
 /// Whether tables must be as good as the tolerance says: number and steps were left to it, texels hold point values of a
 /// grid that resolves the lobes, and the scan answers for the whole hemisphere.
 fn tolerance_holds(set: &TableSet, optics: &OpticsConfig, config: &TablesConfig) -> bool {
-    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
     let texel = 4.0 / (set.size().max(2) - 1) as f64;
     set.basis == Basis::Chebyshev
         && config.count.is_none()
         && config.wavelength_step_nm.is_none()
         && set.prefilter_width == 0.0
         && set.usable_radius >= 2.0
-        && texel <= lobe_width(optics.sigma_nm, low_nm)
+        && texel <= narrowest_blur(optics)
 }
 
 /// Why the tables in a specimen's folder are more than every GPU takes, if they are.
 pub(super) fn beyond_limits(folder: &Path) -> Option<String> {
     let tables = specimen_file::read(folder).ok()?.tables;
     let (layers, side) = (tables.tables.len(), tables.u.samples.max(tables.v.samples));
-    let layers_max = LAYERS_MAX - usize::from(tables.served.is_some());
+    let layers_max = LAYERS_MAX - usize::from(tables.restriction.is_some());
     if layers > layers_max {
         return Some(format!("its {layers} tables are more than the {layers_max} layers that every GPU takes"));
     }

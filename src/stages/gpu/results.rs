@@ -61,7 +61,8 @@ pub struct GpuSceneCheck {
     pub ciede2000: ColourDifference,
     /// Whether every value is finite and within its pixel's tolerance.
     pub passed: bool,
-    /// Picture of the differences where the check fails, for a PNG: see [`super::check::difference_picture`].
+    /// Picture of the differences where the check fails, for a PNG: grey up to what a pixel was allowed,
+    /// red beyond, magenta where the GPU's value is not finite.
     #[serde(skip)]
     pub difference: Option<Array3<u8>>,
 }
@@ -89,7 +90,7 @@ pub struct ReferenceCheck {
     /// Sum of what look-ups and rounding leave unexplained, over the light shown: the sum of all values, white where they
     /// are brighter.
     pub unexplained: f64,
-    /// What that share may be: see [`super::check::reference_limit`].
+    /// What that share may be: the tolerance for number of tables and wavelength step each, and half a unit in the last place.
     pub limit: f64,
     /// The largest share that `|GPU - reference|` takes of `|CPU - reference|` and the GPU's bound together; above 1 fails.
     pub worst_of_tolerance: f64,

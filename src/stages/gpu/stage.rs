@@ -6,12 +6,12 @@ use super::device::GpuDevice;
 use super::frame_time;
 use super::published::{beyond_limits, check_files};
 use super::results::{FrameComparison, GpuResult, GpuRow};
+use crate::error::{Error, Result};
 use crate::stages::config::{FrameTiming, GpuCheck, RunConfig, SpecimenConfig};
 use crate::stages::coverage::asked;
 use crate::stages::log::Log;
 use crate::stages::pictures::sharing::specimens_of;
 use crate::stages::stage::Stage;
-use diffraction_brdf::error::Result;
 use diffraction_build::tables::model::Basis;
 use diffraction_render::render::gpu::Gpu;
 use diffraction_render::scene::model::Scene;
@@ -105,7 +105,7 @@ pub fn check(
         check_files(device, &folder, name, &scenes, &tables, config.report.reference)
     });
     let mut fail = |message| log.fail(Stage::CheckOnGpu, Some(name), message);
-    match checked {
+    match checked.map_err(Error::from) {
         Err(error) if error.is_of_disk_below(version_folder) => Err(error),
         Err(error) => {
             fail(error.to_string());
@@ -134,7 +134,7 @@ pub fn time_frames(
         FrameTiming::Off => false,
     };
     // The published method is not compared with itself, and the frame shows more than restricted tables answer for.
-    if !wanted || config.tables.basis != Basis::Chebyshev || !config.serve.is_all() {
+    if !wanted || config.tables.basis != Basis::Chebyshev || !config.cover.is_all() {
         return Ok(None);
     }
     let folder = |specimen: &SpecimenConfig| version_folder.join(&specimen.name);
@@ -145,7 +145,7 @@ pub fn time_frames(
     let compared = log.timed(Stage::TimeFrames, &specimen.name, 0, || {
         frame_time::compare(device, config, specimen, &folder(specimen))
     });
-    match compared {
+    match compared.map_err(Error::from) {
         Err(error) if error.is_of_disk_below(version_folder) => Err(error),
         Err(error) => {
             log.fail(Stage::TimeFrames, Some(&specimen.name), error.to_string());

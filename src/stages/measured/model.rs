@@ -17,9 +17,9 @@ use diffraction_build::optics::window::placements;
 use diffraction_render::scene::light::{direction_to, sunflower};
 use diffraction_render::scene::model::Light;
 
-/// Amplitude error of the interpolation in depth, relative to the window's whole: weak orders keep their
+/// Amplitude error of the interpolation in the phase scale, relative to the window's whole: weak orders keep their
 /// digits.
-const DEPTH_TOLERANCE: f64 = 1e-7;
+const NODE_TOLERANCE: f64 = 1e-7;
 
 /// Fewest and most directions of a cone.
 const DIRECTIONS: [usize; 2] = [64, 1024];
@@ -67,7 +67,7 @@ pub fn modelled(
     let rows: Vec<RowSamples> = (0..measurement.wavelength_nm.len())
         .map(|row| {
             let place = (measurement.angles_deg[row], measurement.wavelength_nm[row]);
-            row_samples(place, config.acceptance_deg, config.bandwidth_nm, optics.sigma_nm)
+            row_samples(place, config.acceptance_deg, config.bandwidth_nm, optics.body_coherence().sigma_nm_at(place.1))
         })
         .collect();
     for row in &rows {
@@ -78,7 +78,7 @@ pub fn modelled(
         windows.extend(placements(field, optics)?.into_iter().map(|placement| (scan, placement)));
     }
     check_evaluations(&rows, windows.len())?;
-    let spectra_config = spectra_config(&rows, memory_bytes);
+    let spectra_config = spectra_config(&rows, optics, memory_bytes);
     let share = 1.0 / windows.len().max(1) as f64;
     let mut scatter_per_sr = vec![0.0; rows.len()];
     for (scan, placement) in windows {
@@ -159,20 +159,22 @@ fn triangle_quantile(share: f64) -> f64 {
 }
 
 /// Transforms that hold every sample.
-fn spectra_config(rows: &[RowSamples], memory_bytes: u64) -> SpectraConfig {
+fn spectra_config(rows: &[RowSamples], optics: &OpticsConfig, memory_bytes: u64) -> SpectraConfig {
     let mut config = SpectraConfig {
         phase_scale_per_nm: [0.0; 2],
         frequency: [[0.0; 2]; 2],
-        tolerance: DEPTH_TOLERANCE,
+        tolerance: NODE_TOLERANCE,
         memory_bytes,
     };
+    // A source of fixed size blurs over (u, v) by 5.5 times a quarter of its diameter, at wavelengths that its light lacks too.
+    let blur = optics.source_deg.map_or(0.0, |source_deg| 5.5 * 0.25 * source_deg.to_radians());
     for row in rows {
         let shortest_nm = row.wavelengths_nm.iter().copied().fold(f64::MAX, f64::min);
         for &wo in &row.wo {
             let q = wave_vector_change(row.wi, wo);
             config.phase_scale_per_nm[1] = config.phase_scale_per_nm[1].max(TAU * q[2].abs() / shortest_nm);
             for (range, component) in config.frequency.iter_mut().zip(q) {
-                let reach = component.abs() / shortest_nm;
+                let reach = (component.abs() + blur) / shortest_nm;
                 *range = [range[0].min(-reach), range[1].max(reach)];
             }
         }

@@ -3,7 +3,7 @@
 use ndarray::Array3;
 
 use diffraction_build::ground::colour::{auto_exposure, to_srgb8};
-use diffraction_build::tables::model::{Served, TableSet};
+use diffraction_build::tables::model::{Restriction, TableSet};
 
 /// Side of the picture in pixels.
 const SIDE_PX: usize = 360;
@@ -14,7 +14,7 @@ const OUTSIDE_RGB: [u8; 3] = [255, 255, 255];
 
 /// The square [-2, 2]² of (u, v), +v up; `None` where every direction is.
 pub(crate) fn covered_picture(set: &TableSet) -> Option<Array3<u8>> {
-    let window = set.served.as_ref()?;
+    let window = set.restriction.as_ref()?;
     let table = set.tables.first()?;
     // The first polynomial is 1: its table is the mean over the |w| covered.
     let numbers = Array3::from_shape_fn((SIDE_PX, SIDE_PX, 3), |(row, column, channel)| {
@@ -40,7 +40,7 @@ fn place(pixel: usize) -> f64 {
 }
 
 /// The covered texel of the window nearest to a pixel.
-fn texel_at(window: &Served, row: usize, column: usize) -> Option<[usize; 2]> {
+fn texel_at(window: &Restriction, row: usize, column: usize) -> Option<[usize; 2]> {
     let nearest = |pixel: usize| ((place(pixel) + 2.0) / 4.0 * (window.size - 1) as f64).round() as usize;
     let (r, c) = (nearest(row).checked_sub(window.first[0])?, nearest(column).checked_sub(window.first[1])?);
     let (rows, columns, _) = window.range.dim();
@@ -65,7 +65,7 @@ mod tests {
             lobe: None,
             prefilter_width: 0.0,
             front_factor: FrontFactor { material: Material::Ideal, shadowing: false, factor: Factor::Scalar },
-            served: Some(Served { size: 5, first: [1, 3], range }),
+            restriction: Some(Restriction { size: 5, first: [1, 3], range }),
             usable_radius: 2.0,
         };
         let picture = covered_picture(&set).unwrap();
@@ -78,6 +78,6 @@ mod tests {
             assert_eq!(at(u, v), UNCOVERED_RGB);
         }
         assert_eq!(at(1.9, 1.9), OUTSIDE_RGB);
-        assert!(covered_picture(&TableSet { served: None, ..set }).is_none());
+        assert!(covered_picture(&TableSet { restriction: None, ..set }).is_none());
     }
 }

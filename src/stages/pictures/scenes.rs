@@ -210,7 +210,7 @@ impl SceneWork {
             exposure: f64::from(self.exposure),
             seconds: self.seconds,
             error: None,
-            unserved_pixels: self.uncovered,
+            uncovered_pixels: self.uncovered,
             table_png: file(".png"),
             side_by_side_png: None,
             difference_png: None,
@@ -263,7 +263,7 @@ impl SceneWork {
 /// coherence lobe is wide at half maximum. Only around the mirror direction are there more of them.
 pub fn warnings(scenes: &[&Scene], optics: &OpticsConfig) -> Vec<String> {
     let longest_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[1];
-    let width = (8.0 * 2f64.ln()).sqrt() * lobe_width(optics.sigma_nm, longest_nm);
+    let width = (8.0 * 2f64.ln()).sqrt() * lobe_width(optics.body_coherence().sigma_nm_at(longest_nm), longest_nm);
     let mut warnings = Vec::new();
     for scene in scenes.iter().filter(|scene| scene.environment.is_some()) {
         // Half of them lie around the mirror direction.

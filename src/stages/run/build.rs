@@ -4,7 +4,7 @@ use super::clock::{Clock, Step};
 use super::job::Job;
 use crate::stages::built::Built;
 use crate::stages::cache::known::Known;
-use crate::stages::config::Serve;
+use crate::stages::config::Cover;
 use crate::stages::coverage::{asked, savings};
 use crate::stages::ingest::{Scans, ingest as read_scans};
 use crate::stages::measured::{self, Measurement};
@@ -87,9 +87,9 @@ pub(super) fn plan<'a>(job: &Job<'a>, ingested: &'a Ingested, clock: &mut Clock)
     let optics = &ingested.scans.optics;
     let fields = &ingested.scans.fields;
     let input = BuildInput::new(fields, optics, &ingested.tables);
-    let coverage = match job.config.serve {
-        Serve::All => None,
-        Serve::Scenes | Serve::Named(_) => {
+    let coverage = match job.config.cover {
+        Cover::All => None,
+        Cover::Scenes | Cover::Named(_) => {
             let scenes: Vec<&Scene> = ingested.scenes.iter().collect();
             Some(clock.stage(Stage::FindCoverage, || savings::cover(&input, &scenes))?)
         }

@@ -12,7 +12,7 @@ const CHECK_VALUES: usize = 20;
 /// Half over the whole hemisphere, half around the mirror direction; some of the directions `counted` where tables are
 /// restricted to scenes.
 pub(super) fn check_values(set: &TableSet, counted: &[(Vec3, Vec3)]) -> Vec<CheckValue> {
-    if set.served.is_some() {
+    if set.restriction.is_some() {
         let step = counted.len().div_ceil(CHECK_VALUES).max(1);
         return counted.iter().step_by(step).map(|&(wi, wo)| value_at(set, wi, wo)).collect();
     }

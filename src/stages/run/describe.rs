@@ -9,6 +9,7 @@ use super::check_values::check_values;
 use super::clock::{Clock, Step};
 use super::job::Job;
 use super::measure::Measured;
+use super::spectral::Spectral;
 use super::warnings::{scan_warnings, table_warnings};
 use crate::stages::archive::specimen_file::{self, SpecimenFile};
 use crate::stages::cache::store::CacheUse;
@@ -23,6 +24,7 @@ use crate::stages::stage::Stage;
 use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::dispersion::Origin;
 use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::spectral_storage::StoredSpectral;
 use diffraction_build::accuracy::power_sums::too_bright;
 use diffraction_build::accuracy::rows;
 use diffraction_build::optics::pigment::Surface;
@@ -56,6 +58,7 @@ pub(super) fn describe(
     ingested: &Ingested,
     planned: &Planned,
     mut measured: Measured,
+    spectral: Option<Spectral>,
     clock: &mut Clock,
 ) -> Step<Described> {
     let warnings = warnings(ingested, planned, &measured);
@@ -70,7 +73,8 @@ pub(super) fn describe(
         let scenes =
             own.into_iter().map(|(work, reference)| work.finish(reference.as_deref(), &job.folder, &job.specimen.name));
         let pictures = write_pictures(job, ingested, measured.stored.surface(), scenes.collect::<Result<_>>()?)?;
-        let file = specimen_json(job.specimen, ingested, &measured, &warnings);
+        let files = spectral.as_ref().map(|spectral| &spectral.files);
+        let file = specimen_json(job.specimen, ingested, &measured, files, &warnings);
         specimen_file::write(&job.folder, &file)?;
         Ok((shares, pictures))
     })?;
@@ -83,7 +87,10 @@ pub(super) fn describe(
         })?),
     };
     Ok(Described {
-        result: result(job, ingested, planned, measured, pictures, budget, warnings),
+        result: SpecimenResult {
+            spectral: spectral.map(|spectral| spectral.result),
+            ..result(job, ingested, planned, measured, pictures, budget, warnings)
+        },
         inputs: inputs(job, ingested),
         shares,
         used: planned.known.used(),
@@ -98,7 +105,7 @@ fn warnings(ingested: &Ingested, planned: &Planned, measured: &Measured) -> Vec<
     let mut warnings = table_warnings(set, files, &ingested.tables, planned.plan.texels.grid.texel());
     warnings.extend(scan_warnings(&ingested.scans, optics));
     warnings.extend(scenes::warnings(&scenes, optics));
-    warnings.extend(too_bright(&measured.reflected.albedo));
+    warnings.extend(too_bright(&measured.reflected.albedo, measured.energy_limit.as_ref()));
     warnings.extend(rows::broken_tolerances(&measured.errors, ingested.tables.tolerance));
     warnings
 }
@@ -137,6 +144,7 @@ fn specimen_json(
     specimen: &SpecimenConfig,
     ingested: &Ingested,
     measured: &Measured,
+    spectral: Option<&StoredSpectral>,
     warnings: &[String],
 ) -> SpecimenFile {
     let Stored { set, files, pigment, record, .. } = &measured.stored;
@@ -151,8 +159,10 @@ fn specimen_json(
         pigment: *pigment,
         build: record.clone(),
         tables: files.clone(),
+        spectral: spectral.cloned(),
         errors: to_value(&measured.errors),
         albedo: measured.reflected.albedo.clone(),
+        energy_limit: measured.energy_limit.clone(),
         check_values: check_values(set, &measured.counted),
         warnings: warnings.to_vec(),
     }
@@ -210,6 +220,7 @@ fn result(
         spectrum,
         preview_png: pictures.preview_png,
         reached_png: pictures.coverage_png,
+        spectral: None,
         budget,
         warnings,
         failed: None,
@@ -264,6 +275,7 @@ pub(super) fn failed_result(specimen: &SpecimenConfig, error: &Error) -> Specime
         spectrum: None,
         preview_png: None,
         reached_png: None,
+        spectral: None,
         budget: None,
         warnings: Vec::new(),
         failed: Some(error.to_string()),

@@ -9,8 +9,10 @@ use crate::stages::measured::{self, MeasuredResult};
 use crate::stages::pictures::scenes::{SceneWork, candidates_of, render_tables};
 use crate::stages::stage::Stage;
 use diffraction_brdf::direction::{Vec3, Xyz};
+use diffraction_brdf::energy::EnergyLimit;
 use diffraction_brdf::error::Result;
 use diffraction_build::accuracy::directions::{DIRECTIONS, ErrorDirections};
+use diffraction_build::accuracy::energy::energy_limit;
 use diffraction_build::accuracy::power_sums::{Reflected, reflected};
 use diffraction_build::accuracy::reference::Reference;
 use diffraction_build::accuracy::rows::{ErrorRow, error_rows};
@@ -27,6 +29,7 @@ pub(super) struct Measured {
     pub(super) counted: Vec<(Vec3, Vec3)>,
     pub(super) errors: Vec<ErrorRow>,
     pub(super) reflected: Reflected,
+    pub(super) energy_limit: Option<EnergyLimit>,
     pub(super) measured: Option<MeasuredResult>,
 }
 
@@ -39,7 +42,7 @@ pub(super) fn measure(
     clock: &mut Clock,
 ) -> Step<Measured> {
     let works = render(job, ingested, &stored, clock)?;
-    let directions = match job.config.serve.is_all() {
+    let directions = match job.config.cover.is_all() {
         true => ErrorDirections::of_regions(&stored.set),
         false => ErrorDirections::drawn(&stored.set, candidates_of(&stored.set, &works), DIRECTIONS),
     };
@@ -53,7 +56,7 @@ pub(super) fn measure(
             planned.known.reference(&planned.input, &planned.plan, exact.tables.len(), directions, pictures)
         })?),
     };
-    let (errors, reflected) = clock.stage(Stage::MeasureErrors, || {
+    let (errors, reflected, energy_limit) = clock.stage(Stage::MeasureErrors, || {
         let errors = match (&reference, &exact) {
             (Some(reference), Some(exact)) => {
                 let mut errors = error_rows(reference, &stored.set, exact);
@@ -63,7 +66,9 @@ pub(super) fn measure(
             }
             _ => Vec::new(),
         };
-        Ok((errors, reflected(&stored.set)))
+        let reflected = reflected(&stored.set);
+        let energy_limit = energy_limit(&stored.set, &reflected.albedo);
+        Ok((errors, reflected, energy_limit))
     })?;
     let measured = match &ingested.measurement {
         None => None,
@@ -74,7 +79,7 @@ pub(super) fn measure(
         })?),
     };
     let pictures = with_reference(works, reference.as_ref(), counted.len());
-    Ok(Measured { stored, pictures, counted, errors, reflected, measured })
+    Ok(Measured { stored, pictures, counted, errors, reflected, energy_limit, measured })
 }
 
 /// The rows of the scans' sampling, where it is in question.

@@ -1,7 +1,7 @@
 //! A run: specimen by specimen from scans to a published version.
 //!
 //! [`pipeline`] holds the loop and what concerns all specimens; `specimen` the chain of steps of one, each a function from
-//! what is known to what is known next: ingested, planned, built, stored (`build`), measured (`measure`), described
+//! what is known to what is known next: ingested, planned, built, stored (`build`), measured (`measure`), with spectral tables (`spectral`), described
 //! (`describe`).
 
 mod build;
@@ -13,4 +13,5 @@ mod measure;
 pub mod pipeline;
 pub mod reference_forecast;
 mod specimen;
+mod spectral;
 pub(crate) mod warnings;

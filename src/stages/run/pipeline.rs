@@ -10,6 +10,7 @@ use super::clock::{Clock, Failed};
 use super::describe::{Described, failed_result};
 use super::job::{Illustrate, Job};
 use super::specimen::run_specimen;
+use crate::error::Result;
 use crate::stages::archive::format_md::write_format;
 use crate::stages::archive::publish::{self, Published};
 use crate::stages::cache::store::{Cache, CacheUse};
@@ -23,14 +24,13 @@ use crate::stages::pictures::shared_scenes::{self, SharedScenes};
 use crate::stages::results::{RESULTS_SCHEMA, RunResults, SpecimenResult};
 use crate::stages::stage::Stage;
 use diffraction_brdf::atlas::{AtlasIndex, InputRecord, SpecimenEntry};
-use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
 use diffraction_build::accuracy::rows;
 use diffraction_build::ground::memory;
 use diffraction_build::ground::progress::Progress;
 
 /// Writes the report of a run into its folder; given by the floor that knows how.
-pub(crate) type WriteReport<'a> = &'a (dyn Fn(&RunResults, &Path) -> Result<()> + Sync);
+pub(crate) type WriteReport<'a> = &'a (dyn Fn(&RunResults, &Path) -> diffraction_brdf::Result<()> + Sync);
 
 /// What the floors above lend to the pipeline.
 #[derive(Clone, Copy)]
@@ -131,7 +131,7 @@ impl<'a> Run<'a> {
         match run_specimen(&job, &mut Clock { specimen: &specimen.name, log: &mut self.log }) {
             Ok(described) => self.keep(specimen, described, label, started),
             // A full disk is no specimen's fault, and would leave out the next ones too.
-            Err(Failed { error, .. }) if error.is_of_disk_below(self.folder) => Err(error),
+            Err(Failed { error, .. }) if error.is_of_disk_below(self.folder) => Err(error.into()),
             Err(Failed { stage, error }) => {
                 self.helpers.progress.message(&format!("{label}: failed to {stage}"));
                 // What is left of it shall not be published; where it cannot be removed, publishing fails too.
@@ -154,8 +154,8 @@ impl<'a> Run<'a> {
             }
         }
         self.helpers.progress.message(&done_line(label, &result, used, started.elapsed().as_secs_f64()));
-        for scene in result.scenes.iter().filter(|scene| scene.unserved_pixels > 0) {
-            let (name, pixels) = (&scene.name, scene.unserved_pixels);
+        for scene in result.scenes.iter().filter(|scene| scene.uncovered_pixels > 0) {
+            let (name, pixels) = (&scene.name, scene.uncovered_pixels);
             let message = format!("{name}: {pixels} pixels ask for directions that the tables do not cover");
             self.log.fail(Stage::RenderScenes, Some(&specimen.name), message);
         }

@@ -22,7 +22,7 @@ use diffraction_render::scene::samples::ShadingSamples;
 pub struct ReferenceForecast {
     /// Pairs of directions of all pictures: those that a run evaluates.
     pub picture_pairs: u64,
-    /// Pairs on which errors are counted, where as many are lit as are asked for.
+    /// Pairs on which errors are counted, where as many are above the luminance floor as are asked for.
     pub error_pairs: u64,
     /// Pairs times wavelengths times windows.
     pub evaluations: f64,
@@ -61,7 +61,7 @@ pub fn reference_forecast(
     let mut work_ns = 0.0;
     for &(scan, placement) in &plan.windows {
         let field = &input.fields[scan];
-        let counts = line_counts(field, placement, input.optics.sigma_nm, plan.spectra.frequency);
+        let counts = line_counts(field, placement, input.optics.least_sigma_nm(), plan.spectra.frequency);
         let own_ns = match placement {
             Placement::Inside { .. } => {
                 (2 * SEMICIRCLE_TAPS) as f64 * NS_PER_KERNEL_VALUE

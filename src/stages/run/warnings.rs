@@ -93,10 +93,11 @@ fn repetition_warning(fields: &[HeightField], optics: &OpticsConfig) -> Option<S
     let (side_um, fits_um) = (side_nm * 1e-3, side_nm * 1e-3 / TILE_SIGMAS);
     if let Some(light_nm) = optics.lobe_sigma_nm {
         return Some(format!(
-            "the scan is {side_um:.3} µm wide, too small for a coherence of sigma = {:.3} µm: its diffuse light is shown as sharp \
+            "the scan is {side_um:.3} µm wide, too small for a coherence of sigma = {:.3} µm{}: its diffuse light is shown as sharp \
              as the scan can tell, with sigma = {:.3} µm, and orders are that much wider; the mirror-like lobe keeps the \
              light's own width",
             light_nm * 1e-3,
+            longest(optics),
             optics.sigma_nm * 1e-3
         ));
     }
@@ -104,13 +105,20 @@ fn repetition_warning(fields: &[HeightField], optics: &OpticsConfig) -> Option<S
     let invented = optics.edge == Edge::Tile && ripple > RIPPLE_WARNED;
     invented.then(|| {
         format!(
-            "the scan is {side_um:.3} µm wide and repeated under a coherence of sigma = {:.3} µm: the repetition itself shows as a \
+            "the scan is {side_um:.3} µm wide and repeated under a coherence of sigma = {:.3} µm{}: the repetition itself shows as a \
              grating of {side_um:.3} µm, a ripple of {:.0} % in its light; coherence.edge = \"auto\" shows no more than \
              the scan can tell, as does sigma_um <= {fits_um:.3}",
             optics.sigma_nm * 1e-3,
+            longest(optics),
             100.0 * ripple
         )
     })
+}
+
+/// Where a coherence is the largest of several, at which wavelength.
+fn longest(optics: &OpticsConfig) -> String {
+    let [_, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
+    optics.source_deg.map_or_else(String::new, |_| format!(" at {high_nm:.0} nm"))
 }
 
 /// Whether a coherence window lies on the edges: one in the middle of a scan 8 sigma wide, as `fade` asks for, does not.

@@ -174,7 +174,7 @@ impl LobeDensity {
     }
 
     /// Largest ratio of what a strip reflects to the density with which it is drawn: see the bound on weights.
-    pub fn largest_ratio(&self, node: usize, wo: Vec3) -> f64 {
+    pub(crate) fn largest_ratio(&self, node: usize, wo: Vec3) -> f64 {
         let sin_o = wo[0].hypot(wo[1]);
         let strips = &self.strips[node];
         let width = self.strip_width();

@@ -192,7 +192,7 @@ impl Largest {
         };
         let (rows, columns, _) = set.tables[0].dim();
         let size = set.size();
-        let first = set.served.as_ref().map_or([0; 2], |served| served.first);
+        let first = set.restriction.as_ref().map_or([0; 2], |restriction| restriction.first);
         let step = 4.0 / (size - 1) as f64;
         // A texel counts within the reach of its own look-ups.
         let mut note = |row: usize, column: usize| {

@@ -21,14 +21,14 @@ use crate::direction::{Vec3, max_abs_w};
 use crate::table_set::{Basis, TableSet};
 
 /// Values of `t` at which the tables are looked at.
-const DEPTHS: usize = 9;
+const T_VALUES: usize = 9;
 /// Rings of the radius in (u, v) at which azimuths are averaged.
 const RINGS: usize = 128;
 /// Azimuths of the viewer that are averaged.
 const AZIMUTHS: usize = 32;
-/// Cosines and depths below this count as this where means over azimuth are made of what grows without bound.
+/// Cosines and `|w|` below this count as this where means over azimuth are made of what grows without bound.
 const COSINE_MIN: f64 = 0.1;
-/// What a cell counts of its largest value over the depths, beside its mean.
+/// What a cell counts of its largest value over `t`, beside its mean.
 const PEAK_SHARE: f64 = 0.2;
 /// Pieces of a chord: the edges of half of them lie at `h (1 - 4^-k)` from its middle, and at `h`.
 const PIECES: usize = 12;
@@ -59,9 +59,9 @@ struct Node {
 
 /// How the tables at each `t` count, by ring of the radius: for a viewer at a node, averaged over its azimuth.
 struct Average {
-    weights: Vec<[f64; DEPTHS]>,
+    weights: Vec<[f64; T_VALUES]>,
     /// The same without the light's cosine, and of all azimuths rather than those that see the ring.
-    reflected: Vec<[f64; DEPTHS]>,
+    reflected: Vec<[f64; T_VALUES]>,
 }
 
 /// The part of a row that is above the horizon and within the grid, in pieces.
@@ -99,7 +99,7 @@ impl TableDensity {
     pub fn new(set: &TableSet) -> Self {
         let (texel_rows, texel_columns, _) = set.tables[0].dim();
         let [rows, columns] = [texel_rows - 1, texel_columns - 1];
-        let origin = set.served.as_ref().map_or([0; 2], |served| served.first);
+        let origin = set.restriction.as_ref().map_or([0; 2], |restriction| restriction.first);
         let step = 4.0 / (set.size() - 1) as f64;
         let first = [-2.0 + step * origin[1] as f64, 2.0 - step * origin[0] as f64];
         let band = (rows as f64).sqrt().ceil() as usize;
@@ -107,17 +107,17 @@ impl TableDensity {
 
         let mut texels = vec![vec![0f32; texel_rows * texel_columns]; NODES];
         let mut reflected = [0.0; NODES];
-        let (depths, mut scratch) = (Depths::new(set), Vec::new());
+        let (at_each_t, mut scratch) = (AtEachT::new(set), Vec::new());
         for row in 0..texel_rows {
             for column in 0..texel_columns {
                 let radius = (first[0] + step * column as f64).hypot(first[1] - step * row as f64);
                 if radius > 2.0 {
                     continue;
                 }
-                let values = depths.values([row, column], radius, &mut scratch);
+                let values = at_each_t.values([row, column], radius, &mut scratch);
                 let ring = ring_of(radius);
                 for (node, average) in averages.iter().enumerate() {
-                    let mean = |weights: &[f64; DEPTHS]| {
+                    let mean = |weights: &[f64; T_VALUES]| {
                         weights.iter().zip(values).map(|(weight, value)| weight * value).sum::<f64>()
                     };
                     let weights = &average.weights[ring];
@@ -326,28 +326,29 @@ fn sums(texels: &[f32], [rows, columns]: [usize; 2], band: usize) -> (Vec<f32>, 
     (along, bands)
 }
 
-/// X + Y + Z of the tables at the depths, texel by texel.
-struct Depths<'a> {
+/// X + Y + Z of the tables at each `t`, texel by texel.
+struct AtEachT<'a> {
     set: &'a TableSet,
-    /// Polynomials at each depth, where they do not depend on the texel.
+    /// Polynomials at each `t`, where they do not depend on the texel.
     basis: Option<Vec<Vec<f64>>>,
 }
 
-impl<'a> Depths<'a> {
+impl<'a> AtEachT<'a> {
     fn new(set: &'a TableSet) -> Self {
-        let at = |k: usize| chebyshev::shifted_values(set.tables.len(), k as f64 / (DEPTHS - 1) as f64);
-        let basis = (set.served.is_none() && set.basis == Basis::Chebyshev).then(|| (0..DEPTHS).map(at).collect());
+        let at = |k: usize| chebyshev::shifted_values(set.tables.len(), k as f64 / (T_VALUES - 1) as f64);
+        let basis =
+            (set.restriction.is_none() && set.basis == Basis::Chebyshev).then(|| (0..T_VALUES).map(at).collect());
         Self { set, basis }
     }
 
     /// 0 where negative, and where there is no answer. `sums` is scratch.
-    fn values(&self, [row, column]: [usize; 2], radius: f64, sums: &mut Vec<f64>) -> [f64; DEPTHS] {
+    fn values(&self, [row, column]: [usize; 2], radius: f64, sums: &mut Vec<f64>) -> [f64; T_VALUES] {
         sums.clear();
         let channels =
             |table: &Array3<f32>| (0..3).map(|channel| f64::from(table[[row, column, channel]])).sum::<f64>();
         sums.extend(self.set.tables.iter().map(channels));
         let value = |basis: &[f64]| sums.iter().zip(basis).map(|(sum, factor)| sum * factor).sum::<f64>().max(0.0);
-        let mut values = [0.0; DEPTHS];
+        let mut values = [0.0; T_VALUES];
         for (k, out) in values.iter_mut().enumerate() {
             *out = match &self.basis {
                 Some(basis) => value(&basis[k]),
@@ -360,12 +361,12 @@ impl<'a> Depths<'a> {
     /// What the tables at a texel are multiplied by; `None` where they have no answer.
     fn basis_at(&self, [row, column]: [usize; 2], radius: f64, k: usize) -> Option<Vec<f64>> {
         let count = self.set.tables.len();
-        let t = k as f64 / (DEPTHS - 1) as f64;
+        let t = k as f64 / (T_VALUES - 1) as f64;
         let mut share = t;
-        if let Some(served) = &self.set.served {
-            let [low, high, there] = [0, 1, 2].map(|n| f64::from(served.range[[row, column, n]]));
-            // A depth stands for its surroundings, of which any part may be asked for.
-            let half = 0.5 / (DEPTHS - 1) as f64;
+        if let Some(restriction) = &self.set.restriction {
+            let [low, high, there] = [0, 1, 2].map(|n| f64::from(restriction.range[[row, column, n]]));
+            // A value of `t` stands for its surroundings, of which any part may be asked for.
+            let half = 0.5 / (T_VALUES - 1) as f64;
             if there == 0.0 || t + half < low || t - half > high {
                 return None;
             }
@@ -387,7 +388,7 @@ fn ring_of(radius: f64) -> usize {
 
 /// For viewers between the edges of a node: those at its lower edge see rings that others do not.
 fn average(set: &TableSet, node: usize) -> Average {
-    let mut average = Average { weights: vec![[0.0; DEPTHS]; RINGS], reflected: vec![[0.0; DEPTHS]; RINGS] };
+    let mut average = Average { weights: vec![[0.0; T_VALUES]; RINGS], reflected: vec![[0.0; T_VALUES]; RINGS] };
     let middle = node_cosine(node);
     let edges = [node, node + 1].map(|edge| (edge as f64 / NODES as f64).powi(2).max(1e-3));
     for ring in 0..RINGS {
@@ -405,14 +406,14 @@ fn average(set: &TableSet, node: usize) -> Average {
                 seen += 1;
                 let cos_i = cos2.sqrt();
                 let front = set.front_factor.diffuse([-radius - wo[0], -wo[1], cos_i], wo);
-                let place = ((cos_i + cos_o) / max_abs_w(radius)).min(1.0) * (DEPTHS - 1) as f64;
-                let below = (place as usize).min(DEPTHS - 2);
+                let place = ((cos_i + cos_o) / max_abs_w(radius)).min(1.0) * (T_VALUES - 1) as f64;
+                let below = (place as usize).min(T_VALUES - 2);
                 let share = place - below as f64;
-                for (depth, share) in [(below, 1.0 - share), (below + 1, share)] {
-                    average.weights[ring][depth] += share * front * cos_i * cos_o;
+                for (k, share) in [(below, 1.0 - share), (below + 1, share)] {
+                    average.weights[ring][k] += share * front * cos_i * cos_o;
                     if cos_o == middle {
                         let reflected = front * (cos_i / COSINE_MIN).min(1.0) / AZIMUTHS as f64;
-                        average.reflected[ring][depth] += share * reflected;
+                        average.reflected[ring][k] += share * reflected;
                     }
                 }
             }

@@ -1,18 +1,9 @@
-// The BRDF of a table set: evaluation only, the same functions under the same names as in Rust.
-//
-// Local frame: x along scan columns, y up the image, z the outward normal. `wi` points to the light, `wo`
-// to the viewer, both unit vectors. The BRDF is XYZ in 1/sr.
+// The BRDF of a table set: evaluation only, the same functions under the same names as in Rust. Follows optics.wgsl.
+// The BRDF is XYZ in 1/sr; `brdf_xyz` gives NO_ANSWER in every channel for directions that the tables do not cover.
 
 // basis
 const CHEBYSHEV: u32 = 0u;
 const TAYLOR: u32 = 1u;
-// material
-const IDEAL: u32 = 0u;
-const DIELECTRIC: u32 = 1u;
-const CONDUCTOR: u32 = 2u;
-// factor
-const SCALAR: u32 = 0u;
-const VECTOR: u32 = 1u;
 
 struct TableParams {
     // CHEBYSHEV or TAYLOR.
@@ -30,8 +21,8 @@ struct TableParams {
     // Refractive index n + ik.
     index_n: f32,
     index_k: f32,
-    // 1 where the tables serve certain scenes alone: one more layer of `tables` holds the range of t of each texel.
-    served: u32,
+    // 1 where the tables are restricted to scenes: one more layer of `tables` holds the range of t of each texel.
+    restricted: u32,
     // Texels along u and v of the whole grid less one, and where in it the tables' window begins.
     grid_last: f32,
     first_column: f32,
@@ -49,8 +40,8 @@ struct TableParams {
 
 @group(0) @binding(0) var<uniform> params: TableParams;
 // Half floats, one layer per basis function; texel (row, column) of the whole grid lies at u = -2 + 4 column / grid_last,
-// v = 2 - 4 row / grid_last. Where tables serve certain scenes, the layer after the last holds low, high and 1 where
-// a texel is served.
+// v = 2 - 4 row / grid_last. Where tables are restricted to scenes, the layer after the last holds low, high and 1 where
+// a texel is covered.
 @group(0) @binding(1) var tables: texture_2d_array<f32>;
 // Half floats, one layer per basis function, over [-radius_max, radius_max]².
 @group(0) @binding(2) var cross_terms: texture_2d_array<f32>;
@@ -59,71 +50,12 @@ struct TableParams {
 // Bilinear, clamped to the edges.
 @group(0) @binding(4) var bilinear: sampler;
 
-// What `brdf_xyz` gives for directions that the tables do not serve, in every channel: no answer.
-const UNSERVED: f32 = -1.0;
 // How far t may lie outside of the range between the texels, as a share of the range.
 const RANGE_SLACK: f32 = 0.02;
 
-fn wave_vector_change(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
-    return -wi - wo;
-}
-
-fn geometry_factor(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
-    let one_plus = 1.0 + dot(wi, wo);
-    // Divided one by one: the product of two grazing cosines could underflow.
-    return (one_plus / wi.z) * (one_plus / wo.z);
-}
-
-fn v_cavity_shadowing(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
-    let sum = wi + wo;
-    let m = sum / sqrt(dot(sum, sum));
-    let wo_m = dot(wo, m);
-    if !(wo_m > 0.0) {
-        return 0.0;
-    }
-    let scale = 2.0 * m.z / wo_m;
-    return clamp(min(scale * wo.z, scale * wi.z), 0.0, 1.0);
-}
-
-fn complex_product(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
-    return vec2<f32>(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
-}
-
-fn complex_quotient(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
-    return complex_product(a, vec2<f32>(b.x, -b.y)) / dot(b, b);
-}
-
-// Principal square root. The smaller part follows from the larger one, without cancellation.
-fn complex_root(a: vec2<f32>) -> vec2<f32> {
-    let larger = sqrt(0.5 * (sqrt(dot(a, a)) + abs(a.x)));
-    if larger == 0.0 {
-        return vec2<f32>(0.0, 0.0);
-    }
-    let smaller = 0.5 * abs(a.y) / larger;
-    let turn = select(-1.0, 1.0, a.y >= 0.0);
-    if a.x >= 0.0 {
-        return vec2<f32>(larger, turn * smaller);
-    }
-    return vec2<f32>(smaller, turn * larger);
-}
-
-fn reflectance(cos_theta_d: f32) -> f32 {
-    if params.material == IDEAL {
-        return 1.0;
-    }
+fn front_factor() -> Front {
     let index = vec2<f32>(params.index_n, params.index_k);
-    let cos_i = clamp(cos_theta_d, 0.0, 1.0);
-    let sin2_t = complex_quotient(vec2<f32>(1.0 - cos_i * cos_i, 0.0), complex_product(index, index));
-    let cos_t = complex_root(vec2<f32>(1.0, 0.0) - sin2_t);
-    let index_cos_t = complex_product(index, cos_t);
-    let along = vec2<f32>(cos_i, 0.0);
-    let s = complex_quotient(along - index_cos_t, along + index_cos_t);
-    let p = complex_quotient(index * cos_i - cos_t, index * cos_i + cos_t);
-    return 0.5 * (dot(s, s) + dot(p, p));
-}
-
-fn cos_half_angle(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
-    return sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));
+    return Front(params.material, params.factor, params.shadowing, index, params.permittivity);
 }
 
 // XYZ of the pigment's BRDF in 1/sr; 0 for directions not above the surface.
@@ -131,86 +63,8 @@ fn pigment_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     if !(wi.z > 0.0 && wo.z > 0.0) {
         return vec3<f32>(0.0, 0.0, 0.0);
     }
-    return (1.0 - reflectance(wi.z)) * (1.0 - reflectance(wo.z)) * params.pigment.xyz;
-}
-
-fn shadowing(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
-    if params.shadowing == 0u {
-        return 1.0;
-    }
-    return v_cavity_shadowing(wi, wo);
-}
-
-// The factor of tables and cross term, for directions above the surface.
-fn diffuse_factor(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
-    if params.factor == VECTOR && params.material != IDEAL {
-        return 2.0 * wi.z * wo.z * polarised_sum(wi, wo) * shadowing(wi, wo);
-    }
-    return reflectance(cos_half_angle(wi, wo)) * geometry_factor(wi, wo) * shadowing(wi, wo);
-}
-
-// The factor of the coherent lobe, for directions above the surface.
-fn coherent_factor(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
-    let mirror = reflectance(cos_half_angle(wi, wo)) * shadowing(wi, wo);
-    if params.factor == VECTOR {
-        return mirror;
-    }
-    let w = wi.z + wo.z;
-    return mirror * geometry_factor(wi, wo) / w / w;
-}
-
-// Q_ss + Q_sp + Q_ps + Q_pp of first-order vector perturbation (Rayleigh-Rice). The azimuth is that of the scattered light
-// against the mirror's side; at normal incidence it is arbitrary, and the sum does not depend on it.
-fn polarised_sum(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
-    let sin2_i = dot(wi.xy, wi.xy);
-    let sin2_o = dot(wo.xy, wo.xy);
-    let sines = sqrt(sin2_i) * sqrt(sin2_o);
-    var cos_phi = 1.0;
-    if sines > 1e-12 {
-        cos_phi = clamp(-dot(wi.xy, wo.xy) / sines, -1.0, 1.0);
-    }
-    let cos2_phi = cos_phi * cos_phi;
-    let eps = params.permittivity;
-    if params.material == DIELECTRIC {
-        // Everything is real.
-        let a = sqrt(max(eps.x - sin2_i, 0.0));
-        let b = sqrt(max(eps.x - sin2_o, 0.0));
-        let s_i = wi.z + a;
-        let s_o = wo.z + b;
-        let p_i = eps.x * wi.z + a;
-        let p_o = eps.x * wo.z + b;
-        let ss = 1.0 / (s_i * s_o);
-        let sp = b / (s_i * p_o);
-        let ps = a / (p_i * s_o);
-        let pp = (a * b * cos_phi - eps.x * sines) / (p_i * p_o);
-        let contrast = (eps.x - 1.0) * (eps.x - 1.0);
-        return contrast * (cos2_phi * ss * ss + (1.0 - cos2_phi) * (sp * sp + ps * ps) + pp * pp);
-    }
-    let a = complex_root(eps - vec2<f32>(sin2_i, 0.0));
-    let b = complex_root(eps - vec2<f32>(sin2_o, 0.0));
-    let s_i = a + vec2<f32>(wi.z, 0.0);
-    let s_o = b + vec2<f32>(wo.z, 0.0);
-    let p_i = eps * wi.z + a;
-    let p_o = eps * wo.z + b;
-    let ss = 1.0 / (dot(s_i, s_i) * dot(s_o, s_o));
-    let sp = dot(b, b) / (dot(s_i, s_i) * dot(p_o, p_o));
-    let ps = dot(a, a) / (dot(p_i, p_i) * dot(s_o, s_o));
-    let across = complex_product(a, b) * cos_phi - eps * sines;
-    let pp = dot(across, across) / (dot(p_i, p_i) * dot(p_o, p_o));
-    let less = eps - vec2<f32>(1.0, 0.0);
-    return dot(less, less) * (cos2_phi * ss + (1.0 - cos2_phi) * (sp + ps) + pp);
-}
-
-// Squared lateral distance of the lobe's image in the horizon.
-fn image_radius2(wi: vec3<f32>, wo: vec3<f32>) -> f32 {
-    let lateral = wi.xy + wo.xy;
-    let to_horizon_i = wi.z * wi.z / (1.0 + length(wi.xy));
-    let to_horizon_o = wo.z * wo.z / (1.0 + length(wo.xy));
-    return dot(lateral, lateral) + 4.0 * to_horizon_i * to_horizon_o;
-}
-
-fn max_abs_w(rho: f32) -> f32 {
-    return sqrt(max(4.0 - rho * rho, 0.0));
+    let front = front_factor();
+    return (1.0 - reflectance(front, wi.z)) * (1.0 - reflectance(front, wo.z)) * params.pigment.xyz;
 }
 
 // Basis functions in registers: b_0 = first, b_1 = second, b_n+1 = forward b_n - back b_n-1.
@@ -236,13 +90,13 @@ fn powers(w: f32) -> Recurrence {
 // What the surface shows in 1/sr: the BRDF and, where there is one, the pigment below it. As `brdf_xyz` otherwise.
 fn surface_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     let brdf = brdf_xyz(wi, wo);
-    if params.pigment.w == 0.0 || !serves(brdf) {
+    if params.pigment.w == 0.0 || !has_answer(brdf) {
         return brdf;
     }
     return brdf + pigment_xyz(wi, wo);
 }
 
-// XYZ of the BRDF in 1/sr; 0 for directions not above the surface, UNSERVED for those that the tables do not serve.
+// XYZ of the BRDF in 1/sr; 0 for directions not above the surface, NO_ANSWER for those that the tables do not cover.
 fn brdf_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     if !(wi.z > 0.0 && wo.z > 0.0) {
         return vec3<f32>(0.0, 0.0, 0.0);
@@ -251,10 +105,10 @@ fn brdf_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
     let t = normalised_abs_w(q);
     let at = 0.5 * q.xy;
     var s = t;
-    if params.served != 0u {
+    if params.restricted != 0u {
         s = share_of_range(at, t);
         if s < 0.0 {
-            return vec3<f32>(UNSERVED, UNSERVED, UNSERVED);
+            return vec3<f32>(NO_ANSWER, NO_ANSWER, NO_ANSWER);
         }
     }
     var basis = shifted_values(s);
@@ -262,16 +116,16 @@ fn brdf_xyz(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
         basis = powers(abs(q.z));
     }
     // One loop for both, a tenth faster than one each where branches are masked; sets of powers have no lobe.
-    let diffuse = diffuse_factor(wi, wo) * (expansion(basis, at) + cross_value(q, t));
+    let diffuse = diffuse_factor(front_factor(), wi, wo) * (expansion(basis, at) + cross_value(q, t));
     return diffuse + coherent_value(wi, wo, q);
 }
 
 // Whether a value is an answer.
-fn serves(xyz: vec3<f32>) -> bool {
-    return !(xyz.x == UNSERVED && xyz.y == UNSERVED && xyz.z == UNSERVED);
+fn has_answer(xyz: vec3<f32>) -> bool {
+    return !(xyz.x == NO_ANSWER && xyz.y == NO_ANSWER && xyz.z == NO_ANSWER);
 }
 
-// Where t lies in the range at a position, 0 to 1; negative outside of what is served.
+// Where t lies in the range at a position, 0 to 1; negative outside of what is covered.
 fn share_of_range(at: vec2<f32>, t: f32) -> f32 {
     let uv = table_place(at);
     let half_texel = 0.5 / vec2<f32>(textureDimensions(tables));
@@ -282,14 +136,6 @@ fn share_of_range(at: vec2<f32>, t: f32) -> f32 {
         return -1.0;
     }
     return clamp(s, 0.0, 1.0);
-}
-
-fn normalised_abs_w(q: vec3<f32>) -> f32 {
-    let reach = max_abs_w(length(q.xy));
-    if reach == 0.0 {
-        return 0.0;
-    }
-    return min(abs(q.z) / reach, 1.0);
 }
 
 // The cross term over |w|; 0 where it vanishes.
@@ -311,7 +157,7 @@ fn coherent_value(wi: vec3<f32>, wo: vec3<f32>, q: vec3<f32>) -> vec3<f32> {
     if params.factor == VECTOR {
         value = value + lobe_at(sqrt(image_radius2(wi, wo)), q.z);
     }
-    return coherent_factor(wi, wo) * value;
+    return coherent_factor(front_factor(), wi, wo) * value;
 }
 
 // The coherent table at a radius and w: 0 from radius_max on.
@@ -360,13 +206,6 @@ fn cross_expansion(basis: Recurrence, at: vec2<f32>) -> vec3<f32> {
 fn table_place(at: vec2<f32>) -> vec2<f32> {
     let texel = vec2<f32>(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y) * params.grid_last;
     return (texel - vec2<f32>(params.first_column, params.first_row) + 0.5) / vec2<f32>(textureDimensions(tables));
-}
-
-// Normalised texture coordinates of a position in [-1, 1]², y up: its ends are the outer texels' centres.
-fn texel_centred(at: vec2<f32>, size: vec2<u32>) -> vec2<f32> {
-    let across = vec2<f32>(size);
-    let texel = vec2<f32>(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y) * (across - 1.0);
-    return (texel + 0.5) / across;
 }
 
 // The coherent lobe at a position in texels (row, column). Bilinear by hand: the lobe spans nine decades,

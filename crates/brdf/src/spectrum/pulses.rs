@@ -6,8 +6,8 @@ use super::wavenumbers::{Nodes, densities};
 /// Share of the pulses, even over the wavelengths, that must be integrated to the tolerance.
 const QUANTILE: f64 = 0.95;
 
-/// Share of the brightest pulse's luminance up to which pulses are too dark to count.
-const DARK: f64 = 1e-3;
+/// Share of the brightest pulse's luminance up to which pulses do not count.
+const FLOOR_SHARE: f64 = 1e-3;
 
 /// Narrowest pulse that is tried, in nm at the short end: well within the nanometre between the observer's knots.
 const NARROWEST_NM: f64 = 0.25;
@@ -100,7 +100,7 @@ impl Pulses {
         let nodes = Nodes::new(self.range_nm, count);
         let weights = nodes.weights(illuminant);
         let brightest = self.luminance.iter().copied().fold(0.0, f64::max);
-        let pulses = self.centres.iter().zip(&self.luminance).filter(|(_, exact)| **exact > DARK * brightest);
+        let pulses = self.centres.iter().zip(&self.luminance).filter(|(_, exact)| **exact > FLOOR_SHARE * brightest);
         let error = |(centre, exact): (&f64, &f64)| {
             let (position, width) = ((centre - nodes.first()) / nodes.step, self.deviation / nodes.step);
             let first = (position - REACH * width).ceil().max(0.0) as usize;
@@ -137,8 +137,8 @@ mod tests {
             .collect();
         let exact: Vec<f64> = centres.iter().map(|&c| sum(&fine, c)).collect();
         let brightest = exact.iter().copied().fold(0.0, f64::max);
-        let lit = centres.iter().zip(&exact).filter(|(_, e)| **e > DARK * brightest);
-        let mut errors: Vec<f64> = lit.map(|(&c, e)| (sum(&coarse, c) / e - 1.0).abs()).collect();
+        let bright = centres.iter().zip(&exact).filter(|(_, e)| **e > FLOOR_SHARE * brightest);
+        let mut errors: Vec<f64> = bright.map(|(&c, e)| (sum(&coarse, c) / e - 1.0).abs()).collect();
         errors.sort_by(f64::total_cmp);
         errors
     }

@@ -3,7 +3,7 @@
 
 use diffraction_brdf::atlas::{self, AtlasIndex, SpecimenEntry};
 use diffraction_brdf::front_factor::Factor;
-use diffraction_brdf::specimen::CheckValue;
+use diffraction_brdf::specimen::{CheckValue, SCHEMA};
 use diffraction_brdf::table_set::Storage;
 use diffraction_brdf::{Basis, Brdf, FrontFactor, Lobe, Material, TableSet, files, json, storage};
 use ndarray::Array3;
@@ -37,7 +37,7 @@ pub fn tiny_tables() -> TableSet {
             shadowing: true,
             factor: Factor::Scalar,
         },
-        served: None,
+        restriction: None,
         usable_radius: 2.0,
     }
 }
@@ -65,7 +65,7 @@ pub fn write_tiny_atlas(root: &Path) {
         }
     };
     let record = json!({
-        "schema": 2, "name": "grating", "species": "made up", "optics": set.front_factor, "tables": stored,
+        "schema": SCHEMA, "name": "grating", "species": "made up", "optics": set.front_factor, "tables": stored,
         "check_values": [check([0.0, 0.0, 30.0, 0.0]), check([40.0, 10.0, 41.0, 185.0])], "warnings": [],
     });
     files::replace(&folder.join("specimen.json"), json::pretty(&record).unwrap().as_bytes()).unwrap();

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::ground::metrics::quantile_of_sorted;
-use crate::ground::sampling::{Region, direction_pairs_in};
+use crate::ground::sampling::{NEAR_DEG, Region, direction_pairs_in, near_specular_pairs};
 use crate::tables::model::TableSet;
 use diffraction_brdf::direction::Vec3;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
@@ -36,7 +36,7 @@ pub const FLOOR_SHARE: f64 = 1e-2;
 
 /// Share of the brightest directions' luminance up to which they are left out as well: a grating has a few orders, and
 /// between them a relative error says nothing.
-pub const FLOOR_SHARE_BRIGHT: f64 = 1e-3;
+pub(crate) const FLOOR_SHARE_BRIGHT: f64 = 1e-3;
 
 /// Share of the directions that are no brighter than what counts as bright.
 const BRIGHT: f64 = 0.98;
@@ -109,7 +109,15 @@ impl Candidates {
     /// [`DRAWN`] of every region, with one floor for all: that of the hemisphere as the tables show it. `turn` chooses
     /// which: 0 for those of a run, another for others.
     pub fn of_regions(set: &TableSet, turn: usize) -> Vec<Self> {
-        let drawn = |region| direction_pairs_in(region, turn * DRAWN..(turn + 1) * DRAWN);
+        let near_deg = near_deg(set);
+        let drawn = |region| {
+            let places = turn * DRAWN..(turn + 1) * DRAWN;
+            if region == Region::NearSpecular {
+                near_specular_pairs(near_deg, places)
+            } else {
+                direction_pairs_in(region, places)
+            }
+        };
         let hemisphere = luminances(set, &drawn(Region::Hemisphere));
         let floor_per_sr = floor_per_sr(set.front_factor.material, &hemisphere);
         Region::ALL.into_iter().map(|r| Self { group: Group::Region(r), pairs: drawn(r), floor_per_sr }).collect()
@@ -120,6 +128,13 @@ impl Candidates {
         let floor_per_sr = floor_per_sr(set.front_factor.material, &luminances(set, &pairs));
         Self { group: Group::Scene(scene.into()), pairs: in_turns(pairs), floor_per_sr }
     }
+}
+
+/// Degrees from the mirror direction that count as near it: as far as the lobe reaches, [`NEAR_DEG`] at least. On the flank of
+/// a lobe that is wider than that, look-ups err most.
+fn near_deg(set: &TableSet) -> f64 {
+    let reach = set.lobe.as_ref().map_or(0.0, |lobe| lobe.radius_max.min(1.0).asin());
+    reach.to_degrees().max(NEAR_DEG)
 }
 
 /// In an order of which any first few are spread over all of them.

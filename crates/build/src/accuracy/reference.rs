@@ -1,6 +1,6 @@
 //! The reference of a set of pairs of directions: the BRDF straight from the transforms (`optics::spectral`), without tables.
 //!
-//! One pass over the windows serves the error rows and the scenes' reference pictures.
+//! One pass over the windows gives the error rows' values and those of the scenes' reference pictures.
 
 use rayon::prelude::*;
 

@@ -205,7 +205,7 @@ pub(super) fn row(cause: Cause, group: &ErrorGroup, reference: &[f64], test: &[f
 }
 
 /// The direct sum's XYZ at pairs of directions.
-pub type DirectSum<'a> = &'a dyn Fn(&[(Vec3, Vec3)]) -> Result<Vec<Xyz>>;
+pub(crate) type DirectSum<'a> = &'a dyn Fn(&[(Vec3, Vec3)]) -> Result<Vec<Xyz>>;
 
 /// The reference against the direct sum at the brightest directions of the first group: a grating is below the floor in most of
 /// them, and nothing can be compared there. `direct` gives the direct sum's XYZ at pairs of directions.

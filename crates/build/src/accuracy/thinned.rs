@@ -92,6 +92,7 @@ mod tests {
         wavelength_nm: [380.0, 780.0],
         sigma_nm: 600.0,
         lobe_sigma_nm: None,
+        source_deg: None,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Dielectric { n: 1.5 },

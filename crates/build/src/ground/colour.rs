@@ -4,9 +4,9 @@
 //!
 //! 1. XYZ times the exposure, then linear sRGB (Rec. 709 primaries, D65 white; no chromatic
 //!    adaptation, so a scene lit by illuminant A looks as orange as it is).
-//! 2. [`desaturate_into_gamut`]: diffraction makes colours no display can show. Those get the
+//! 2. Desaturation into the gamut: diffraction makes colours no display can show. Those get the
 //!    largest saturation that fits at the same Oklab hue and the same luminance.
-//! 3. [`compress_highlights`]: channels above [`HIGHLIGHT_START`] are rolled off towards 1, again
+//! 3. Compression of highlights: channels above `HIGHLIGHT_START`, 0.8, are rolled off towards 1, again
 //!    at constant hue; very bright colours turn pale as they do on film.
 //! 4. The sRGB transfer function and rounding to 8 bits, without dither.
 //!
@@ -18,10 +18,10 @@ use rayon::prelude::*;
 use diffraction_brdf::direction::Xyz;
 
 /// Linear sRGB, 1 being the display's white; may lie outside [0, 1] before gamut mapping.
-pub type LinearRgb = [f64; 3];
+pub(crate) type LinearRgb = [f64; 3];
 
 /// Linear channel value from which highlights are compressed; below it display is exact.
-pub const HIGHLIGHT_START: f64 = 0.8;
+pub(crate) const HIGHLIGHT_START: f64 = 0.8;
 
 /// How fast compressed highlights pale: the value of the Khronos PBR Neutral tone mapper.
 const HIGHLIGHT_PALING: f64 = 0.15;
@@ -81,11 +81,6 @@ pub fn xyz_to_linear_srgb(xyz: Xyz) -> LinearRgb {
     apply(&RGB_FROM_XYZ, xyz)
 }
 
-/// XYZ of linear sRGB, white having Y = 1.
-pub fn linear_srgb_to_xyz(rgb: LinearRgb) -> Xyz {
-    apply(&XYZ_FROM_RGB, rgb)
-}
-
 /// Relative luminance of linear sRGB.
 pub fn luminance(rgb: LinearRgb) -> f64 {
     let row = XYZ_FROM_RGB[1];
@@ -93,11 +88,11 @@ pub fn luminance(rgb: LinearRgb) -> f64 {
 }
 
 /// sRGB transfer function, linear to encoded, for [0, 1].
-pub fn srgb_encode(linear: f64) -> f64 {
+pub(crate) fn srgb_encode(linear: f64) -> f64 {
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055 }
 }
 
-/// Inverse of [`srgb_encode`].
+/// Inverse of sRGB's transfer function.
 pub fn srgb_decode(encoded: f64) -> f64 {
     if encoded <= 0.040_45 { encoded / 12.92 } else { libm::pow((encoded + 0.055) / 1.055, 2.4) }
 }
@@ -136,7 +131,7 @@ fn on_ray(ray: &HueRay, saturation: f64) -> LinearRgb {
 
 /// A colour with no negative channel: the given one, or else the most saturated one of the same
 /// Oklab hue and the same luminance. Without luminance it is black.
-pub fn desaturate_into_gamut(rgb: LinearRgb) -> LinearRgb {
+pub(crate) fn desaturate_into_gamut(rgb: LinearRgb) -> LinearRgb {
     if rgb.iter().all(|&c| c >= 0.0) {
         return rgb;
     }
@@ -172,7 +167,7 @@ fn with_luminance(rgb: LinearRgb, target: f64) -> LinearRgb {
 /// largest channel `p` becomes `p' = 1 - d² / (p + d - start)` with `d = 1 - start`, and the
 /// saturation shrinks by `1 / (1 + 0.15 (p - p'))`. There the paling mixes white in linear RGB,
 /// which turns blues purple; here it moves along constant hue. Expects channels >= 0.
-pub fn compress_highlights(rgb: LinearRgb) -> LinearRgb {
+pub(crate) fn compress_highlights(rgb: LinearRgb) -> LinearRgb {
     let peak = rgb[0].max(rgb[1]).max(rgb[2]);
     if peak <= HIGHLIGHT_START {
         return rgb;
@@ -189,7 +184,7 @@ pub fn compress_highlights(rgb: LinearRgb) -> LinearRgb {
 }
 
 /// What a display shows of an XYZ value: linear sRGB in [0, 1]. The input must be finite.
-pub fn display_rgb(xyz: Xyz, exposure: f64) -> LinearRgb {
+pub(crate) fn display_rgb(xyz: Xyz, exposure: f64) -> LinearRgb {
     let exposed = xyz.map(|c| c * exposure);
     compress_highlights(desaturate_into_gamut(xyz_to_linear_srgb(exposed)))
 }

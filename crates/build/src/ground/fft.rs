@@ -12,7 +12,7 @@ const BLOCK: usize = 8;
 /// `F[m][n] = Σ_j Σ_i f[j][i] exp(-2πi (m j / rows + n i / columns))`, for any size.
 ///
 /// The result does not depend on the number of threads: each line is transformed by itself.
-pub fn fft2(data: &mut Array2<Complex<f64>>) {
+pub(crate) fn fft2(data: &mut Array2<Complex<f64>>) {
     if data.is_empty() {
         return;
     }

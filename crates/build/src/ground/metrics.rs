@@ -31,7 +31,7 @@ pub struct ColourDifference {
 }
 
 /// The value at or below which the share `q` of a sorted, non-empty slice lies (nearest rank).
-pub fn quantile_of_sorted(sorted: &[f64], q: f64) -> f64 {
+pub(crate) fn quantile_of_sorted(sorted: &[f64], q: f64) -> f64 {
     let rank = (q * sorted.len() as f64).ceil() as usize;
     sorted[rank.clamp(1, sorted.len()) - 1]
 }

@@ -36,11 +36,15 @@ pub fn four(index: usize) -> [f64; 4] {
 pub enum Region {
     /// Both directions uniform in solid angle up to 85°.
     Hemisphere,
-    /// Within 5° of the mirror direction.
+    /// Within [`NEAR_DEG`] of the mirror direction, or further where a lobe reaches further.
     NearSpecular,
     /// At least one direction between 75° and 89°.
     Grazing,
 }
+
+/// How far directions near the mirror direction lie from it in degrees, in polar angle and azimuth each; more where a
+/// lobe is wider.
+pub const NEAR_DEG: f64 = 5.0;
 
 impl Region {
     /// All regions.
@@ -63,10 +67,6 @@ pub fn direction_pairs(region: Region, count: usize) -> Vec<(Vec3, Vec3)> {
 
 /// Pairs of a region's list from one place to another.
 pub fn direction_pairs_in(region: Region, places: std::ops::Range<usize>) -> Vec<(Vec3, Vec3)> {
-    let theta = |share: f64, low_deg: f64, high_deg: f64| {
-        let (low, high) = (low_deg.to_radians().cos(), high_deg.to_radians().cos());
-        (low + share * (high - low)).acos().to_degrees()
-    };
     places
         .map(|index| {
             let [a, b, c, d] = four(index);
@@ -75,13 +75,7 @@ pub fn direction_pairs_in(region: Region, places: std::ops::Range<usize>) -> Vec
                 Region::Hemisphere => {
                     (from_angles_deg(theta(a, 0.0, 85.0), phi_i), from_angles_deg(theta(c, 0.0, 85.0), 360.0 * d))
                 }
-                Region::NearSpecular => {
-                    let theta_i = theta(a, 0.0, 80.0);
-                    let tilt = 5.0 * (c - 0.5) * 2.0;
-                    let turn = 5.0 * (d - 0.5) * 2.0;
-                    let wo = from_angles_deg((theta_i + tilt).clamp(0.0, 85.0), phi_i + 180.0 + turn);
-                    (from_angles_deg(theta_i, phi_i), wo)
-                }
+                Region::NearSpecular => near_specular(NEAR_DEG, theta(a, 0.0, 80.0), phi_i, [c, d]),
                 Region::Grazing => {
                     let wi = from_angles_deg(theta(a, 75.0, 89.0), phi_i);
                     (wi, from_angles_deg(theta(c, 0.0, 89.0), 360.0 * d))
@@ -89,6 +83,29 @@ pub fn direction_pairs_in(region: Region, places: std::ops::Range<usize>) -> Vec
             }
         })
         .collect()
+}
+
+/// Pairs of [`Region::NearSpecular`] up to so many degrees from the mirror direction, from one place of their list to another.
+pub fn near_specular_pairs(within_deg: f64, places: std::ops::Range<usize>) -> Vec<(Vec3, Vec3)> {
+    let at = |index| {
+        let [a, b, c, d] = four(index);
+        near_specular(within_deg, theta(a, 0.0, 80.0), 360.0 * b, [c, d])
+    };
+    places.map(at).collect()
+}
+
+/// Degrees of a polar angle at a share of the solid angle between two.
+fn theta(share: f64, low_deg: f64, high_deg: f64) -> f64 {
+    let (low, high) = (low_deg.to_radians().cos(), high_deg.to_radians().cos());
+    (low + share * (high - low)).acos().to_degrees()
+}
+
+/// A pair of which one direction lies off the mirror of the other, by shares of a reach in polar angle and azimuth.
+fn near_specular(within_deg: f64, theta_i: f64, phi_i: f64, [c, d]: [f64; 2]) -> (Vec3, Vec3) {
+    let [tilt, turn] = [c, d].map(|share| within_deg * (share - 0.5) * 2.0);
+    // What would lie beyond 85° comes back, and what would pass the normal goes on upon its other side.
+    let theta_o = if theta_i + tilt > 85.0 { 170.0 - theta_i - tilt } else { theta_i + tilt };
+    (from_angles_deg(theta_i, phi_i), from_angles_deg(theta_o, phi_i + 180.0 + turn))
 }
 
 #[cfg(test)]
@@ -127,5 +144,18 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn directions_near_the_mirror_reach_as_far_as_they_are_told() {
+        assert_eq!(near_specular_pairs(NEAR_DEG, 7..90), direction_pairs_in(Region::NearSpecular, 7..90));
+        let farthest = |within_deg: f64| {
+            let offset = |(wi, wo): (Vec3, Vec3)| {
+                assert!(wo[2] > 84.9999f64.to_radians().cos() - 1e-6, "{wo:?}");
+                (wi[0] + wo[0]).hypot(wi[1] + wo[1])
+            };
+            near_specular_pairs(within_deg, 0..2000).into_iter().map(offset).fold(0.0, f64::max)
+        };
+        assert!(farthest(5.0) < 0.13 && farthest(20.0) > 0.3 && farthest(90.0) > 1.2);
     }
 }

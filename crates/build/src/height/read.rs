@@ -49,7 +49,7 @@ pub fn read_scan(path: &Path, config: &ReadConfig) -> Result<Scan> {
     scan_from_bytes(path, &bytes, config)
 }
 
-/// [`read_scan`] for bytes already in memory; `path` serves messages and the file's name.
+/// [`read_scan`] for bytes already in memory; `path` is for messages and the file's name.
 ///
 /// # Errors
 /// As [`read_scan`], without [`Error::Disk`].

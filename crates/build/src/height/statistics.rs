@@ -18,10 +18,11 @@ pub use periods::Period;
 pub use repetition::is_whole_grating;
 pub use seams::seam_warning;
 pub use slopes::STEEP_SLOPE;
-pub use wave_scale::{wall_share, wave_slope, wave_slope_max, wavelength_told_nm};
+pub use wave_scale::{wall_share, wave_slope};
+pub(crate) use wave_scale::{wave_slope_max, wavelength_told_nm};
 
 /// Share of surface that rises too much between samples from which on the reader is warned.
-pub const AMBIGUOUS_SHARE_WARNED: f64 = 0.01;
+pub(crate) const AMBIGUOUS_SHARE_WARNED: f64 = 0.01;
 
 /// Statistics of a height field.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

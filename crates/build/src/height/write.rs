@@ -25,11 +25,11 @@ pub fn write_scan_tiff(path: &Path, field: &HeightField) -> Result<()> {
     files::replace(path, &scan_tiff(path, field)?)
 }
 
-/// The bytes of [`write_scan_tiff`]; `path` serves messages.
+/// The bytes of [`write_scan_tiff`]; `path` is for messages.
 ///
 /// # Errors
 /// As [`write_scan_tiff`], without [`Error::Disk`].
-pub fn scan_tiff(path: &Path, field: &HeightField) -> Result<Vec<u8>> {
+pub(crate) fn scan_tiff(path: &Path, field: &HeightField) -> Result<Vec<u8>> {
     let refuse = |what: String, fix: &str| Err(Error::limit(format!("{}: {what}", path.display()), fix));
     let [nx, ny] = field.size();
     let (Ok(width), Ok(height)) = (u32::try_from(nx), u32::try_from(ny)) else {

@@ -4,6 +4,7 @@ pub use diffraction_brdf::front_factor::Factor;
 use diffraction_brdf::front_factor::FrontFactor;
 pub use diffraction_brdf::material::Material;
 
+use super::coherence::{Coherence, source_sigma_nm};
 use super::dispersive::Dispersive;
 use crate::height::HeightField;
 use crate::height::statistics::is_whole_grating;
@@ -40,11 +41,16 @@ pub struct OpticsConfig {
     /// First and last wavelength in nm; ignored for laser lines.
     pub wavelength_nm: [f64; 2],
     /// Standard deviation of the coherence window's amplitude in nm: of the light's, or with `Edge::Auto` of as much of it as
-    /// the scan resolves.
+    /// the scan resolves. Under a source of fixed size the largest over the light's wavelengths.
     pub sigma_nm: f64,
-    /// That of the light, where the scan resolves less: it shapes the coherent lobe alone.
+    /// That of the light, where the scan resolves less: it shapes the coherent lobe alone. Under a source of fixed size the
+    /// largest over the light's wavelengths.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lobe_sigma_nm: Option<f64>,
+    /// Angular diameter of the light's source in degrees, where that sets the coherence: its window then grows with the
+    /// wavelength ([`source_sigma_nm`]), and only the mean over all positions of a repeated scan takes it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source_deg: Option<f64>,
     /// What lies beyond the scan's edge.
     pub edge: Edge,
     /// Which window positions are averaged.
@@ -80,9 +86,54 @@ pub fn smallest_side_nm(field: &HeightField) -> f64 {
 }
 
 impl OpticsConfig {
-    /// Standard deviation in nm of the light's coherence window.
+    /// An ideal reflector under the scalar factor, seen at 380 to 780 nm: whatever else it is can be set by struct update,
+    /// `OpticsConfig { material, ..OpticsConfig::ideal(illuminant, sigma_nm, edge, windows) }`.
+    pub fn ideal(illuminant: Illuminant, sigma_nm: f64, edge: Edge, windows: Windows) -> Self {
+        Self {
+            illuminant,
+            wavelength_nm: [380.0, 780.0],
+            sigma_nm,
+            lobe_sigma_nm: None,
+            source_deg: None,
+            edge,
+            windows,
+            material: Material::Ideal,
+            dispersion: None,
+            shadowing: false,
+            factor: Factor::Scalar,
+        }
+    }
+
+    /// Standard deviation in nm of the light's coherence window; under a source of fixed size the largest over its
+    /// wavelengths.
     pub fn lobe_sigma_nm(&self) -> f64 {
         self.lobe_sigma_nm.unwrap_or(self.sigma_nm)
+    }
+
+    /// The light's coherence, which shapes the lobe.
+    pub fn lobe_coherence(&self) -> Coherence {
+        self.source_deg.map_or(Coherence::constant(self.lobe_sigma_nm()), Coherence::of_source)
+    }
+
+    /// As much of it as the scan resolves, which shapes everything else.
+    pub fn body_coherence(&self) -> Coherence {
+        match (self.source_deg, self.lobe_sigma_nm) {
+            (None, _) => Coherence::constant(self.sigma_nm),
+            (Some(source_deg), None) => Coherence::of_source(source_deg),
+            (Some(source_deg), Some(_)) => Coherence::of_source(source_deg).at_most(self.sigma_nm),
+        }
+    }
+
+    /// Smallest standard deviation in nm of the body's window over the light's wavelengths.
+    pub fn least_sigma_nm(&self) -> f64 {
+        self.body_coherence().sigma_nm_at(self.illuminant.reach_nm(self.wavelength_nm)[0])
+    }
+
+    /// The same under a source of this angular diameter in degrees.
+    pub fn with_source(&self, source_deg: f64) -> Self {
+        let longest_nm = self.illuminant.reach_nm(self.wavelength_nm)[1];
+        let sigma_nm = source_sigma_nm(source_deg, longest_nm);
+        Self { sigma_nm, lobe_sigma_nm: None, source_deg: Some(source_deg), ..self.clone() }
     }
 
     /// The same for these scans: with `Edge::Auto` the diffuse part takes no more of the coherence than the smallest of them
@@ -90,9 +141,9 @@ impl OpticsConfig {
     /// repetition is the grating. Every line of the repeated scan is then blurred into its neighbours, and
     /// what is left of the gaps between lines is [`ripple`].
     pub fn for_scans(&self, fields: &[HeightField]) -> Self {
-        let mut optics = self.clone();
+        let mut optics = self.source_deg.map_or_else(|| self.clone(), |source_deg| self.with_source(source_deg));
         if self.edge == Edge::Auto {
-            let light_nm = self.lobe_sigma_nm();
+            let light_nm = optics.lobe_sigma_nm();
             let told_nm = fields.iter().filter(|field| !is_whole_grating(field)).map(smallest_side_nm);
             optics.sigma_nm = told_nm.map(|side_nm| side_nm / TILE_SIGMAS).fold(light_nm, f64::min);
             optics.lobe_sigma_nm = (optics.sigma_nm < light_nm).then_some(light_nm);

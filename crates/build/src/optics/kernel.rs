@@ -34,7 +34,7 @@ pub enum Kernel {
 
 /// The taps that interpolate a list of frequencies along one axis.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Taps {
+pub(crate) struct Taps {
     /// Taps per frequency.
     pub count: usize,
     /// Grid line of the first tap of each frequency.
@@ -99,29 +99,30 @@ impl Kernel {
         }
     }
 
-    /// Weights for `L` frequencies (1/nm) of all the lines that any of them reads, in double precision, zero where one
-    /// does not read, and the first line's index. Lines are `step` (1/nm) apart.
+    /// Weights for `L` frequencies (1/nm), each with a kernel of its own, of all the lines that any of them reads, in double
+    /// precision, zero where one does not read, and the first line's index. Lines are `step` (1/nm) apart.
     ///
     /// Along lines a Gaussian changes by a factor that itself changes by a constant factor: three exponentials give them
     /// all, and after `n` lines rounding is at most about `n²` times 1e-16.
     pub(super) fn line_weights<const L: usize>(
-        &self,
+        kernels: [Self; L],
         frequency: [f64; L],
         step: f64,
         weights: &mut Vec<[f64; L]>,
     ) -> i64 {
-        let half = self.half_width(step, 0.0) / step;
-        let count = (2.0 * half).ceil().max(1.0) as usize;
-        let firsts = frequency.map(|frequency| (frequency / step - half).ceil() as i64);
-        let [low, high] = firsts.iter().fold([i64::MAX, i64::MIN], |[low, high], &i| [low.min(i), high.max(i)]);
+        let halves = kernels.map(|kernel| kernel.half_width(step, 0.0) / step);
+        let counts = halves.map(|half| (2.0 * half).ceil().max(1.0) as usize);
+        let firsts: [i64; L] = std::array::from_fn(|i| (frequency[i] / step - halves[i]).ceil() as i64);
+        let low = firsts.into_iter().min().unwrap_or(0);
+        let end = firsts.into_iter().zip(counts).map(|(first, count)| first + count as i64).max().unwrap_or(low);
         weights.clear();
-        weights.resize((high - low) as usize + count, [0.0; L]);
-        for (i, first) in firsts.into_iter().enumerate() {
+        weights.resize((end - low) as usize, [0.0; L]);
+        for (i, (first, kernel)) in firsts.into_iter().zip(kernels).enumerate() {
             // Lines from the first one to the frequency.
             let distance = frequency[i] / step - first as f64;
-            let own = weights[(first - low) as usize..].iter_mut().take(count).map(|weights| &mut weights[i]);
-            let value = |lines: f64| self.value(lines * step, step, 0.0);
-            let rate = match *self {
+            let own = weights[(first - low) as usize..].iter_mut().take(counts[i]).map(|weights| &mut weights[i]);
+            let value = |lines: f64| kernel.value(lines * step, step, 0.0);
+            let rate = match kernel {
                 Self::Semicircle => {
                     own.enumerate().for_each(|(tap, weight)| *weight = value(distance - tap as f64));
                     continue;
@@ -141,7 +142,7 @@ impl Kernel {
     }
 
     /// Taps for a list of frequencies (1/nm) on lines `step` apart.
-    pub fn taps(&self, frequencies: &[f64], step: f64, box_width: f64) -> Taps {
+    pub(crate) fn taps(&self, frequencies: &[f64], step: f64, box_width: f64) -> Taps {
         let half = self.half_width(step, box_width) / step;
         // Half-open: at most this many lines lie within one kernel width.
         let count = (2.0 * half).ceil().max(1.0) as usize;
@@ -197,7 +198,7 @@ mod tests {
             for kernel in kernels {
                 let frequencies = [0.0, 1.234e-4, 1.3e-4, -7.7e-5];
                 let mut found = Vec::new();
-                let first = kernel.line_weights(frequencies, step, &mut found);
+                let first = Kernel::line_weights([kernel; 4], frequencies, step, &mut found);
                 let half = kernel.half_width(step, 0.0);
                 for (i, frequency) in frequencies.into_iter().enumerate() {
                     let mut lines = 0;

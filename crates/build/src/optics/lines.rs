@@ -7,6 +7,7 @@
 
 use rustfft::num_complex::Complex;
 
+use super::kernel::Kernel;
 use super::spectra::{LineCounts, Spectra};
 
 /// Points at a time.
@@ -22,6 +23,8 @@ pub struct Point {
     pub frequency: [f64; 2],
     /// Phase scale `s = k |w|` in 1/nm.
     pub s: f64,
+    /// Wavelength in nm, which sets the window under a source of fixed size.
+    pub wavelength_nm: f64,
 }
 
 /// Which part of a window's power.
@@ -35,7 +38,7 @@ pub enum Part {
 
 /// A window's power at a point, without cancellation however small `s` is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WindowPower {
+pub(crate) struct WindowPower {
     /// `|c G̃|² / A`; 0 where only the diffuse part is asked for.
     pub coherent: f64,
     /// What is left of `|P|² / A`: the diffuse part and its cross term with the coherent one; `|E|² / A` where only the diffuse
@@ -77,7 +80,7 @@ pub fn lines_fetched(counts: &LineCounts, distance: [f64; 2]) -> (f64, usize) {
 impl Spectra {
     /// Calls `found` with the index and the power of each of `count` points, in order: straight from the transforms, the
     /// slow path against which grid and basis are measured. Fast where points that follow each other lie close.
-    pub fn powers(
+    pub(crate) fn powers(
         &self,
         part: Part,
         count: usize,
@@ -116,10 +119,12 @@ impl Spectra {
         let s = points.map(|point| point.s);
         self.over_phase.weights_of(s, &mut weights.nodes);
         let frequency = [0, 1].map(|axis| points.map(|point| point.frequency[axis]));
+        let nm = points.map(|point| point.wavelength_nm);
+        let kernels = nm.map(|nm| self.kernel_at(nm));
         let coherent = match part {
             Part::Diffuse => [Complex::default(); L],
             Part::Total => {
-                let [x, y] = [0, 1].map(|axis| self.window_transforms(axis, frequency[axis]));
+                let [x, y] = [0, 1].map(|axis| self.window_transforms(axis, frequency[axis], nm));
                 let mean = self.mean_phasors(&weights.nodes);
                 std::array::from_fn(|i| mean[i] * x[i] * y[i])
             }
@@ -129,14 +134,14 @@ impl Spectra {
             Part::Total => s,
         };
         if self.mean_power {
-            let [power] = self
-                .sums_over_lines(frequency, weights, |re, im| [std::array::from_fn(|i| re[i] * re[i] + im[i] * im[i])]);
+            let power_of = |re: [f64; L], im: [f64; L]| [std::array::from_fn(|i| re[i] * re[i] + im[i] * im[i])];
+            let [power] = self.sums_over_lines(kernels, frequency, weights, power_of);
             std::array::from_fn(|i| WindowPower {
                 coherent: coherent[i].norm_sqr(),
                 rest: scale[i] * scale[i] * power[i],
             })
         } else {
-            let [re, im] = self.sums_over_lines(frequency, weights, |re, im| [re, im]);
+            let [re, im] = self.sums_over_lines(kernels, frequency, weights, |re, im| [re, im]);
             std::array::from_fn(|i| {
                 let rest = Complex::new(re[i], im[i]) * scale[i];
                 let cross = 2.0 * (coherent[i].conj() * rest).re;
@@ -159,13 +164,14 @@ impl Spectra {
     #[inline(always)]
     fn sums_over_lines<const L: usize, const N: usize>(
         &self,
+        kernels: [Kernel; L],
         frequency: [[f64; L]; 2],
         weights: &mut Weights<L>,
         numbers: impl Fn([f64; L], [f64; L]) -> [[f64; L]; N],
     ) -> [[f64; L]; N] {
         let Weights { nodes: node_weights, lines: [along_x, along_y] } = weights;
-        let first_column = self.stored_lines(0, frequency[0], along_x);
-        let first_row = self.stored_lines(1, frequency[1], along_y);
+        let first_column = self.stored_lines(0, kernels, frequency[0], along_x);
+        let first_row = self.stored_lines(1, kernels, frequency[1], along_y);
         let mut sums = [[0.0; L]; N];
         for (row, row_weights) in (first_row..).zip(&*along_y) {
             let start = (row * self.lines[0] + first_column) * self.nodes;
@@ -182,8 +188,14 @@ impl Spectra {
 
     /// Weights of the stored lines along one axis that points read, and the index of the first; what lies outside of what
     /// is stored is left out.
-    fn stored_lines<const L: usize>(&self, axis: usize, frequency: [f64; L], weights: &mut Vec<[f64; L]>) -> usize {
-        let first = self.kernel.line_weights(frequency, self.step[axis], weights) - i64::from(self.first[axis]);
+    fn stored_lines<const L: usize>(
+        &self,
+        axis: usize,
+        kernels: [Kernel; L],
+        frequency: [f64; L],
+        weights: &mut Vec<[f64; L]>,
+    ) -> usize {
+        let first = Kernel::line_weights(kernels, frequency, self.step[axis], weights) - i64::from(self.first[axis]);
         let skipped = usize::try_from(-first).unwrap_or(0).min(weights.len());
         weights.drain(..skipped);
         let first = usize::try_from(first).unwrap_or(0).min(self.lines[axis]);
@@ -219,30 +231,20 @@ fn add_products<const L: usize, const N: usize>(sums: &mut [[f64; L]; N], number
 mod tests {
     use super::*;
     use crate::height::HeightField;
-    use crate::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+    use crate::optics::config::{Edge, OpticsConfig, Windows};
     use crate::optics::spectra::{SpectraConfig, transform};
     use crate::optics::window::Placement;
     use diffraction_brdf::spectrum::Illuminant;
     use ndarray::Array2;
 
     const SIGMA_NM: f64 = 300.0;
+    const NM: f64 = 500.0;
 
     /// Transforms of a rough surface of 24 by 20 samples, for frequencies up to 2e-3 /nm.
     fn spectra(placement: Placement) -> Spectra {
         let height = |(row, column): (usize, usize)| ((row * 37 + column * 101 + row * column * 13) % 64) as f64 * 4.0;
         let field = HeightField { heights_nm: Array2::from_shape_fn((20, 24), height), pitch_nm: [110.0, 90.0] };
-        let optics = OpticsConfig {
-            illuminant: Illuminant::E,
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: SIGMA_NM,
-            lobe_sigma_nm: None,
-            edge: Edge::Tile,
-            windows: Windows::Grid,
-            material: Material::Ideal,
-            dispersion: None,
-            shadowing: false,
-            factor: Factor::Scalar,
-        };
+        let optics = OpticsConfig::ideal(Illuminant::E, SIGMA_NM, Edge::Tile, Windows::Grid);
         let config = SpectraConfig {
             phase_scale_per_nm: [0.0, 0.033],
             frequency: [[-2e-3, 2e-3]; 2],
@@ -276,7 +278,10 @@ mod tests {
                 power += e.norm_sqr() * x * y;
             }
         }
-        let window: f64 = [0, 1].map(|axis| spectra.window_transform(axis, point.frequency[axis])).iter().product();
+        let window: f64 = [0, 1]
+            .map(|axis| spectra.window_transform(axis, point.frequency[axis], point.wavelength_nm))
+            .iter()
+            .product();
         let coherent = spectra.mean_phasor_at(point.s) * window;
         match (part, spectra.mean_power) {
             (Part::Diffuse, true) => power,
@@ -289,7 +294,7 @@ mod tests {
     /// Points along a line through the origin, as the wavelengths of two directions are.
     fn ray(count: usize, step: f64, towards: [f64; 2]) -> Vec<Point> {
         let at = |i: usize| 8e-4 + i as f64 * step;
-        (0..count).map(|i| Point { frequency: towards.map(|f| f * at(i)), s: 9.0 * at(i) }).collect()
+        (0..count).map(|i| Point { frequency: towards.map(|f| f * at(i)), s: 9.0 * at(i), wavelength_nm: NM }).collect()
     }
 
     #[test]
@@ -297,13 +302,23 @@ mod tests {
         let inside = Placement::Inside { centre_nm: [40.0, -70.0] };
         for placement in [Placement::TileMean, Placement::TileCentre, inside] {
             let spectra = spectra(placement);
-            let node = Point { frequency: [2e-4, -1e-4], s: spectra.over_phase.nodes()[2] };
+            let node = Point { frequency: [2e-4, -1e-4], s: spectra.over_phase.nodes()[2], wavelength_nm: NM };
             let cases = [
                 // Close together and a number that four does not divide; two for each of many phase scales.
                 (true, ray(11, 1e-5, [1.0, -0.6])),
-                (true, (0..6).map(|i| Point { frequency: [-3e-4, 4e-4], s: 0.005 * f64::from(i) }).collect()),
+                (
+                    true,
+                    (0..6)
+                        .map(|i| Point { frequency: [-3e-4, 4e-4], s: 0.005 * f64::from(i), wavelength_nm: NM })
+                        .collect(),
+                ),
                 // Far apart, and one alone.
-                (false, (0..7).map(|i| Point { frequency: [1.8e-3 * f64::from(i % 3 - 1); 2], s: 0.01 }).collect()),
+                (
+                    false,
+                    (0..7)
+                        .map(|i| Point { frequency: [1.8e-3 * f64::from(i % 3 - 1); 2], s: 0.01, wavelength_nm: NM })
+                        .collect(),
+                ),
                 (false, ray(1, 0.0, [-0.3, 0.1])),
                 // At a node; beyond what is stored, by half and wholly.
                 (true, vec![node; 3]),
@@ -340,7 +355,8 @@ mod tests {
                     }
                 }
             }
-            let [a, b] = [9e-4, 9.001e-4].map(|at| Point { frequency: [at, -0.6 * at], s: 9.0 * at });
+            let [a, b] =
+                [9e-4, 9.001e-4].map(|at| Point { frequency: [at, -0.6 * at], s: 9.0 * at, wavelength_nm: NM });
             let [a, b] = [a, b].map(|point| plain(&spectra, Part::Total, point));
             assert!((a - b).abs() > 1e-7 * a, "a ten-thousandth of a wavelength shows");
         }
@@ -355,7 +371,7 @@ mod tests {
             stored: spectra.lines,
             read: [0, 1].map(|axis| {
                 let mut weights = Vec::new();
-                spectra.kernel.line_weights([0.0], spectra.step[axis], &mut weights);
+                Kernel::line_weights([spectra.kernel], [0.0], spectra.step[axis], &mut weights);
                 weights.len()
             }),
             samples: [24, 20],
@@ -366,7 +382,12 @@ mod tests {
             let points: [Point; FOUR] = points.try_into().unwrap();
             let fetched: [usize; 2] = [0, 1].map(|axis| {
                 let mut weights = Vec::new();
-                spectra.stored_lines(axis, points.map(|point| point.frequency[axis]), &mut weights);
+                spectra.stored_lines(
+                    axis,
+                    [spectra.kernel; FOUR],
+                    points.map(|point| point.frequency[axis]),
+                    &mut weights,
+                );
                 weights.len()
             });
             let (lines, sums) = lines_fetched(&counts, [0.3 * step, 0.2 * step]);

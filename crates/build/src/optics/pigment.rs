@@ -117,22 +117,10 @@ fn band_shares(rgb: [f64; 3]) -> Result<[f64; 3]> {
 mod tests {
     use super::*;
     use crate::optics::config::{Edge, Windows};
-    use diffraction_brdf::front_factor::Factor;
     use std::f64::consts::PI;
 
     fn optics(illuminant: Illuminant, material: Material) -> OpticsConfig {
-        OpticsConfig {
-            illuminant,
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: 4000.0,
-            lobe_sigma_nm: None,
-            edge: Edge::Tile,
-            windows: Windows::Grid,
-            material,
-            dispersion: None,
-            shadowing: false,
-            factor: Factor::Scalar,
-        }
+        OpticsConfig { material, ..OpticsConfig::ideal(illuminant, 4000.0, Edge::Tile, Windows::Grid) }
     }
 
     const KERATIN: Material = Material::Dielectric { n: 1.56 };

@@ -10,6 +10,7 @@ use std::f64::consts::{PI, TAU};
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
+use super::coherence::Coherence;
 use super::config::OpticsConfig;
 use super::factors::PairFactors;
 use super::kernel::Kernel;
@@ -43,7 +44,7 @@ pub const PICTURE_STEP: WavenumberStep = WavenumberStep { of_width: 0.7, fewest:
 ///
 /// # Errors
 /// `Error::Call` if the light is invisible.
-pub fn resolving_wavelengths(
+pub(crate) fn resolving_wavelengths(
     optics: &OpticsConfig,
     q: Vec3,
     half_range_nm: f64,
@@ -52,7 +53,7 @@ pub fn resolving_wavelengths(
     uniform_wavenumbers(&optics.illuminant, optics.wavelength_nm, resolving_count(optics, q, half_range_nm, step))
 }
 
-/// How many wavelengths [`resolving_wavelengths`] gives. Rounded up to five binary digits: directions share
+/// How many wavelengths, evenly spread in `1/λ`, resolve the spectrum of a pair of directions. Rounded up to five binary digits: directions share
 /// few numbers then, and with them the quadratures, whose weights cost more than the sums they weigh.
 ///
 /// As a function of `1/λ`, `|P|²` consists of waves at the lags `ρ Δx + |w| Δh` between two points of the surface. The
@@ -189,18 +190,18 @@ fn window_powers(
     wavelengths_nm: &[f64],
 ) -> Vec<[f64; 2]> {
     let lobe = Lobe::new(field, placement, optics);
-    let rest_and_lines = line_powers(field, placement, optics.sigma_nm, factors.q, wavelengths_nm);
+    let rest_and_lines = line_powers(field, placement, optics, factors.q, wavelengths_nm);
     let phasors2 = lobe.mean_phasors2(field, factors, wavelengths_nm);
     let parts = rest_and_lines.into_iter().zip(phasors2).zip(wavelengths_nm);
     parts
         .map(|((lines, phasor2), nm)| {
             // All lines of a repeated scan end where their kernel does, the one in the middle too.
             let ends = placement == Placement::TileMean && !lines.reads_middle;
-            let form_nm2 = if ends { 0.0 } else { lobe.power_nm2([factors.q[0] / nm, factors.q[1] / nm]) };
+            let form_nm2 = if ends { 0.0 } else { lobe.power_nm2([factors.q[0] / nm, factors.q[1] / nm], *nm) };
             let coherent = phasor2 * form_nm2;
             // The mean over all positions adds powers: the line in the middle is the coherent part, whatever blurs it.
             let rest = if placement == Placement::TileMean { lines.others } else { lines.all - coherent };
-            let image = factors.image_radius.map_or(0.0, |radius| phasor2 * lobe.closed_form_nm2(radius / nm));
+            let image = factors.image_radius.map_or(0.0, |radius| phasor2 * lobe.closed_form_nm2(radius / nm, *nm));
             [rest, coherent + image]
         })
         .collect()
@@ -218,16 +219,18 @@ struct LinePowers {
 fn line_powers(
     field: &HeightField,
     placement: Placement,
-    sigma_nm: f64,
+    optics: &OpticsConfig,
     q: Vec3,
     wavelengths_nm: &[f64],
 ) -> Vec<LinePowers> {
     let size = field.size();
+    let coherence = optics.body_coherence();
     let axes: [WindowAxis; 2] =
-        std::array::from_fn(|axis| window_axis(placement, axis, size[axis], field.pitch_nm[axis], sigma_nm));
+        std::array::from_fn(|axis| window_axis(placement, axis, size[axis], field.pitch_nm[axis], optics.sigma_nm));
     let weights: [Vec<AxisWeights>; 2] = std::array::from_fn(|axis| {
-        let along = Along { axis: &axes[axis], count: size[axis], pitch_nm: field.pitch_nm[axis], sigma_nm };
-        wavelengths_nm.iter().map(|nm| axis_weights(placement, &along, q[axis] / nm)).collect()
+        let (axis_samples, count, pitch_nm) = (&axes[axis], size[axis], field.pitch_nm[axis]);
+        let along = |nm: f64| Along { axis: axis_samples, count, pitch_nm, sigma_nm: coherence.sigma_nm_at(nm) };
+        wavelengths_nm.iter().map(|nm| axis_weights(placement, &along(*nm), q[axis] / nm)).collect()
     });
     let amplitudes = phasor_sums(field, &axes, &weights, q[2], wavelengths_nm);
     let of_lines = |lines: &Vec<Complex<f64>>, x: &AxisWeights, y: &AxisWeights| {
@@ -248,7 +251,9 @@ struct Lobe {
     axes: [WindowAxis; 2],
     /// The light's standard deviation in nm where the form is its Gaussian; `None` for the samples of a window inside the scan.
     gaussian_nm: Option<f64>,
+    /// That of the axes.
     sigma_nm: f64,
+    coherence: Coherence,
 }
 
 impl Lobe {
@@ -256,13 +261,13 @@ impl Lobe {
         let sigma_nm = optics.lobe_sigma_nm();
         let axes = [0, 1].map(|axis| window_axis(placement, axis, field.size()[axis], field.pitch_nm[axis], sigma_nm));
         let inside = matches!(placement, Placement::Inside { .. });
-        Self { axes, gaussian_nm: (!inside).then_some(sigma_nm), sigma_nm }
+        Self { axes, gaussian_nm: (!inside).then_some(sigma_nm), sigma_nm, coherence: optics.lobe_coherence() }
     }
 
     /// `|c|²` at each wavelength, 0 where neither the lobe nor its image reaches the direction.
     fn mean_phasors2(&self, field: &HeightField, factors: &PairFactors, wavelengths_nm: &[f64]) -> Vec<f64> {
         let [u, v, w] = factors.q;
-        let reach = |nm: f64| (-(TAU * self.sigma_nm * u.hypot(v) / nm).powi(2)).exp() > LOBE_LEAST;
+        let reach = |nm: f64| (-(TAU * self.coherence.sigma_nm_at(nm) * u.hypot(v) / nm).powi(2)).exp() > LOBE_LEAST;
         let [x, y] = &self.axes;
         let of = |nm: &f64| {
             if !reach(*nm) {
@@ -281,17 +286,18 @@ impl Lobe {
     }
 
     /// `|G̃|² / A` in nm² at a frequency in 1/nm.
-    fn power_nm2(&self, frequency: [f64; 2]) -> f64 {
+    fn power_nm2(&self, frequency: [f64; 2], wavelength_nm: f64) -> f64 {
         match self.gaussian_nm {
-            Some(_) => self.closed_form_nm2(frequency[0].hypot(frequency[1])),
+            Some(_) => self.closed_form_nm2(frequency[0].hypot(frequency[1]), wavelength_nm),
             None => (0..2).map(|axis| self.axes[axis].transforms([frequency[axis]])[0].powi(2)).product(),
         }
     }
 
     /// `(∬ g)²/A exp(-(2πσκ)²)` in nm² at a distance `κ` from the mirror direction in 1/nm.
-    fn closed_form_nm2(&self, distance_per_nm: f64) -> f64 {
+    fn closed_form_nm2(&self, distance_per_nm: f64, wavelength_nm: f64) -> f64 {
         let peak: f64 = self.axes.iter().map(|axis| axis.integral_nm.powi(2) / axis.norm_nm).product();
-        peak * (-(TAU * self.sigma_nm * distance_per_nm).powi(2)).exp()
+        let sigma_nm = self.coherence.sigma_nm_at(wavelength_nm);
+        peak * (sigma_nm / self.sigma_nm).powi(2) * (-(TAU * sigma_nm * distance_per_nm).powi(2)).exp()
     }
 }
 
@@ -490,8 +496,8 @@ impl Phasors {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optics::config::{Edge, Material, Windows};
-    use diffraction_brdf::front_factor::Factor;
+    use crate::optics::config::{Edge, Windows};
+
     use diffraction_brdf::spectrum::{SpectralQuadrature, uniform_wavelengths};
     use std::f64::consts::SQRT_2;
 
@@ -513,8 +519,8 @@ mod tests {
         let centres = (0..200).map(|i| 1.0 / (low_nm + (f64::from(i) + 0.5) / 200.0 * (high_nm - low_nm)));
         let pairs: Vec<[f64; 2]> = centres.map(|c| [&exact, &coarse].map(|q| luminance(q, c))).collect();
         let brightest = pairs.iter().map(|pair| pair[0]).fold(0.0, f64::max);
-        let lit = pairs.into_iter().filter(|pair| pair[0] > 1e-2 * brightest);
-        let mut errors: Vec<f64> = lit.map(|[exact, coarse]| (coarse / exact - 1.0).abs()).collect();
+        let bright = pairs.into_iter().filter(|pair| pair[0] > 1e-2 * brightest);
+        let mut errors: Vec<f64> = bright.map(|[exact, coarse]| (coarse / exact - 1.0).abs()).collect();
         errors.sort_by(f64::total_cmp);
         errors
     }
@@ -522,18 +528,7 @@ mod tests {
     #[test]
     fn one_line_errs_by_no_more_than_the_steps_say() {
         for illuminant in [Illuminant::D65, Illuminant::F(11)] {
-            let optics = OpticsConfig {
-                illuminant,
-                wavelength_nm: [380.0, 780.0],
-                sigma_nm: 8_000.0,
-                lobe_sigma_nm: None,
-                edge: Edge::Tile,
-                windows: Windows::Grid,
-                material: Material::Ideal,
-                dispersion: None,
-                shadowing: false,
-                factor: Factor::Scalar,
-            };
+            let optics = OpticsConfig::ideal(illuminant, 8_000.0, Edge::Tile, Windows::Grid);
             // The kinks of a lamp are sharper than daylight's.
             let in_pictures = if optics.illuminant == Illuminant::D65 { 1e-4 } else { 4e-4 };
             for (step, most) in [(FULL_STEP, 2e-6), (PICTURE_STEP, in_pictures)] {

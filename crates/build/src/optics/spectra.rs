@@ -13,6 +13,7 @@ use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 
+use super::coherence::Coherence;
 use super::config::OpticsConfig;
 use super::kernel::{Kernel, OVERSAMPLING, semicircle_transform};
 use super::window::{Placement, WindowAxis, window_axis};
@@ -57,20 +58,24 @@ pub struct Spectra {
     pub lines: [usize; 2],
     /// Distance of the lines in 1/nm.
     pub step: [f64; 2],
-    /// How the spectrum between the lines follows.
+    /// How the spectrum between the lines follows; at which wavelength a window that grows with it is narrowest.
     pub kernel: Kernel,
+    /// The window that blurs the lines of a repeated scan.
+    pub coherence: Coherence,
     /// Mean phasor `c` at each node.
     pub mean_phasor: Vec<Complex<f64>>,
-    /// `(∬ g)² / A` in nm²: the lobe's peak for `c = 1`.
+    /// `(∬ g)² / A` in nm² for the window of the next field: the lobe's peak for `c = 1`.
     pub lobe_peak_nm2: f64,
-    /// Standard deviation in nm of the light's coherence, which shapes the lobe.
+    /// Standard deviation in nm of the light's coherence, which shapes the lobe; the largest over its wavelengths.
     pub lobe_sigma_nm: f64,
+    /// The same at each wavelength.
+    pub lobe_coherence: Coherence,
     /// Half the range of the scan's heights in nm.
     pub half_range_nm: f64,
     /// Whether the lines' powers are averaged over all window positions.
     pub mean_power: bool,
     /// The window along x and y.
-    pub axes: [WindowAxis; 2],
+    pub(crate) axes: [WindowAxis; 2],
 }
 
 /// Share of its peak at which the lobe ends: where its table does.
@@ -207,7 +212,7 @@ pub(crate) fn check_memory(
     optics: &OpticsConfig,
     config: &SpectraConfig,
 ) -> Result<()> {
-    let (_, plans) = window_plan(field, placement, optics.sigma_nm, config.frequency);
+    let (_, plans) = window_plan(field, placement, optics.least_sigma_nm(), config.frequency);
     checked_values(&plans, nodes_for(field, config), config.memory_bytes).map(drop)
 }
 
@@ -251,7 +256,7 @@ pub fn transform(
     optics: &OpticsConfig,
     config: &SpectraConfig,
 ) -> Result<Spectra> {
-    let (kernel, plans) = window_plan(field, placement, optics.sigma_nm, config.frequency);
+    let (kernel, plans) = window_plan(field, placement, optics.least_sigma_nm(), config.frequency);
     let [s_min, s_max] = config.phase_scale_per_nm;
     let nodes = nodes_for(field, config);
     let values = checked_values(&plans, nodes, config.memory_bytes)?;
@@ -263,9 +268,11 @@ pub fn transform(
         lines: [plans[0].lines, plans[1].lines],
         step: [plans[0].step, plans[1].step],
         kernel,
+        coherence: optics.body_coherence(),
         mean_phasor: Vec::with_capacity(nodes),
         lobe_peak_nm2: lobe_peak_nm2(placement, &plans, optics),
         lobe_sigma_nm: optics.lobe_sigma_nm(),
+        lobe_coherence: optics.lobe_coherence(),
         half_range_nm: half_height_range_nm(field),
         mean_power: placement == Placement::TileMean,
         axes: [plans[0].window.clone(), plans[1].window.clone()],
@@ -414,27 +421,44 @@ impl Spectra {
         combined(&self.mean_phasor, &self.node_weights(s))
     }
 
+    /// How the spectrum between the lines follows at a wavelength.
+    pub(crate) fn kernel_at(&self, wavelength_nm: f64) -> Kernel {
+        match self.kernel {
+            Kernel::GaussianPower { .. } => {
+                Kernel::GaussianPower { sigma_nm: self.coherence.sigma_nm_at(wavelength_nm) }
+            }
+            kernel => kernel,
+        }
+    }
+
     /// `|c G̃|² / A` in nm² of the light's own window in closed form, at a distance from the mirror direction in 1/nm.
-    pub(crate) fn lobe_power_nm2(&self, distance_per_nm: f64, s: f64) -> f64 {
-        let shape = (-(TAU * self.lobe_sigma_nm * distance_per_nm).powi(2)).exp();
-        if shape < LOBE_LEAST { 0.0 } else { shape * self.lobe_peak_nm2 * self.mean_phasor_at(s).norm_sqr() }
+    pub(crate) fn lobe_power_nm2(&self, distance_per_nm: f64, s: f64, wavelength_nm: f64) -> f64 {
+        let sigma_nm = self.lobe_coherence.sigma_nm_at(wavelength_nm);
+        let shape = (-(TAU * sigma_nm * distance_per_nm).powi(2)).exp();
+        let peak_nm2 = self.lobe_peak_nm2 * (sigma_nm / self.lobe_sigma_nm).powi(2);
+        if shape < LOBE_LEAST { 0.0 } else { shape * peak_nm2 * self.mean_phasor_at(s).norm_sqr() }
     }
 
     /// Transform of the window along one axis at a frequency (1/nm), divided by the root of the axis'
     /// norm: `G̃ / sqrt(A)` is the product of both axes.
-    pub(crate) fn window_transform(&self, axis: usize, frequency: f64) -> f64 {
-        let [value] = self.window_transforms(axis, [frequency]);
+    pub(crate) fn window_transform(&self, axis: usize, frequency: f64, wavelength_nm: f64) -> f64 {
+        let [value] = self.window_transforms(axis, [frequency], [wavelength_nm]);
         value
     }
 
-    /// [`Self::window_transform`] at several frequencies.
-    pub(super) fn window_transforms<const L: usize>(&self, axis: usize, frequency: [f64; L]) -> [f64; L] {
+    /// [`Self::window_transform`] at several frequencies and wavelengths.
+    pub(super) fn window_transforms<const L: usize>(
+        &self,
+        axis: usize,
+        frequency: [f64; L],
+        wavelength_nm: [f64; L],
+    ) -> [f64; L] {
         match self.kernel {
             Kernel::Semicircle => self.axes[axis].transforms(frequency),
-            Kernel::GaussianAmplitude { .. } | Kernel::GaussianPower { .. } => {
-                let light = Kernel::GaussianAmplitude { sigma_nm: self.lobe_sigma_nm };
-                frequency.map(|frequency| light.value(frequency, 1.0, 0.0))
-            }
+            Kernel::GaussianAmplitude { .. } | Kernel::GaussianPower { .. } => std::array::from_fn(|i| {
+                let sigma_nm = self.lobe_coherence.sigma_nm_at(wavelength_nm[i]);
+                Kernel::GaussianAmplitude { sigma_nm }.value(frequency[i], 1.0, 0.0)
+            }),
         }
     }
 }

@@ -98,13 +98,13 @@ pub fn brdf_of_window(
     let at = |j: usize| point([u, v], w.abs(), wavelengths_nm[j]);
     spectra.powers(Part::Total, wavelengths_nm.len(), at, buffers, |j, power| {
         let nm = wavelengths_nm[j];
-        let image = factors.image_radius.map_or(0.0, |radius| spectra.lobe_power_nm2(radius / nm, at(j).s));
+        let image = factors.image_radius.map_or(0.0, |radius| spectra.lobe_power_nm2(radius / nm, at(j).s, nm));
         found(j, factors.brdf(nm, power.rest, power.coherent + image));
     });
 }
 
 /// `∫ S x̄ k² |E|² / (λ² A) dλ` of one window: the diffuse part alone, for several values of `w`.
-pub fn diffuse_power(spectra: &Spectra, quadrature: &SpectralQuadrature, uv: [f64; 2], w: &[f64]) -> Vec<Xyz> {
+pub(crate) fn diffuse_power(spectra: &Spectra, quadrature: &SpectralQuadrature, uv: [f64; 2], w: &[f64]) -> Vec<Xyz> {
     let SpectralQuadrature { wavelengths_nm, weights } = quadrature;
     let mut sums = vec![[0.0; 3]; w.len()];
     let places = |index: usize| (index / w.len(), index % w.len());
@@ -118,7 +118,7 @@ pub fn diffuse_power(spectra: &Spectra, quadrature: &SpectralQuadrature, uv: [f6
 }
 
 fn point(uv: [f64; 2], w: f64, wavelength_nm: f64) -> Point {
-    Point { frequency: uv.map(|u| u / wavelength_nm), s: TAU / wavelength_nm * w }
+    Point { frequency: uv.map(|u| u / wavelength_nm), s: TAU / wavelength_nm * w, wavelength_nm }
 }
 
 fn add(sum: &mut Xyz, weight: Xyz, power: f64) {
@@ -128,9 +128,9 @@ fn add(sum: &mut Xyz, weight: Xyz, power: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optics::config::{Edge, Material, Windows};
+    use crate::optics::config::{Edge, Windows};
     use diffraction_brdf::direction::wave_vector_change;
-    use diffraction_brdf::front_factor::Factor;
+
     use diffraction_brdf::spectrum::Illuminant;
     use ndarray::Array2;
 
@@ -148,18 +148,7 @@ mod tests {
             // A scan four times as wide as the window, whose lines lie farther apart than the scan's.
             (Edge::Fade, Windows::Centre, 400.0),
         ] {
-            let optics = OpticsConfig {
-                illuminant: Illuminant::D65,
-                wavelength_nm: [380.0, 780.0],
-                sigma_nm,
-                lobe_sigma_nm: None,
-                edge,
-                windows,
-                material: Material::Ideal,
-                dispersion: None,
-                shadowing: false,
-                factor: Factor::Scalar,
-            };
+            let optics = OpticsConfig::ideal(Illuminant::D65, sigma_nm, edge, windows);
             let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
             let own = |axis: usize| {
                 let [a, b] = [q[axis] / low_nm, q[axis] / high_nm];

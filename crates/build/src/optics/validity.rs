@@ -14,7 +14,7 @@ const WALL_LIMIT: f64 = 0.01;
 const WAVELENGTH_STEP_NM: f64 = 5.0;
 
 /// Slope over a quarter wavelength above which some order is to be expected off by two or more.
-pub fn slope_limit(material: Material, factor: Factor) -> f64 {
+pub(crate) fn slope_limit(material: Material, factor: Factor) -> f64 {
     match (material, factor) {
         (Material::Dielectric { .. }, Factor::Vector) => 0.40,
         (Material::Dielectric { .. }, Factor::Scalar) => 0.30,
@@ -27,12 +27,12 @@ fn conducts(material: Material) -> bool {
 }
 
 /// Whether the slopes are too steep at a wavelength in nm, whatever the angle of incidence.
-pub fn is_steep(field: &HeightField, wavelength_nm: f64, material: Material, factor: Factor) -> bool {
+pub(crate) fn is_steep(field: &HeightField, wavelength_nm: f64, material: Material, factor: Factor) -> bool {
     wave_slope(field, wavelength_nm) > slope_limit(material, factor)
 }
 
 /// Whether there are too many walls at a wavelength in nm for light more oblique than 45 degrees: on conductors alone.
-pub fn is_walled(field: &HeightField, wavelength_nm: f64, material: Material) -> bool {
+pub(crate) fn is_walled(field: &HeightField, wavelength_nm: f64, material: Material) -> bool {
     conducts(material) && wall_share(field, wavelength_nm) > WALL_LIMIT
 }
 

@@ -41,7 +41,8 @@ pub enum Placement {
 /// `Error::Limit` if the scan is smaller than `Edge::Fade` allows, or its samples lie further apart than
 /// [`PITCH_SIGMAS_MAX`].
 pub fn placements(field: &HeightField, optics: &OpticsConfig) -> Result<Vec<Placement>> {
-    check_pitch(field, optics.sigma_nm)?;
+    check_pitch(field, optics.least_sigma_nm())?;
+    check_source(optics)?;
     if optics.edge == Edge::Auto && optics.windows == Windows::Centre {
         return Err(Error::limit(
             "edge = \"auto\" is a mean over all positions of the window, and windows = \"centre\" asks for one",
@@ -105,6 +106,20 @@ pub fn speckle_deviation(windows: &[(usize, Placement)], sigma_nm: f64) -> f64 {
     windows.iter().map(of_window).sum::<f64>().sqrt() / windows.len().max(1) as f64
 }
 
+/// Refuses a window that changes with the wavelength where it stands somewhere on the scan: its samples would be others at
+/// every wavelength, and with them the transforms.
+fn check_source(optics: &OpticsConfig) -> Result<()> {
+    let is_mean = optics.edge != Edge::Fade && optics.windows == Windows::Grid;
+    if is_mean || optics.source_deg.is_none() {
+        return Ok(());
+    }
+    Err(Error::limit(
+        "a source of fixed size has another coherence window at each wavelength, which only the mean over all positions on a \
+         repeated scan takes",
+        "use coherence.edge = \"auto\" or \"tile\" with windows = \"grid\", or give coherence.sigma_um in place of source_deg",
+    ))
+}
+
 /// Refuses a window that falls between samples.
 fn check_pitch(field: &HeightField, sigma_nm: f64) -> Result<()> {
     let sampled = field.size().into_iter().zip(field.pitch_nm).filter(|(count, _)| *count > 1);
@@ -139,7 +154,7 @@ pub(crate) fn rms_within_nm(field: &HeightField, placement: Placement, sigma_nm:
 
 /// One axis of a window: its samples' positions and amplitudes. The window is the product of two axes.
 #[derive(Debug, Clone, PartialEq)]
-pub struct WindowAxis {
+pub(crate) struct WindowAxis {
     /// First sample of the scan that lies in the window.
     pub first: usize,
     /// Positions of the samples in nm from the window's centre, ascending for x, descending for y.
@@ -227,24 +242,12 @@ fn periodised(x: f64, period: f64, sigma: f64, gaussian: impl Fn(f64) -> f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optics::config::Material;
-    use diffraction_brdf::front_factor::Factor;
+
     use diffraction_brdf::spectrum::Illuminant;
     use ndarray::Array2;
 
     fn optics(sigma_nm: f64, windows: Windows) -> OpticsConfig {
-        OpticsConfig {
-            illuminant: Illuminant::E,
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm,
-            lobe_sigma_nm: None,
-            edge: Edge::Fade,
-            windows,
-            material: Material::Ideal,
-            dispersion: None,
-            shadowing: false,
-            factor: Factor::Scalar,
-        }
+        OpticsConfig::ideal(Illuminant::E, sigma_nm, Edge::Fade, windows)
     }
 
     fn field(count: usize, pitch: f64) -> HeightField {

@@ -36,7 +36,7 @@ const BLOCK: usize = 16;
 /// Sums of XYZ at the nodes of `w`: layout `[row][column][channel][node]` over the texels' window.
 #[derive(Debug, Clone)]
 pub struct PowerSums {
-    /// Nodes of `w` per texel, a multiple of [`SIMD_WIDTH`].
+    /// Nodes of `w` per texel, a multiple of the SIMD width.
     pub nodes: usize,
     /// The sums in 1/sr (before geometry and reflectance).
     pub data: Vec<f32>,
@@ -220,12 +220,13 @@ impl<'a> Wave<'a> {
     ) -> Self {
         let RingSum { texels, ring, filter, quantity, .. } = what;
         let box_of = [part.rows.clone(), part.columns.clone()];
-        let targets = Targets::new(&texels.grid, box_of, filter, spectra.kernel, spectra.step, wavelength_nm);
+        let targets =
+            Targets::new(&texels.grid, box_of, filter, spectra.kernel_at(wavelength_nm), spectra.step, wavelength_nm);
         let [taps_x, taps_y] = targets.taps;
         let [xi, eta] = targets.frequency;
         let transforms = |axis: usize, f: &[f64]| match quantity {
             Quantity::Power => Vec::new(),
-            Quantity::Cross => f.iter().map(|&f| spectra.window_transform(axis, f) as f32).collect(),
+            Quantity::Cross => f.iter().map(|&f| spectra.window_transform(axis, f, wavelength_nm) as f32).collect(),
         };
         // Box samples go up within a row.
         let lines = |firsts: &[i32]| firsts[0]..firsts[firsts.len() - 1] + taps_y.count as i32;

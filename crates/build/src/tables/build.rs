@@ -15,7 +15,7 @@ use diffraction_brdf::error::{Error, Result};
 /// Builds the tables of one specimen from its prepared scans, for every direction.
 ///
 /// # Errors
-/// Those of [`plan()`], transforms beyond the allowed memory, and for `Basis::Taylor` those of [`build_taylor`].
+/// Those of [`plan()`], transforms beyond the allowed memory, and for `Basis::Taylor` terms that would cancel in the wanted storage.
 pub fn build(input: &BuildInput, advance: Advance) -> Result<(TableSet, BuildRecord)> {
     build_planned(input, &plan(input)?, advance)
 }
@@ -31,7 +31,16 @@ pub fn build_planned(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> 
     }
 }
 
-fn build_chebyshev(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Result<(TableSet, BuildRecord)> {
+/// What a build sums: tables and lobe follow from it.
+pub(super) struct Summed {
+    pub(super) sums: Sums,
+    /// The lobe's power; `None` where no direction asked for lies in the lobe.
+    pub(super) phasors: Option<PhasorPower>,
+    pub(super) record: BuildRecord,
+}
+
+/// Transforms window after window, and sums.
+pub(super) fn summed(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Result<Summed> {
     let mut begun: Option<Sums> = None;
     let mut phasors =
         plan.lobe_seen.then(|| PhasorPower::new(plan.spectra.phase_scale_per_nm, plan.half_height_range_nm));
@@ -54,6 +63,17 @@ fn build_chebyshev(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Re
     let Some(sums) = begun else {
         return Err(Error::Call("a specimen needs at least one scan".into()));
     };
+    let transforms = input.fields.iter().map(|field| spectra::nodes_for(field, &plan.spectra)).max();
+    let record = BuildRecord {
+        transforms: transforms.unwrap_or(0),
+        node_samples: node_samples(plan, &sums.nodes),
+        ..plan.record()
+    };
+    Ok(Summed { sums, phasors, record })
+}
+
+fn build_chebyshev(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Result<(TableSet, BuildRecord)> {
+    let Summed { sums, phasors, record } = summed(input, plan, advance)?;
     let lobe = phasors.map(|power| -> Result<Lobe> {
         Ok(Lobe {
             coherent: coherent(&power, input, plan.lobe_radius, plan.t_in_lobe())?,
@@ -67,14 +87,8 @@ fn build_chebyshev(input: &BuildInput, plan: &BuildPlan, advance: Advance) -> Re
         lobe: lobe.transpose()?,
         prefilter_width: plan.filter.width,
         front_factor: input.optics.front_factor(),
-        served: plan.coverage.as_ref().and_then(Coverage::range_texture),
+        restriction: plan.coverage.as_ref().and_then(Coverage::range_texture),
         usable_radius: input.usable_radius(),
-    };
-    let transforms = input.fields.iter().map(|field| spectra::nodes_for(field, &plan.spectra)).max();
-    let record = BuildRecord {
-        transforms: transforms.unwrap_or(0),
-        node_samples: node_samples(plan, &sums.nodes),
-        ..plan.record()
     };
     Ok((set, record))
 }

@@ -21,6 +21,8 @@ pub struct BuildInput<'a> {
     pub half_height_range_nm: f64,
     /// Shortest and longest wavelength of the light in nm.
     pub wavelength_range_nm: [f64; 2],
+    /// Whether X, Y and Z all weigh a wavelength by 1: for the tables of one wavelength, of which an observer may see nothing.
+    pub is_grey: bool,
 }
 
 impl<'a> BuildInput<'a> {
@@ -34,6 +36,7 @@ impl<'a> BuildInput<'a> {
             rms_nm: largest(rms_nm),
             half_height_range_nm: largest(half_height_range_nm),
             wavelength_range_nm: optics.illuminant.reach_nm(optics.wavelength_nm),
+            is_grey: false,
         }
     }
 

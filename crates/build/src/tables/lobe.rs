@@ -8,7 +8,8 @@ use rayon::prelude::*;
 
 use super::grid::Grid;
 use super::input::BuildInput;
-use super::resolution::lobe_width;
+use super::resolution::narrowest_lobe;
+use super::rings::light_quadrature;
 use crate::optics::config::OpticsConfig;
 use crate::optics::spectra::Spectra;
 use diffraction_brdf::direction::max_abs_w;
@@ -102,9 +103,9 @@ fn layout(input: &BuildInput, radius_max: f64, t: [f64; 2]) -> Result<Layout> {
     let [first, last] = t.map(|t| t * (rows - 1) as f64);
     Ok(Layout {
         rows,
-        columns: (radius_max / lobe_width(optics.lobe_sigma_nm(), low_nm) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1,
+        columns: (radius_max / narrowest_lobe(optics) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1,
         read: (first as usize).saturating_sub(ROWS_MARGIN)..(last.ceil() as usize + ROWS_MARGIN + 1).min(rows),
-        quadrature: optics.quadrature(wavelengths_needed(optics, rms_nm))?,
+        quadrature: light_quadrature(input, wavelengths_needed(optics, rms_nm))?,
     })
 }
 
@@ -123,7 +124,8 @@ pub(super) fn samples(input: &BuildInput, radius_max: f64, t: [f64; 2]) -> Resul
 /// `Error::Call` for an invisible light.
 pub(super) fn coherent(power: &PhasorPower, input: &BuildInput, radius_max: f64, t: [f64; 2]) -> Result<Array3<f32>> {
     let Layout { rows, columns, read, quadrature } = layout(input, radius_max, t)?;
-    let dispersive = input.optics.dispersion.as_ref();
+    // One wavelength is its own reference.
+    let dispersive = input.optics.dispersion.as_ref().filter(|_| !input.is_grey);
     let materials = dispersive.map(|dispersive| quadrature.wavelengths_nm.iter().map(|nm| dispersive.material_at(*nm)));
     let materials: Option<Vec<Material>> = materials.map(Iterator::collect);
     // A texel knows the angle at which the lobe is reflected, so its colour is that of this angle.
@@ -131,6 +133,7 @@ pub(super) fn coherent(power: &PhasorPower, input: &BuildInput, radius_max: f64,
         let of = |material| reflectance(material, cos_theta_d);
         materials.as_ref().map_or(1.0, |materials| of(materials[index]) / of(input.optics.material))
     };
+    let coherence = input.optics.lobe_coherence();
     let mut table = Array3::<f32>::zeros((rows, columns, 3));
     let mut lines = table.slice_axis_mut(Axis(0), read.clone().into());
     lines.axis_iter_mut(Axis(0)).into_par_iter().zip(read).for_each(|(mut line, row)| {
@@ -141,7 +144,10 @@ pub(super) fn coherent(power: &PhasorPower, input: &BuildInput, radius_max: f64,
             let w = t * max_abs_w(radius);
             let cos_theta_d = 0.5 * radius.hypot(w);
             for (index, (nm, weight)) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights).enumerate() {
-                let shape = (-(TAU * input.optics.lobe_sigma_nm() * radius / nm).powi(2)).exp();
+                let sigma_nm = coherence.sigma_nm_at(*nm);
+                // Transforms know the peak of the largest window.
+                let peak = (sigma_nm / input.optics.lobe_sigma_nm()).powi(2);
+                let shape = peak * (-(TAU * sigma_nm * radius / nm).powi(2)).exp();
                 let s = TAU / nm * t * max_abs_w(radius);
                 let power = power.at(s) * relative(index, cos_theta_d);
                 for c in 0..3 {
@@ -154,9 +160,22 @@ pub(super) fn coherent(power: &PhasorPower, input: &BuildInput, radius_max: f64,
     Ok(table)
 }
 
+/// Share of the tolerance that linear interpolation of the power of the mean phasor takes: a row of numbers costs nothing, and
+/// where phases have decayed the error is relative to little.
+const POWER_SHARE: f64 = 0.02;
+
+/// The power of the mean phasor at one wavelength, the shortest, in 1/sr: over `|w|/2` evenly from 0 to 1, in as many steps
+/// as a linear interpolation needs.
+pub(super) fn power_over_t(power: &PhasorPower, input: &BuildInput) -> Vec<f32> {
+    let [shortest_nm, _] = input.wavelength_range_nm;
+    let rows = rows_needed(input.rms_nm, shortest_nm, POWER_SHARE * input.tables.tolerance);
+    let s_max = TAU / shortest_nm * max_abs_w(0.0);
+    let at = |row: usize| power.at(s_max * row as f64 / (rows - 1) as f64) / (shortest_nm * shortest_nm);
+    (0..rows).map(|row| at(row) as f32).collect()
+}
+
 /// The grid of the cross-term patch.
 pub(super) fn patch_grid(optics: &OpticsConfig, radius_max: f64) -> Grid {
-    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
-    let half = (radius_max / lobe_width(optics.lobe_sigma_nm(), low_nm) * TEXELS_PER_WIDTH[1]).ceil() as usize;
+    let half = (radius_max / narrowest_lobe(optics) * TEXELS_PER_WIDTH[1]).ceil() as usize;
     Grid { size: 2 * half + 1, half_width: radius_max }
 }

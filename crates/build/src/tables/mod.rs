@@ -15,6 +15,7 @@ pub mod plan;
 pub mod resolution;
 pub mod rings;
 pub mod rounding;
+pub mod spectral;
 mod sums;
 pub mod taylor;
 pub mod texels;

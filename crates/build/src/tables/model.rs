@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-pub use diffraction_brdf::table_set::{Basis, Lobe, Rounding, Served, Storage, TableSet};
+pub use diffraction_brdf::table_set::{Basis, Lobe, Restriction, Rounding, Storage, TableSet};
 
 /// Box average over (u, v) that every texel holds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

@@ -97,7 +97,7 @@ impl OrderEstimator {
 
     /// The smallest number of patches of the cross term, which keep the whole reach whatever is covered: as many as tables
     /// of the lobe's texels would need for every direction.
-    pub fn cross_patches(spectra: &Spectra, plan: &BuildPlan, tolerance: f64) -> usize {
+    pub(crate) fn cross_patches(spectra: &Spectra, plan: &BuildPlan, tolerance: f64) -> usize {
         let whole = [0.0, max_abs_w(0.0)];
         let innermost = plan.rings.iter().min_by(|a, b| a.radius[0].total_cmp(&b.radius[0]));
         let of_texel = |uv: [f64; 2]| {
@@ -116,7 +116,7 @@ impl OrderEstimator {
 
     /// The first of these numbers of nodes over an interval of `|w|` with which the ranges that texels of a ring have in it
     /// err by no more than a share of the tolerance; the last where none does.
-    pub fn ring_nodes(&self, ring: &Ring, interval: [f64; 2], share: f64, counts: Counts) -> usize {
+    pub(crate) fn ring_nodes(&self, ring: &Ring, interval: [f64; 2], share: f64, counts: Counts) -> usize {
         let inside = |p: &Polynomial| p.ring_radius == ring.radius;
         // A ring without a tried texel is as the others are, each around its own range.
         let any = self.groups.iter().flatten().any(inside);
@@ -194,7 +194,7 @@ fn bright_per_sr(groups: &[Vec<Polynomial>], counts: impl Fn(&Polynomial) -> boo
 /// The texels to try where all directions count.
 fn texels_of_disc(spectra: &Spectra, plan: &BuildPlan, count: usize) -> [Vec<Asked>; 3] {
     let asked = |uv: [f64; 2]| (uv, [0.0, max_abs_w(uv[0].hypot(uv[1]))]);
-    let all = [spread_texels(count), lit_texels(spectra, plan, count / 2), middle_texels(plan, count / 4)];
+    let all = [spread_texels(count), bright_texels(spectra, plan, count / 2), middle_texels(plan, count / 4)];
     all.map(|texels| texels.into_iter().filter(|uv| uv[0].hypot(uv[1]) < 2.0).map(asked).collect())
 }
 
@@ -205,9 +205,9 @@ fn texels_of_coverage(spectra: &Spectra, plan: &BuildPlan, coverage: &Coverage, 
     let covered: Vec<Asked> = coverage.iter().map(at).collect();
     let drawn = |index: usize| covered[(sampling::plane(index)[0] * covered.len() as f64) as usize];
     let asked = |uv: [f64; 2]| coverage.abs_w_near(uv).map(|abs_w| (uv, abs_w));
-    let lit = lit_texels(spectra, plan, count * 4).into_iter().filter_map(asked).take(count / 2);
+    let bright = bright_texels(spectra, plan, count * 4).into_iter().filter_map(asked).take(count / 2);
     let middle = middle_texels(plan, count / 4).into_iter().filter_map(asked);
-    [(0..count.min(covered.len())).map(drawn).collect(), lit.collect(), middle.collect()]
+    [(0..count.min(covered.len())).map(drawn).collect(), bright.collect(), middle.collect()]
 }
 
 /// Texels `(u, v)`: half of them even over the disc, half towards its centre, where directions crowd near
@@ -229,21 +229,21 @@ fn middle_texels(plan: &BuildPlan, count: usize) -> Vec<[f64; 2]> {
     (0..count).map(|index| at(sampling::plane(index))).collect()
 }
 
-/// Share of the brightest line's power from which on a line counts as lit.
-pub(super) const LIT: f64 = 1e-4;
+/// Share of the brightest line's power up to which a line is below the floor.
+pub(super) const FLOOR_SHARE: f64 = 1e-4;
 
-/// Texels drawn evenly from the lit lines at the middle node, each at one of the wavelengths.
-fn lit_texels(spectra: &Spectra, plan: &BuildPlan, count: usize) -> Vec<[f64; 2]> {
+/// Texels drawn evenly from the lines above the floor at the middle node, each at one of the wavelengths.
+fn bright_texels(spectra: &Spectra, plan: &BuildPlan, count: usize) -> Vec<[f64; 2]> {
     let power: Vec<f32> =
         spectra.data.iter().skip(spectra.nodes / 2).step_by(spectra.nodes).map(|e| e.norm_sqr()).collect();
-    let floor = LIT * f64::from(power.iter().copied().fold(0.0, f32::max));
-    let lit: Vec<usize> = (0..power.len()).filter(|&line| f64::from(power[line]) > floor).collect();
+    let floor = FLOOR_SHARE * f64::from(power.iter().copied().fold(0.0, f32::max));
+    let bright: Vec<usize> = (0..power.len()).filter(|&line| f64::from(power[line]) > floor).collect();
     let wavelengths = &plan.rings[0].quadrature.wavelengths_nm;
-    let drawn = if lit.is_empty() { 0 } else { count };
+    let drawn = if bright.is_empty() { 0 } else { count };
     (0..drawn)
         .map(|index| {
             let [a, b] = sampling::plane(index);
-            let line = lit[(a * lit.len() as f64) as usize];
+            let line = bright[(a * bright.len() as f64) as usize];
             let nm = wavelengths[(b * wavelengths.len() as f64) as usize];
             let at = [line % spectra.lines[0], line / spectra.lines[0]];
             [0, 1].map(|axis| f64::from(spectra.first[axis] + at[axis] as i32) * spectra.step[axis] * nm)

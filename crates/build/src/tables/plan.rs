@@ -6,7 +6,7 @@ use super::coverage::restrict::{Restricted, Whole, restrict};
 use super::grid::Grid;
 use super::input::BuildInput;
 use super::model::{Basis, BuildRecord, Prefilter};
-use super::resolution::{box_samples, lobe_radius, lobe_width, nodes_bound_over, resolving_size};
+use super::resolution::{box_samples, lobe_radius, narrowest_blur, nodes_bound_over, resolving_size};
 use super::rings::{Ring, quadrature, rings, wavelengths_of};
 use super::texels::Texels;
 use super::work::window_works;
@@ -246,9 +246,7 @@ fn box_filter(input: &BuildInput, grid: &Grid) -> BoxFilter {
     let width = match input.tables.prefilter {
         Prefilter::None => 0.0,
         Prefilter::Width(width) => width,
-        Prefilter::Auto if grid.texel() > lobe_width(input.optics.sigma_nm, input.wavelength_range_nm[0]) => {
-            grid.texel()
-        }
+        Prefilter::Auto if grid.texel() > narrowest_blur(input.optics) => grid.texel(),
         Prefilter::Auto => 0.0,
     };
     BoxFilter { width, samples: box_samples(input.optics, width) }

@@ -11,18 +11,29 @@ pub fn lobe_width(sigma_nm: f64, wavelength_nm: f64) -> f64 {
     wavelength_nm / (TAU * sigma_nm * SQRT_2)
 }
 
+/// Standard deviation in (u, v) of what blurs a line where it is narrowest: at the shortest wavelength, whether the window
+/// is the same everywhere or grows with the wavelength.
+pub fn narrowest_blur(optics: &OpticsConfig) -> f64 {
+    lobe_width(optics.least_sigma_nm(), optics.illuminant.reach_nm(optics.wavelength_nm)[0])
+}
+
+/// The same of the coherent lobe.
+pub(super) fn narrowest_lobe(optics: &OpticsConfig) -> f64 {
+    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
+    lobe_width(optics.lobe_coherence().sigma_nm_at(low_nm), low_nm)
+}
+
 /// Radius beyond which the coherent lobe is below 1e-9 of its peak at the longest wavelength.
 pub fn lobe_radius(optics: &OpticsConfig) -> f64 {
     let high_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[1];
     // exp(-r²/2) = 1e-9 at r = 6.44 standard deviations.
-    (6.44 * lobe_width(optics.lobe_sigma_nm(), high_nm)).min(2.0)
+    (6.44 * lobe_width(optics.lobe_coherence().sigma_nm_at(high_nm), high_nm)).min(2.0)
 }
 
 /// Side of the table whose interpolation by cubics resolves the lobe of the shortest wavelength to the
 /// tolerance: the local cubic errs by `3/128 (Δ/w)⁴` times a fourth derivative of at most 3.
 pub fn resolving_size(optics: &OpticsConfig, tolerance: f64) -> usize {
-    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
-    let texel = lobe_width(optics.sigma_nm, low_nm) * (tolerance * 128.0 / 9.0).powf(0.25);
+    let texel = narrowest_blur(optics) * (tolerance * 128.0 / 9.0).powf(0.25);
     2 * (2.0 / texel).ceil().min(1e6) as usize + 1
 }
 
@@ -35,8 +46,7 @@ pub fn usable_radius(optics: &OpticsConfig, pitch_nm: [f64; 2]) -> f64 {
 /// Samples per texel and axis that average a box of this width over a lobe of the shortest wavelength:
 /// spaced 1.2 standard deviations, the midpoint rule errs by `2 exp(-2π²/1.2²)` = 2e-6.
 pub(crate) fn box_samples(optics: &OpticsConfig, width: f64) -> usize {
-    let low_nm = optics.illuminant.reach_nm(optics.wavelength_nm)[0];
-    ((width / (1.2 * lobe_width(optics.sigma_nm, low_nm))).ceil() as usize).max(1)
+    ((width / (1.2 * narrowest_blur(optics))).ceil() as usize).max(1)
 }
 
 /// Numbers of nodes in `w` that a surface can at most need: Chebyshev terms of a function of bandwidth

@@ -6,7 +6,7 @@ use super::input::BuildInput;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::max_abs_w;
 use diffraction_brdf::error::Result;
-use diffraction_brdf::spectrum::{SpectralQuadrature, wavenumbers_for_pulses};
+use diffraction_brdf::spectrum::{Illuminant, SpectralQuadrature, wavenumbers_for_pulses};
 
 /// An annulus of (u, v) whose texels share their wavelengths.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,7 +88,24 @@ pub(super) fn wavelengths_of(input: &BuildInput, [inner, outer]: [f64; 2]) -> us
 /// # Errors
 /// `Error::Call` for an invisible light.
 pub(super) fn quadrature(input: &BuildInput, count: usize) -> Result<SpectralQuadrature> {
-    input.optics.tables_quadrature(count)
+    grey(input).map_or_else(|| input.optics.tables_quadrature(count), Ok)
+}
+
+/// The same without the material's colour.
+///
+/// # Errors
+/// As [`quadrature`].
+pub(super) fn light_quadrature(input: &BuildInput, count: usize) -> Result<SpectralQuadrature> {
+    grey(input).map_or_else(|| input.optics.quadrature(count), Ok)
+}
+
+/// The wavelength of tables that hold one alone, with equal weights.
+fn grey(input: &BuildInput) -> Option<SpectralQuadrature> {
+    let Illuminant::Lines(lines) = &input.optics.illuminant else { return None };
+    input.is_grey.then(|| SpectralQuadrature {
+        wavelengths_nm: lines.iter().map(|line| line.wavelength_nm).collect(),
+        weights: vec![[1.0; 3]; lines.len()],
+    })
 }
 
 /// Rings for every direction from the outside in, each narrower by the root of two, until the fewest wavelengths suffice.

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use super::grid::Grid;
 use super::model::{Basis, Rounding, Storage, TableSet};
-use super::order::{LIT, PLACES_TESTED, quantile, spread_texels};
+use super::order::{FLOOR_SHARE, PLACES_TESTED, quantile, spread_texels};
 use super::plan::RIM_TEXELS;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::{Xyz, max_abs_w};
@@ -56,7 +56,7 @@ pub struct Chosen {
 }
 
 /// Rounds a set to its tolerance and measures what number formats do to it. Where none is asked for, halves are taken if
-/// they keep [`STORED_SHARE`] of the tolerance, else floats. Texels within `lobe_radius` in (u, v) are looked at apart.
+/// they keep 0.7 of the tolerance, else floats. Texels within `lobe_radius` in (u, v) are looked at apart.
 pub fn choose(built: &TableSet, asked: Option<Storage>, tolerance: f64, lobe_radius: f64) -> Chosen {
     let set = to_tolerance(built, tolerance);
     let places = Places::of(built, lobe_radius);
@@ -96,7 +96,7 @@ fn to_halves(set: &TableSet) -> TableSet {
 /// The set with every number of its tables rounded to a multiple of a power of two, as coarse as the tolerance allows.
 ///
 /// At a texel and `t`, tables `a_n` rounded by `e_n` shift the value `Σ a_n b_n` by at most `Σ |e_n b_n|`. This is
-/// kept below [`ROUNDED_SHARE`] of the tolerance times the value at every `t` of the texel: Y times Y itself, X and Z
+/// kept below a quarter of the tolerance times the value at every `t` of the texel: Y times Y itself, X and Z
 /// times X + Y + Z, for it is their share in the sum that a colour shows. Chebyshev polynomials are at most 1, so all of
 /// a texel's tables have one step; the powers of `w` have steps that grow as powers fall, each so that it costs the same
 /// share where it hurts most. Linear look-ups between texels keep the bound, being means. The lobe stays as it is: its
@@ -304,9 +304,10 @@ impl Places {
         let Some((rows, columns, _)) = set.tables.first().map(Array3::dim) else {
             return Self { groups: [const { Vec::new() }; 3], floor_per_sr: 0.0 };
         };
-        let first = set.served.as_ref().map_or([0; 2], |served| served.first);
-        let covers =
-            |[row, column]: [usize; 2]| set.served.as_ref().is_none_or(|served| served.range[[row, column, 2]] != 0.0);
+        let first = set.restriction.as_ref().map_or([0; 2], |restriction| restriction.first);
+        let covers = |[row, column]: [usize; 2]| {
+            set.restriction.as_ref().is_none_or(|restriction| restriction.range[[row, column, 2]] != 0.0)
+        };
         let distance = |[row, column]: [usize; 2]| grid.u(column + first[1]).hypot(grid.v(row + first[0]));
         let inside: Vec<[usize; 2]> = (0..rows * columns)
             .map(|index| [index / columns, index % columns])
@@ -315,8 +316,8 @@ impl Places {
         let middle_place = PLACES_TESTED[PLACES_TESTED.len() / 2];
         let luminance: Vec<f64> = inside.par_iter().map(|&at| value(set, at, middle_place)[1]).collect();
         // A grating is dark between its orders, and there a relative error says nothing.
-        let floor = FLOOR_PER_SR.max(LIT * luminance.iter().copied().fold(0.0, f64::max));
-        let lit = inside.iter().zip(&luminance).filter(|(_, y)| **y > floor).map(|(at, _)| *at).collect();
+        let floor = FLOOR_PER_SR.max(FLOOR_SHARE * luminance.iter().copied().fold(0.0, f64::max));
+        let bright = inside.iter().zip(&luminance).filter(|(_, y)| **y > floor).map(|(at, _)| *at).collect();
         let near = 0.5 * lobe_radius;
         let middle = inside.iter().copied().filter(|&at| distance(at) < near).collect();
         let at = |[u, v]: [f64; 2]| -> Option<[usize; 2]> {
@@ -327,7 +328,7 @@ impl Places {
             Some([of(-v, first[0], rows)?, of(u, first[1], columns)?])
         };
         let spread = spread_texels(TEXELS).into_iter().filter_map(at).filter(|&at| distance(at) < 2.0 && covers(at));
-        Self { groups: [spread.collect(), drawn(lit), drawn(middle)], floor_per_sr: floor }
+        Self { groups: [spread.collect(), drawn(bright), drawn(middle)], floor_per_sr: floor }
     }
 
     /// Largest of the groups' 95th percentiles of what another set's values are off, and of the cross term's patches.
@@ -369,7 +370,7 @@ fn value(set: &TableSet, [row, column]: [usize; 2], share: f64) -> Xyz {
     sum
 }
 
-/// Relative changes of Y, and of X and Z as shares of X + Y + Z; `None` in the dark.
+/// Relative changes of Y, and of X and Z as shares of X + Y + Z; `None` below the floor.
 fn change(exact: Xyz, other: Xyz, floor_per_sr: f64) -> Option<Xyz> {
     let sum: f64 = exact.iter().sum();
     let relative = |c: usize| (other[c] - exact[c]).abs() / if c == 1 { exact[1] } else { sum };

@@ -24,7 +24,7 @@ fn set(basis: Basis) -> TableSet {
         lobe: None,
         prefilter_width: 0.0,
         front_factor: FrontFactor { material: Material::Ideal, shadowing: false, factor: Factor::Scalar },
-        served: None,
+        restriction: None,
         usable_radius: 2.0,
     }
 }

@@ -156,7 +156,7 @@ pub(crate) fn build_taylor(input: &BuildInput, plan: &BuildPlan, advance: Advanc
         lobe: None,
         prefilter_width: plan.filter.width,
         front_factor: optics.front_factor(),
-        served: None,
+        restriction: None,
         usable_radius: input.usable_radius(),
     };
     Ok((set, record))

@@ -57,7 +57,8 @@ pub(super) fn window_works(
     let transforms = chebyshev::nodes_for_exponential(input.half_height_range_nm, high - low, spectra.tolerance) as f64;
     let of_window = |&(scan, placement): &(usize, Placement)| {
         let is_power = placement == Placement::TileMean;
-        let work = WindowWork { transforms, ..lines(&input.fields[scan], placement, input.optics.sigma_nm, spectra) };
+        let work =
+            WindowWork { transforms, ..lines(&input.fields[scan], placement, input.optics.least_sigma_nm(), spectra) };
         // A mean over window positions is a sum of powers: its kernel averages the box exactly.
         if is_power { work } else { WindowWork { parts: 2.0, box_samples: box_samples as f64, ..work } }
     };

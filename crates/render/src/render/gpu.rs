@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
 
-use diffraction_brdf::error::{Error, Result};
+use crate::error::{Error, Result};
 
 /// Longest wait for one submission, and for opening the device.
 pub const TIME_LIMIT: Duration = Duration::from_secs(120);

@@ -13,7 +13,7 @@
 //! - **t.** `4 - u² - v²` is off by at most `20 u`: `δt = t (10 u / (4 - ρ²) + 8 ulp)`, at most 1. `|T_n'| <= n²` in
 //!   `2t - 1`, hence `δb_n = min(2, 2 n² δt)`, and `2 n² ulp` from the recurrence. For powers of `w` it is
 //!   `(2n + 6) ulp |b_n|`.
-//! - **Front.** `1 + wi·wo` is off by `8 u`, squared in `G`; see [`front_error`] for reflectance and shadowing.
+//! - **Front.** `1 + wi·wo` is off by `8 u`, squared in `G`; see `front_error` for reflectance and shadowing.
 //! - **Summing.** `n` terms in 32 bits: `n u Σ |term|`.
 
 use ndarray::{Array3, Axis};
@@ -30,30 +30,30 @@ use diffraction_brdf::material::{Material, cos_half_angle, reflectance};
 use diffraction_brdf::shader::peak;
 use diffraction_brdf::storage::half_scale;
 use diffraction_build::optics::pigment::{Pigment, Surface};
-use diffraction_build::tables::model::{Basis, Lobe, Served, TableSet};
+use diffraction_build::tables::model::{Basis, Lobe, Restriction, TableSet};
 
 /// Rounding to nearest in 32 bits.
-const U: f64 = 1.0 / (1 << 24) as f64;
+pub(super) const U: f64 = 1.0 / (1 << 24) as f64;
 /// Unit in the last place.
-const ULP: f64 = 2.0 * U;
+pub(super) const ULP: f64 = 2.0 * U;
 /// Error of a bilinear share on hardware that keeps 8 bits of it.
 const SHARE_ERROR: f64 = 1.0 / 512.0;
 
 /// Tables with what their upload does to them.
-struct Layers<'a> {
-    tables: &'a [Array3<f32>],
+pub(super) struct Layers<'a> {
+    pub(super) tables: &'a [Array3<f32>],
     scales: Vec<f32>,
 }
 
 impl<'a> Layers<'a> {
-    fn of(tables: &'a [Array3<f32>]) -> Self {
+    pub(super) fn of(tables: &'a [Array3<f32>]) -> Self {
         Self { tables, scales: tables.iter().map(|table| half_scale(peak(table))).collect() }
     }
 }
 
 /// Values of the basis functions and how far the shader's may be off.
-struct BasisValues {
-    values: Vec<f64>,
+pub(super) struct BasisValues {
+    pub(super) values: Vec<f64>,
     errors: Vec<f64>,
 }
 
@@ -99,10 +99,10 @@ fn sample_bound(set: &TableSet, tables: &Layers, cross: &Layers, wi: Vec3, wo: V
     let last = (set.size() - 1) as f64;
     let grid_place = [0.5 - 0.25 * q[1], 0.5 + 0.25 * q[0]].map(|x| x.clamp(0.0, 1.0) * last);
     let place_error = set.size() as f64 / (1 << 22) as f64;
-    if let Some(served) = &set.served {
-        first = served.first;
+    if let Some(restriction) = &set.restriction {
+        first = restriction.first;
         let at = std::array::from_fn(|axis| grid_place[axis] - first[axis] as f64);
-        (s, s_error) = range_error(served, at, place_error, t, t_error);
+        (s, s_error) = range_error(restriction, at, place_error, t, t_error);
     }
     let basis = match set.basis {
         Basis::Chebyshev => chebyshev_values(tables.tables.len(), s, s_error),
@@ -142,7 +142,7 @@ fn add(sum: &mut Xyz, more: Xyz) {
     sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
 }
 
-fn chebyshev_values(count: usize, t: f64, t_error: f64) -> BasisValues {
+pub(super) fn chebyshev_values(count: usize, t: f64, t_error: f64) -> BasisValues {
     let square = |n: usize| (n * n) as f64;
     BasisValues {
         values: chebyshev::shifted_values(count, t),
@@ -157,7 +157,7 @@ fn power_values(count: usize, w: f64) -> BasisValues {
 }
 
 /// Relative error of reflectance, geometry and shadowing. The half angle's cosine `c` comes from `1 + wi·wo`, off by `8 u`.
-pub fn front_error(front: &FrontFactor, wi: Vec3, wo: Vec3) -> f64 {
+pub(crate) fn front_error(front: &FrontFactor, wi: Vec3, wo: Vec3) -> f64 {
     let one_plus = (1.0 + dot(wi, wo)).max(f64::MIN_POSITIVE);
     let cosine = cos_half_angle(wi, wo).max(f64::MIN_POSITIVE);
     let cosine_error = 4.0 * U / cosine + 5.0 * ULP;
@@ -174,7 +174,7 @@ pub fn front_error(front: &FrontFactor, wi: Vec3, wo: Vec3) -> f64 {
 /// For `R G` it is [`front_error`] of it. The vector factor is a sum of squares. The azimuth's cosine, a quotient of products of
 /// two components, is off by `8 u`, its square and that of the sine by `16 u`; the amplitude that p scatters into p is a
 /// difference, off by `16 u` of either term; the roots lose digits where the permittivity is near a squared sine.
-fn diffuse_factor_error(front: &FrontFactor, wi: Vec3, wo: Vec3) -> f64 {
+pub(super) fn diffuse_factor_error(front: &FrontFactor, wi: Vec3, wo: Vec3) -> f64 {
     let value = front.diffuse(wi, wo);
     let index = match (front.factor, front.material) {
         (Factor::Scalar, _) | (_, Material::Ideal) => return value * front_error(front, wi, wo),
@@ -216,30 +216,30 @@ fn reflectance_error(material: Material, cosine: f64, cosine_error: f64) -> f64 
     2.0 * value.sqrt() * amplitude_error + amplitude_error.powi(2) + moved[0].max(moved[1])
 }
 
-/// Where `t` lies in the range of what is served at a position in texels, and how far that may be off: by the error of
+/// Where `t` lies in the range of what is covered at a position in texels, and how far that may be off: by the error of
 /// `t`, and by those of the two filtered ends.
-fn range_error(served: &Served, at: [f64; 2], place_error: f64, t: f64, t_error: f64) -> (f64, f64) {
-    let (rows, columns, _) = served.range.dim();
+fn range_error(restriction: &Restriction, at: [f64; 2], place_error: f64, t: f64, t_error: f64) -> (f64, f64) {
+    let (rows, columns, _) = restriction.range.dim();
     let mut ends_error = 0.0f64;
     for row in cells(at[0], place_error, rows) {
         for column in cells(at[1], place_error, columns) {
             let second = [(row + 1).min(rows - 1), (column + 1).min(columns - 1)];
             let share = [(at[0] - row as f64).clamp(0.0, 1.0), (at[1] - column as f64).clamp(0.0, 1.0)];
             for end in 0..2 {
-                let texel = |r: usize, c: usize| f64::from(served.range[[r, c, end]]);
+                let texel = |r: usize, c: usize| f64::from(restriction.range[[r, c, end]]);
                 let corners =
                     [texel(row, column), texel(row, second[1]), texel(second[0], column), texel(second[0], second[1])];
                 ends_error = ends_error.max(slope_error(corners, share, [SHARE_ERROR + place_error; 2]) + 4.0 * ULP);
             }
         }
     }
-    let range = sample(served.range.view(), Interpolation::Bilinear, at);
+    let range = sample(restriction.range.view(), Interpolation::Bilinear, at);
     let length = (range[1] - range[0]).max(f64::MIN_POSITIVE);
     (((t - range[0]) / length).clamp(0.0, 1.0), ((t_error + ends_error + 4.0 * ULP) / length).min(1.0))
 }
 
 /// Bound for a sum of layers at a position (row, column) in texels.
-fn filtered_error(layers: &Layers, basis: &BasisValues, at: [f64; 2], place_error: f64) -> Xyz {
+pub(super) fn filtered_error(layers: &Layers, basis: &BasisValues, at: [f64; 2], place_error: f64) -> Xyz {
     let Some((rows, columns, _)) = layers.tables.first().map(Array3::dim) else {
         return [0.0; 3];
     };
@@ -254,19 +254,19 @@ fn filtered_error(layers: &Layers, basis: &BasisValues, at: [f64; 2], place_erro
 }
 
 /// First texels of the cells that a coordinate may fall into.
-fn cells(at: f64, error: f64, count: usize) -> std::ops::RangeInclusive<usize> {
+pub(super) fn cells(at: f64, error: f64, count: usize) -> std::ops::RangeInclusive<usize> {
     let cell = |x: f64| (x.max(0.0) as usize).min(count.saturating_sub(2));
     cell(at - error)..=cell(at + error)
 }
 
 fn cell_error(layers: &Layers, basis: &BasisValues, first: [usize; 2], at: [f64; 2], share_error: f64) -> Xyz {
-    let (rows, columns, _) = layers.tables[0].dim();
+    let (rows, columns, channels) = layers.tables[0].dim();
     let second = [(first[0] + 1).min(rows - 1), (first[1] + 1).min(columns - 1)];
     let corners = [[first[0], first[1]], [first[0], second[1]], [second[0], first[1]], [second[0], second[1]]];
     let share: [f64; 2] = std::array::from_fn(|axis| (at[axis] - first[axis] as f64).clamp(0.0, 1.0));
     let shares = corner_shares(share);
     let mut error = [0.0; 3];
-    for (c, error) in error.iter_mut().enumerate() {
+    for (c, error) in error.iter_mut().enumerate().take(channels) {
         let mut sums = [0.0; 4];
         let (mut rounding, mut magnitude) = (0.0, 0.0);
         for (n, table) in layers.tables.iter().enumerate() {
@@ -293,7 +293,7 @@ fn corner_shares([row, column]: [f64; 2]) -> [f64; 4] {
 }
 
 /// What errors of the shares do to a bilinear value.
-fn slope_error(corners: [f64; 4], [row, column]: [f64; 2], [row_error, column_error]: [f64; 2]) -> f64 {
+pub(super) fn slope_error(corners: [f64; 4], [row, column]: [f64; 2], [row_error, column_error]: [f64; 2]) -> f64 {
     let [a, b, c, d] = corners;
     let along_row = (1.0 - column) * (c - a) + column * (d - b);
     let along_column = (1.0 - row) * (b - a) + row * (d - c);
@@ -332,7 +332,7 @@ fn cross_error(lobe: &Lobe, cross: &Layers, q: Vec3, t: f64, t_error: f64) -> Xy
 }
 
 /// Share of the lobe's radius within which a direction may count as inside or not: rounding.
-const RIM_SHARE: f64 = 1e-6;
+pub(super) const RIM_SHARE: f64 = 1e-6;
 
 /// The coherent table's share without its factor, that of the image in the horizon included.
 fn lobe_error(front: &FrontFactor, lobe: &Lobe, wi: Vec3, wo: Vec3, t_error: f64) -> Xyz {

@@ -12,9 +12,10 @@ use super::gpu::Gpu;
 use super::gpu_layout::{FrameLight, FrameParams};
 use super::gpu_tables::{GpuTables, entry, texture, write_layer};
 use super::wgsl;
+use crate::error::Result;
 use crate::scene::gbuffer::GBuffer;
 use crate::scene::light::LightSample;
-use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::error::Error;
 use diffraction_brdf::shader::{LAYERS_MAX, SIDE_MAX};
 
 /// Most frames in a batch: two entries each of a query set, which holds 4096.
@@ -110,7 +111,8 @@ impl<'a> Frame<'a> {
                      shadows; every GPU takes {LAYERS_MAX} of {SIDE_MAX} x {SIDE_MAX} and {BINDING_BYTES_MAX} bytes"
                 ),
                 "lower its size_px, light_samples or pixel_samples",
-            ));
+            )
+            .into());
         }
         gpu.guarded("prepare a frame", || {
             let layout = frame_layout(gpu);

@@ -5,9 +5,9 @@ use bytemuck::{Pod, Zeroable};
 use crate::scene::samples::ShadingSamples;
 
 /// Most samples that one invocation sums in 32-bit floats; the sums of these are added in 64 bits.
-pub const RUN_SAMPLES_MAX: usize = 64;
+pub(crate) const RUN_SAMPLES_MAX: usize = 64;
 /// Most samples uploaded at once: 8 MiB, and a dispatch short enough for any driver's watchdog.
-pub const CHUNK_SAMPLES_MAX: usize = 1 << 18;
+pub(crate) const CHUNK_SAMPLES_MAX: usize = 1 << 18;
 
 /// `ShadingSample` of check.wgsl.
 #[repr(C)]
@@ -63,7 +63,7 @@ pub struct FrameLight {
 
 /// Part of the samples that is shaded by one dispatch.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Chunk {
+pub(crate) struct Chunk {
     /// First sample and one past the last.
     pub samples: std::ops::Range<usize>,
     /// The runs, in order.
@@ -73,7 +73,7 @@ pub struct Chunk {
 }
 
 /// Cuts samples into runs of at most `run_max` within a pixel and chunks of at most `chunk_max >= run_max`.
-pub fn chunks(samples: &ShadingSamples, run_max: usize, chunk_max: usize) -> Vec<Chunk> {
+pub(crate) fn chunks(samples: &ShadingSamples, run_max: usize, chunk_max: usize) -> Vec<Chunk> {
     let mut out: Vec<Chunk> = Vec::new();
     let pixels = samples.first.windows(2).enumerate();
     for (pixel, range) in pixels {
@@ -95,7 +95,7 @@ pub fn chunks(samples: &ShadingSamples, run_max: usize, chunk_max: usize) -> Vec
 }
 
 /// Samples of a chunk as the shader reads them.
-pub fn packed_samples(samples: &ShadingSamples, chunk: &Chunk) -> Vec<ShadingSample> {
+pub(crate) fn packed_samples(samples: &ShadingSamples, chunk: &Chunk) -> Vec<ShadingSample> {
     let range = chunk.samples.clone();
     range
         .map(|i| ShadingSample { wi: samples.wi[i], weight: samples.weight[i], wo: samples.wo[i], unused: 0.0 })

@@ -5,8 +5,8 @@ use ndarray::Array3;
 use super::gpu::Gpu;
 use super::gpu_layout::{CHUNK_SAMPLES_MAX, Chunk, RUN_SAMPLES_MAX, Run, ShadingSample, chunks, packed_samples};
 use super::wgsl;
+use crate::error::Result;
 use crate::scene::samples::ShadingSamples;
-use diffraction_brdf::error::Result;
 use diffraction_brdf::shader::{HalfLayers, TableImage};
 
 /// A table set in the GPU's memory.
@@ -29,34 +29,50 @@ pub fn upload(gpu: &Gpu, image: &TableImage) -> Result<GpuTables> {
         let [rows, columns] = image.coherent_size;
         let coherent = texture(gpu, wgpu::TextureFormat::Rgba32Float, [columns, rows, 1]);
         write_layer(gpu, &coherent, [columns, rows], 0, bytemuck::cast_slice(&image.coherent));
-        let params = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("table params"),
-            size: size_of_val(&image.params) as u64,
-            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
-        gpu.queue.write_buffer(&params, 0, bytemuck::bytes_of(&image.params));
-        let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("bilinear"),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            ..Default::default()
-        });
         let layout = table_layout(gpu);
-        let layers =
-            wgpu::TextureViewDescriptor { dimension: Some(wgpu::TextureViewDimension::D2Array), ..Default::default() };
-        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("tables"),
-            layout: &layout,
-            entries: &[
-                entry(0, params.as_entire_binding()),
-                entry(1, wgpu::BindingResource::TextureView(&tables.create_view(&layers))),
-                entry(2, wgpu::BindingResource::TextureView(&cross.create_view(&layers))),
-                entry(3, wgpu::BindingResource::TextureView(&coherent.create_view(&Default::default()))),
-                entry(4, wgpu::BindingResource::Sampler(&sampler)),
-            ],
-        });
+        let params = uniform(gpu, bytemuck::bytes_of(&image.params));
+        let group = bind_tables(gpu, &layout, &params, &[tables, cross, coherent]);
         GpuTables { layout, group, table_count: image.tables.scales.len() }
+    })
+}
+
+/// A uniform buffer with these bytes.
+pub(super) fn uniform(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {
+    let params = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("table params"),
+        size: bytes.len() as u64,
+        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    gpu.queue.write_buffer(&params, 0, bytes);
+    params
+}
+
+/// Group 0 of a table shader: uniform, tables, cross terms and lobe.
+pub(super) fn bind_tables(
+    gpu: &Gpu,
+    layout: &wgpu::BindGroupLayout,
+    params: &wgpu::Buffer,
+    [tables, cross, lobe]: &[wgpu::Texture; 3],
+) -> wgpu::BindGroup {
+    let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("bilinear"),
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        ..Default::default()
+    });
+    let layers =
+        wgpu::TextureViewDescriptor { dimension: Some(wgpu::TextureViewDimension::D2Array), ..Default::default() };
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("tables"),
+        layout,
+        entries: &[
+            entry(0, params.as_entire_binding()),
+            entry(1, wgpu::BindingResource::TextureView(&tables.create_view(&layers))),
+            entry(2, wgpu::BindingResource::TextureView(&cross.create_view(&layers))),
+            entry(3, wgpu::BindingResource::TextureView(&lobe.create_view(&Default::default()))),
+            entry(4, wgpu::BindingResource::Sampler(&sampler)),
+        ],
     })
 }
 
@@ -64,8 +80,8 @@ pub(super) fn entry(binding: u32, resource: wgpu::BindingResource<'_>) -> wgpu::
     wgpu::BindGroupEntry { binding, resource }
 }
 
-/// Bindings of tables.wgsl, for both kinds of pipeline.
-fn table_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
+/// Bindings of tables.wgsl and spectral.wgsl, for both kinds of pipeline.
+pub(super) fn table_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
     let image = |filterable, view_dimension| wgpu::BindingType::Texture {
         sample_type: wgpu::TextureSampleType::Float { filterable },
         view_dimension,
@@ -103,7 +119,7 @@ pub(super) fn texture(gpu: &Gpu, format: wgpu::TextureFormat, [width, height, la
     })
 }
 
-fn half_texture(gpu: &Gpu, layers: &HalfLayers) -> wgpu::Texture {
+pub(super) fn half_texture(gpu: &Gpu, layers: &HalfLayers) -> wgpu::Texture {
     let [rows, columns] = layers.size;
     let count = layers.texels.len() / (rows * columns);
     let texture = texture(gpu, wgpu::TextureFormat::Rgba16Float, [columns, rows, count]);
@@ -236,7 +252,7 @@ impl RunPass {
         let bytes = gpu.read(&self.readback, sums_bytes, "read shaded samples")?;
         let floats = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
         let floats: Vec<f32> = floats.collect();
-        // The fourth number counts samples that the tables do not serve: their sum is no answer, as on the CPU.
+        // The fourth number counts samples without an answer in the tables: their sum is none, as on the CPU.
         let total = |sum: &[f32]| if sum[3] == 0.0 { [sum[0], sum[1], sum[2]] } else { [f32::NAN; 3] };
         Ok(floats.chunks_exact(4).map(total).collect())
     }

@@ -5,7 +5,7 @@ use std::sync::{Mutex, MutexGuard};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-use diffraction_brdf::error::{Error, Result};
+use crate::error::{Error, Result};
 
 type Job<T> = Box<dyn FnOnce(&T) + Send>;
 

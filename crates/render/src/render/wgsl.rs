@@ -1,6 +1,7 @@
 //! The shaders' sources: the entry points put behind the one that evaluates tables.
 
 use diffraction_brdf::shader::TABLES_WGSL;
+use diffraction_brdf::shader_spectral::SPECTRAL_WGSL;
 
 /// Compute entry point [`SHADE_RUNS`].
 const CHECK: &str = include_str!("shaders/check.wgsl");
@@ -9,12 +10,17 @@ const FRAME: &str = include_str!("shaders/frame.wgsl");
 /// Fragment entry point [`SHADE_MATERIAL`].
 const MATERIAL: &str = include_str!("shaders/material.wgsl");
 
+/// Compute entry point [`EVAL_SPECTRAL`].
+const SPECTRAL_CHECK: &str = include_str!("shaders/spectral_check.wgsl");
+/// Fragment entry point [`SHADE_SPECTRAL`].
+const SPECTRAL_MATERIAL: &str = include_str!("shaders/spectral_material.wgsl");
+
 /// Compute entry point of [`check`]: one invocation per run of samples.
-pub const SHADE_RUNS: &str = "shade_runs";
+pub(crate) const SHADE_RUNS: &str = "shade_runs";
 /// Vertex entry point of [`frame`].
-pub const FULL_SCREEN: &str = "full_screen";
+pub(crate) const FULL_SCREEN: &str = "full_screen";
 /// Fragment entry point of [`frame`].
-pub const SHADE_SURFACES: &str = "shade_surfaces";
+pub(crate) const SHADE_SURFACES: &str = "shade_surfaces";
 /// Fragment entry point of [`material`].
 pub const SHADE_MATERIAL: &str = "shade_material";
 
@@ -31,4 +37,19 @@ pub fn frame() -> String {
 /// Source that other shading languages are translated from.
 pub fn material() -> String {
     [TABLES_WGSL, MATERIAL].join("\n")
+}
+
+/// Compute entry point of [`spectral_check`]: one invocation per query.
+pub(crate) const EVAL_SPECTRAL: &str = "eval_spectral";
+/// Fragment entry point of [`spectral_material`].
+pub const SHADE_SPECTRAL: &str = "shade_spectral";
+
+/// Source that evaluates spectral tables for uploaded queries.
+pub fn spectral_check() -> String {
+    [SPECTRAL_WGSL, SPECTRAL_CHECK].join("\n")
+}
+
+/// Source for spectral tables that other shading languages are translated from.
+pub fn spectral_material() -> String {
+    [SPECTRAL_WGSL, SPECTRAL_MATERIAL].join("\n")
 }

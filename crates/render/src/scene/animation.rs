@@ -6,7 +6,7 @@ use super::model::{Animation, Moving, Scene};
 use super::turn::{Turn, turned};
 
 /// The turn of a frame; frame 0 of a whole turn, and of a swing, is the still.
-pub fn turn_of_frame(animation: &Animation, frame: usize) -> Turn {
+pub(crate) fn turn_of_frame(animation: &Animation, frame: usize) -> Turn {
     let share = frame as f64 / animation.frames as f64;
     let angle_deg = if animation.degrees.abs() >= 360.0 {
         animation.degrees * share

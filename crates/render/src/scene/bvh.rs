@@ -4,7 +4,7 @@ use diffraction_brdf::direction::Vec3;
 
 /// A half line `origin + t direction`, t > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ray {
+pub(crate) struct Ray {
     /// Where it starts.
     pub origin: Vec3,
     /// Where it goes; of any length but zero, which is the unit of `t`.
@@ -13,7 +13,7 @@ pub struct Ray {
 
 /// An axis-aligned box.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bounds {
+pub(crate) struct Bounds {
     /// Smallest coordinates.
     pub low: Vec3,
     /// Largest coordinates.
@@ -21,7 +21,7 @@ pub struct Bounds {
 }
 
 /// The box that holds nothing.
-pub const NOTHING: Bounds = Bounds { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
+pub(crate) const NOTHING: Bounds = Bounds { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
 
 /// Most primitives of a leaf, but where splitting does not pay.
 const LEAF_MAX: usize = 4;
@@ -44,7 +44,7 @@ struct Node {
 
 /// The hierarchy. Without primitives it has no node.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Bvh {
+pub(crate) struct Bvh {
     nodes: Vec<Node>,
     /// Indices of primitives, leaf after leaf.
     order: Vec<u32>,
@@ -228,7 +228,7 @@ pub fn closest(bvh: &Bvh, ray: &Ray, t_max: f64, mut test: impl FnMut(u32) -> Op
 }
 
 /// Whether a ray meets any primitive that passes `test` before `t_max`.
-pub fn meets_any(bvh: &Bvh, ray: &Ray, t_max: f64, mut test: impl FnMut(u32) -> bool) -> bool {
+pub(crate) fn meets_any(bvh: &Bvh, ray: &Ray, t_max: f64, mut test: impl FnMut(u32) -> bool) -> bool {
     let mut found = false;
     visit(bvh, ray, t_max, |index, reach| {
         found |= test(index);

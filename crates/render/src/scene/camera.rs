@@ -52,7 +52,7 @@ pub struct View {
 }
 
 /// A camera on the +z side that looks along -z at the middle of a box and just holds it.
-pub fn automatic(bounds: &Bounds) -> Camera {
+pub(crate) fn automatic(bounds: &Bounds) -> Camera {
     let middle = middle(bounds);
     let half: Vec3 = std::array::from_fn(|axis| 0.5 * (bounds.high[axis] - bounds.low[axis]));
     let tangent = (0.5 * AUTOMATIC_FOV_DEG).to_radians().tan();
@@ -87,7 +87,7 @@ pub fn view(camera: &Camera) -> Option<View> {
 
 /// The ray through picture point `(x, y)`; its direction is a unit vector. Parallel rays start in the plane of the
 /// camera's position.
-pub fn ray(view: &View, [x, y]: [f64; 2]) -> Ray {
+pub(crate) fn ray(view: &View, [x, y]: [f64; 2]) -> Ray {
     let aside = add_scaled(add_scaled([0.0; 3], view.right, x * view.half), view.up, y * view.half);
     if view.parallel {
         return Ray { origin: add_scaled(view.position, aside, 1.0), direction: view.forward };

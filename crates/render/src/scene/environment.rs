@@ -46,13 +46,6 @@ pub struct Sky {
     columns: Array2<f32>,
 }
 
-impl Sky {
-    /// Turn about the vertical, from +z towards +x, that it was read with.
-    pub fn rotate_deg(&self) -> f64 {
-        self.rotate_deg
-    }
-}
-
 /// Without the texels: scenes are shown in messages.
 impl fmt::Debug for Sky {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -120,7 +113,7 @@ pub fn radiance(environment: &Environment, to_light: Vec3) -> f64 {
 ///
 /// The second coordinate finds a row by the rows' shares of the light, the first a texel by its share of the row's; within
 /// a texel equal areas are equal solid angles.
-pub fn direction_by_light(environment: &Environment, [along, across]: [f64; 2]) -> Vec3 {
+pub(crate) fn direction_by_light(environment: &Environment, [along, across]: [f64; 2]) -> Vec3 {
     let sky = &*environment.sky;
     let (height, width) = sky.radiance.dim();
     let target = across * sky.rows[height - 1];

@@ -28,7 +28,7 @@ const RATIO_MAX: usize = 1032;
 ///
 /// # Errors
 /// A file that is none, too large, or has luminances that are negative or not finite.
-pub fn read_luminance(path: &Path) -> Result<(Array2<f32>, String)> {
+pub(crate) fn read_luminance(path: &Path) -> Result<(Array2<f32>, String)> {
     let bytes = bounded(path)?;
     let sha256 = files::sha256_hex(&bytes);
     let bad = |what: String| Error::bad_file(path, what, "Save it as an OpenEXR image with channels R, G and B.");

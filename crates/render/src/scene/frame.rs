@@ -49,7 +49,7 @@ pub fn turned(frame: &Frame, angle_deg: f64) -> Frame {
 /// The frame of a globe with poles at world +y and -y: the tangent runs along the circle of
 /// latitude, the bitangent towards the +y pole. At the poles themselves, where latitude circles
 /// have no direction, the tangent is world +x.
-pub fn on_globe(normal: Vec3) -> Frame {
+pub(crate) fn on_globe(normal: Vec3) -> Frame {
     let along = [normal[2], 0.0, -normal[0]];
     let tangent = if dot(along, along) > 1e-24 {
         normalise(along)

@@ -6,7 +6,7 @@ use super::frame::Frame;
 
 /// What a camera ray meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hit {
+pub(crate) struct Hit {
     /// Frame of the surface there.
     pub frame: Frame,
     /// Unit vector to the viewer in the world.
@@ -15,7 +15,7 @@ pub struct Hit {
 
 /// What a camera ray meets on a body that may stand in its own light.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LitHit {
+pub(crate) struct LitHit {
     /// Frame and viewer.
     pub hit: Hit,
     /// Where rays to lights start.

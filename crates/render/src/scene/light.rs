@@ -32,7 +32,7 @@ const RECURRENCE: [f64; 4] =
 const GOLDEN: f64 = 0.381_966_011_250_105;
 
 /// A point of [0, 1)⁴; index 0 is the middle.
-pub fn sequence_point(index: usize) -> [f64; 4] {
+pub(crate) fn sequence_point(index: usize) -> [f64; 4] {
     RECURRENCE.map(|step| (0.5 + step * index as f64).fract())
 }
 
@@ -47,13 +47,13 @@ pub fn sunflower(index: usize, count: usize) -> [f64; 2] {
 }
 
 /// Cartesian coordinates of a disc point given by radius squared and angle.
-pub fn disc_xy([radius_squared, angle]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn disc_xy([radius_squared, angle]: [f64; 2]) -> [f64; 2] {
     let radius = radius_squared.sqrt();
     [radius * angle.cos(), radius * angle.sin()]
 }
 
 /// Position within the pixel of a sample: the centre where one position suffices.
-pub fn pixel_offset(scene: &Scene, index: usize) -> [f64; 2] {
+pub(crate) fn pixel_offset(scene: &Scene, index: usize) -> [f64; 2] {
     if scene.pixel_samples <= 1 {
         return [0.0, 0.0];
     }
@@ -79,7 +79,7 @@ pub fn direction_to(light: &Light, [radius_squared, angle]: [f64; 2]) -> Vec3 {
 
 /// Samples of every light of a scene, light after light; for a hemisphere of the first one only. Those of an environment
 /// differ from pixel to pixel: see `surroundings`.
-pub fn light_samples(scene: &Scene) -> Vec<LightSample> {
+pub(crate) fn light_samples(scene: &Scene) -> Vec<LightSample> {
     let used = match scene.shape {
         Shape::Hemisphere => 1,
         _ => scene.lights.len(),

@@ -93,7 +93,7 @@ pub fn check(shape: &MeshShape) -> std::result::Result<(), String> {
 }
 
 /// Where the camera ray through picture point `(x, y)` meets the outside of the mesh, where the specimen is shown.
-pub fn hit(view: &MeshView, xy: [f64; 2]) -> Option<LitHit> {
+pub(crate) fn hit(view: &MeshView, xy: [f64; 2]) -> Option<LitHit> {
     let MeshView { shape, view, turn, middle } = view;
     let ray = turned_back(*middle, *turn, camera::ray(view, xy));
     let mesh = &shape.model.mesh;

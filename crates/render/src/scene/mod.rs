@@ -3,10 +3,10 @@
 //! World frame of every scene: x to the right of the picture, y up, z towards the camera.
 
 pub mod animation;
-pub mod bvh;
+pub(crate) mod bvh;
 pub mod camera;
 pub mod environment;
-pub mod exr_foreign;
+pub(crate) mod exr_foreign;
 pub mod frame;
 pub mod gbuffer;
 pub mod hemisphere;

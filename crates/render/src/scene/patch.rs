@@ -12,7 +12,7 @@ const MARGIN: f64 = 1.04;
 
 /// A square centred in the world's origin and a pinhole camera on the z axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PatchView {
+pub(crate) struct PatchView {
     /// Axes along the square's edges, and its normal.
     edges: Frame,
     /// Axes of the structure.
@@ -27,7 +27,7 @@ pub struct PatchView {
 ///
 /// # Panics
 /// On another shape.
-pub fn view(shape: &Shape) -> PatchView {
+pub(crate) fn view(shape: &Shape) -> PatchView {
     let Shape::Patch { width_mm, distance_mm, tilt_deg, turn_deg } = *shape else {
         panic!("a view of a patch needs a patch, not {shape:?}");
     };
@@ -53,12 +53,12 @@ pub fn view(shape: &Shape) -> PatchView {
 }
 
 /// The square turned about an axis through its centre; the field of view stays.
-pub fn turned(view: &PatchView, turn: Turn) -> PatchView {
+pub(crate) fn turned(view: &PatchView, turn: Turn) -> PatchView {
     PatchView { edges: carried(&view.edges, turn), structure: carried(&view.structure, turn), ..*view }
 }
 
 /// Where the camera ray through picture point `(x, y)` meets the square.
-pub fn hit(view: &PatchView, [x, y]: [f64; 2]) -> Option<Hit> {
+pub(crate) fn hit(view: &PatchView, [x, y]: [f64; 2]) -> Option<Hit> {
     let camera: Vec3 = [0.0, 0.0, view.distance_mm];
     let ray = [x * view.half_field_mm, y * view.half_field_mm, -view.distance_mm];
     let approach = -dot(view.edges.normal, ray);

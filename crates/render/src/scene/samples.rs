@@ -94,7 +94,7 @@ pub fn pixel_centre(scene: &Scene, row: usize, column: usize) -> [f64; 2] {
 }
 
 /// Width of a pixel in picture coordinates.
-pub fn pixel_width(scene: &Scene) -> f64 {
+pub(crate) fn pixel_width(scene: &Scene) -> f64 {
     2.0 / scene.size_px as f64
 }
 

@@ -35,7 +35,7 @@ pub struct Scale {
 }
 
 /// The scale that lies on top at a place, of `columns` around the body.
-pub fn scale_at(along: f64, around: f64, columns: u32) -> Scale {
+pub(crate) fn scale_at(along: f64, around: f64, columns: u32) -> Scale {
     let ring = along.floor() as i64;
     let upper = on_ring(ring, along, around, columns);
     if upper.outline <= 1.0 { upper } else { on_ring(ring + 1, along, around, columns) }

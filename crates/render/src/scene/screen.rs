@@ -37,7 +37,7 @@ struct BeamSample {
 
 /// The set-up, ready for gathering pixels.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ScreenSetup {
+pub(crate) struct ScreenSetup {
     sample: Frame,
     distance_mm: f64,
     half_width_mm: f64,
@@ -54,7 +54,7 @@ pub fn sample_count(scene: &Scene) -> usize {
 ///
 /// # Panics
 /// On another shape.
-pub fn setup(scene: &Scene) -> ScreenSetup {
+pub(crate) fn setup(scene: &Scene) -> ScreenSetup {
     let Shape::Screen { distance_mm, width_mm, beam_diameter_mm, hole_diameter_mm, incidence_deg } = scene.shape else {
         panic!("a screen set-up needs a screen, not {:?}", scene.shape);
     };
@@ -95,7 +95,7 @@ fn beam_samples(scene: &Scene, sample: &Frame, radius_mm: f64) -> Vec<BeamSample
 }
 
 /// Samples of the screen point at picture point `(x, y)`; none in the hole.
-pub fn gather_pixel(setup: &ScreenSetup, pixel_width: f64, [x, y]: [f64; 2], out: &mut RowSamples) {
+pub(crate) fn gather_pixel(setup: &ScreenSetup, pixel_width: f64, [x, y]: [f64; 2], out: &mut RowSamples) {
     for ray in &setup.beam {
         let [dx, dy] = ray.pixel_offset;
         let x_mm = (x + dx * pixel_width) * setup.half_width_mm;

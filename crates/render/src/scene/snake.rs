@@ -1,7 +1,7 @@
 //! A snake: a coiled, tapering body built from rings around a centre line, covered with scales.
 //!
 //! Ground coordinates: X to the right, Y away from the viewer, Z up. The viewer looks down on the coil from
-//! [`ELEVATION_DEG`] above the ground.
+//! `ELEVATION_DEG` above the ground.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;
@@ -17,9 +17,9 @@ use super::tangents::{RawMesh, build};
 use super::triangles::{TriangleMesh, first_hit, frame_along, is_open, surface};
 
 /// Height of the viewer above the ground.
-pub const ELEVATION_DEG: f64 = 52.0;
+pub(crate) const ELEVATION_DEG: f64 = 52.0;
 /// Thickest part of the body, as a radius; half the picture's side is about 1.
-pub const BODY_RADIUS: f64 = 0.13;
+pub(crate) const BODY_RADIUS: f64 = 0.13;
 /// Scales around the body, as on a sunbeam snake.
 pub const COLUMNS: u32 = 15;
 /// Length of a scale, tip to tip, in widths.
@@ -47,7 +47,7 @@ const CAMERA: Camera =
 
 /// Where the camera ray through picture point `(x, y)` meets a scale. The structure's x axis runs along the body from
 /// head to tail, in the plane of the scale.
-pub fn hit(snake: &Snake, xy: [f64; 2]) -> Option<LitHit> {
+pub(crate) fn hit(snake: &Snake, xy: [f64; 2]) -> Option<LitHit> {
     let ray = camera::ray(&snake.view, xy);
     let point = surface(&snake.mesh, &first_hit(&snake.mesh, &ray)?);
     let [along, around] = point.uv;
@@ -60,7 +60,7 @@ pub fn hit(snake: &Snake, xy: [f64; 2]) -> Option<LitHit> {
 }
 
 /// Whether no other part of the body stands between a point and a light.
-pub fn is_lit(snake: &Snake, from: Vec3, direction: Vec3) -> bool {
+pub(crate) fn is_lit(snake: &Snake, from: Vec3, direction: Vec3) -> bool {
     is_open(&snake.mesh, &Ray { origin: from, direction })
 }
 

@@ -10,7 +10,7 @@ pub const RADIUS: f64 = 0.95;
 ///
 /// The structure's x axis follows the circles of latitude eastwards and its y axis points to the
 /// pole at world +y, so both lie along the picture's axes in the middle of the disc.
-pub fn hit([x, y]: [f64; 2]) -> Option<Hit> {
+pub(crate) fn hit([x, y]: [f64; 2]) -> Option<Hit> {
     let (x, y) = (x / RADIUS, y / RADIUS);
     let z_squared = 1.0 - x * x - y * y;
     if z_squared <= 0.0 {

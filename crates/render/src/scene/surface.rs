@@ -12,7 +12,7 @@ use super::turn::{Turn, back, carried, turned};
 
 /// A scene's surface, ready for rays.
 #[derive(Debug)]
-pub enum Surface<'a> {
+pub(crate) enum Surface<'a> {
     /// [`Shape::Sphere`], turned about the viewing axis.
     Sphere(Turn),
     /// [`Shape::Snake`], likewise.
@@ -25,7 +25,7 @@ pub enum Surface<'a> {
 
 /// The surface of a scene that has passed `model::check`; `None` for a map of directions (`Shape::Hemisphere`) and for a
 /// screen, of which no camera sees the specimen.
-pub fn surface(scene: &Scene) -> Option<Surface<'_>> {
+pub(crate) fn surface(scene: &Scene) -> Option<Surface<'_>> {
     match &scene.shape {
         Shape::Hemisphere | Shape::Screen { .. } => None,
         Shape::Sphere => Some(Surface::Sphere(scene.turn)),
@@ -36,7 +36,7 @@ pub fn surface(scene: &Scene) -> Option<Surface<'_>> {
 }
 
 /// What the camera ray through picture point `(x, y)` meets.
-pub fn hit(surface: &Surface, xy: [f64; 2]) -> Option<LitHit> {
+pub(crate) fn hit(surface: &Surface, xy: [f64; 2]) -> Option<LitHit> {
     match surface {
         Surface::Sphere(turn) => turned_in_picture(*turn, xy, |xy| sphere::hit(xy).map(unshaded)),
         Surface::Snake(snake, turn) => turned_in_picture(*turn, xy, |xy| snake::hit(snake, xy)),
@@ -46,7 +46,7 @@ pub fn hit(surface: &Surface, xy: [f64; 2]) -> Option<LitHit> {
 }
 
 /// Whether nothing stands between a point of the surface and a light.
-pub fn is_lit(surface: &Surface, from: Vec3, direction: Vec3) -> bool {
+pub(crate) fn is_lit(surface: &Surface, from: Vec3, direction: Vec3) -> bool {
     match surface {
         Surface::Sphere(_) | Surface::Patch(_) => true,
         Surface::Snake(snake, turn) => {

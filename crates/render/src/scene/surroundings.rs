@@ -25,14 +25,20 @@ const LEVEL: f64 = 3e-3;
 const REACH: f64 = 2.0;
 
 /// Position of a pixel along the curve that visits blocks of 2 x 2, 4 x 4, ... pixels one after the other.
-pub fn morton(row: usize, column: usize) -> u64 {
+pub(crate) fn morton(row: usize, column: usize) -> u64 {
     let spread = |n: usize| (0..32).fold(0u64, |sum, bit| sum | ((n as u64 >> bit & 1) << (2 * bit)));
     spread(row) << 1 | spread(column)
 }
 
 /// Sample `index` of `count` for the pixel at `place` along the curve: the direction to the light in the world, and the
 /// irradiance from there on a surface that faces it. `None` where nothing comes from there.
-pub fn sample(environment: &Environment, hit: &Hit, place: u64, index: usize, count: usize) -> Option<(Vec3, f64)> {
+pub(crate) fn sample(
+    environment: &Environment,
+    hit: &Hit,
+    place: u64,
+    index: usize,
+    count: usize,
+) -> Option<(Vec3, f64)> {
     let of_lobe = count / 2;
     let of_light = count - of_lobe;
     let wo = to_local(&hit.frame, hit.to_viewer);

@@ -25,7 +25,7 @@ pub struct TriangleMesh {
     /// Names of the materials.
     pub material_names: Vec<String>,
     /// Which triangles a ray may meet.
-    pub bvh: Bvh,
+    pub(crate) bvh: Bvh,
 }
 
 /// Where a ray meets a triangle.
@@ -59,7 +59,7 @@ pub struct SurfacePoint {
 const LIFT: f64 = 1e-9;
 
 /// Smallest boxes around the triangles, widened by what rounding may move a hit.
-pub fn boxes(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Bounds> {
+pub(crate) fn boxes(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Bounds> {
     let of = |triangle: &[u32; 3]| {
         let bounds = bvh::around(triangle.iter().map(|&vertex| positions[vertex as usize]));
         let pad = |axis: usize| 16.0 * f64::EPSILON * bounds.low[axis].abs().max(bounds.high[axis].abs());
@@ -80,7 +80,7 @@ pub struct ShearedRay {
 }
 
 /// Prepares a ray for [`intersect`].
-pub fn shear(ray: &Ray) -> ShearedRay {
+pub(crate) fn shear(ray: &Ray) -> ShearedRay {
     let d = ray.direction;
     let z = (0..3).max_by(|&a, &b| d[a].abs().total_cmp(&d[b].abs()).then(b.cmp(&a))).expect("three axes");
     let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
@@ -115,7 +115,7 @@ fn corners(mesh: &TriangleMesh, triangle: usize) -> [Vec3; 3] {
 }
 
 /// The first triangle that a ray meets.
-pub fn first_hit(mesh: &TriangleMesh, ray: &Ray) -> Option<TriangleHit> {
+pub(crate) fn first_hit(mesh: &TriangleMesh, ray: &Ray) -> Option<TriangleHit> {
     let sheared = shear(ray);
     let meet = |index: u32| intersect(&sheared, corners(mesh, index as usize));
     let (t, index) = bvh::closest(&mesh.bvh, ray, f64::INFINITY, |index| meet(index).map(|(t, _)| t))?;
@@ -124,7 +124,7 @@ pub fn first_hit(mesh: &TriangleMesh, ray: &Ray) -> Option<TriangleHit> {
 }
 
 /// Whether a ray gets away without meeting a triangle.
-pub fn is_open(mesh: &TriangleMesh, ray: &Ray) -> bool {
+pub(crate) fn is_open(mesh: &TriangleMesh, ray: &Ray) -> bool {
     let sheared = shear(ray);
     !bvh::meets_any(&mesh.bvh, ray, f64::INFINITY, |index| intersect(&sheared, corners(mesh, index as usize)).is_some())
 }

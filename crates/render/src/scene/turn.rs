@@ -40,7 +40,7 @@ pub fn turned(v: Vec3, turn: Turn) -> Vec3 {
 }
 
 /// A frame that a turn takes along.
-pub fn carried(frame: &Frame, turn: Turn) -> Frame {
+pub(crate) fn carried(frame: &Frame, turn: Turn) -> Frame {
     Frame {
         tangent: turned(frame.tangent, turn),
         bitangent: turned(frame.bitangent, turn),

@@ -13,7 +13,7 @@ const RIDGE: f64 = 1e-10;
 
 /// `w² ⟨|P|²⟩/(λ² A w²)` as a sum of real spherical harmonics of the half vector times powers of `|q|`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct HarmonicFit {
+pub(crate) struct HarmonicFit {
     /// Highest degree of the harmonics.
     pub degree: usize,
     /// Coefficients of X, Y and Z.
@@ -76,7 +76,7 @@ fn basis(degree: usize, q: Vec3) -> Vec<f64> {
 }
 
 /// Real orthonormal spherical harmonics up to a degree, ordered by `l² + l + m`.
-pub fn real_harmonics(degree: usize, [x, y, z]: Vec3) -> Vec<f64> {
+pub(crate) fn real_harmonics(degree: usize, [x, y, z]: Vec3) -> Vec<f64> {
     let mut values = vec![0.0; (degree + 1).pow(2)];
     // Re and Im of (x + iy)^m stand for sin^m θ cos mφ and sin^m θ sin mφ: no pole trouble.
     let (mut re, mut im, mut sectoral) = (1.0, 0.0, (0.25 / std::f64::consts::PI).sqrt());

@@ -14,7 +14,7 @@ use diffraction_build::height::HeightField;
 
 /// Sampled paths of one scan.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OpticalPaths {
+pub(crate) struct OpticalPaths {
     /// Where each path meets the surface, in nm from the scan's middle.
     places_nm: Vec<Vec3>,
     sigma_nm: f64,
@@ -53,9 +53,9 @@ impl OpticalPaths {
 mod tests {
     use super::*;
     use crate::baselines::tests::{sinusoid, uneven};
-    use diffraction_brdf::front_factor::Factor;
+
     use diffraction_brdf::spectrum::{Illuminant, Line};
-    use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+    use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
     use diffraction_build::optics::reference;
 
     /// Largest deviation from `4πσ² J_m²(k w a)` over the orders -2 to 2, as a share of the mirror's light.
@@ -81,18 +81,12 @@ mod tests {
     #[test]
     fn an_uneven_profile_is_met_by_the_direct_sum_and_its_mirror_image_is_not() {
         let field = uneven();
-        let optics = OpticsConfig {
-            illuminant: Illuminant::Lines(vec![Line { wavelength_nm: 532.0, power: 1.0 }]),
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: 2_000.0,
-            lobe_sigma_nm: None,
-            edge: Edge::Fade,
-            windows: Windows::Centre,
-            material: Material::Ideal,
-            dispersion: None,
-            shadowing: false,
-            factor: Factor::Scalar,
-        };
+        let optics = OpticsConfig::ideal(
+            Illuminant::Lines(vec![Line { wavelength_nm: 532.0, power: 1.0 }]),
+            2_000.0,
+            Edge::Fade,
+            Windows::Centre,
+        );
         let paths = OpticalPaths::sampled(&field, optics.sigma_nm, 1 << 17);
         let (wi, wo) = ([-0.1, 0.0, 0.99f64.sqrt()], [-0.1995, 0.0, (1.0 - 0.1995f64.powi(2)).sqrt()]);
         let q: Vec3 = std::array::from_fn(|axis| -wi[axis] - wo[axis]);

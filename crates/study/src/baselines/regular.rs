@@ -2,11 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::integrated;
 use super::statistics::SurfaceStatistics;
-use diffraction_brdf::direction::{Vec3, Xyz};
-use diffraction_brdf::error::Result;
-use diffraction_build::optics::config::OpticsConfig;
+use diffraction_brdf::direction::Vec3;
 
 /// Half width of an order's lobe in its standard deviations; it is 5e-9 of its peak there.
 const REACH: f64 = 6.2;
@@ -22,7 +19,7 @@ pub struct Wave {
 
 /// A sum of at most two waves.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RegularSurface {
+pub(crate) struct RegularSurface {
     /// The waves; none is a mirror.
     pub waves: Vec<Wave>,
 }
@@ -35,14 +32,6 @@ impl RegularSurface {
             amplitude_nm: statistics.rms_nm * (2.0 * share).sqrt(),
         };
         Self { waves: statistics.waves.iter().map(wave).collect() }
-    }
-
-    /// XYZ of the BRDF in 1/sr.
-    ///
-    /// # Errors
-    /// `Error::Call` for an invisible light.
-    pub fn brdf_xyz(&self, optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> Result<Xyz> {
-        integrated(optics, wi, wo, |q, nm| self.power_nm2(optics.sigma_nm, q, nm))
     }
 
     /// `⟨|P|²⟩ / A` in nm²: order (m, n) carries `J_m²(k w a) J_n²(k w b)` in the window's lobe around
@@ -106,11 +95,12 @@ impl Orders {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::baselines::integrate;
     use crate::baselines::statistics::surface_statistics;
     use diffraction_brdf::direction::from_angles_deg;
     use diffraction_brdf::spectrum::{Illuminant, Line};
     use diffraction_build::height::HeightField;
-    use diffraction_build::optics::config::{Edge, Factor, Material, Windows};
+    use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
     use diffraction_build::optics::reference;
 
     #[test]
@@ -118,29 +108,29 @@ mod tests {
         let heights_nm =
             ndarray::Array2::from_shape_fn((16, 128), |(_, x)| 60.0 * (TAU * 8.0 * x as f64 / 128.0).sin());
         let field = HeightField { heights_nm, pitch_nm: [100.0, 800.0] };
-        let optics = OpticsConfig {
-            illuminant: Illuminant::Lines(vec![Line { wavelength_nm: 532.0, power: 1.0 }]),
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: 3_000.0,
-            lobe_sigma_nm: None,
-            edge: Edge::Tile,
-            windows: Windows::Grid,
-            material: Material::Ideal,
-            dispersion: None,
-            shadowing: false,
-            factor: Factor::Scalar,
-        };
+        let optics = OpticsConfig::ideal(
+            Illuminant::Lines(vec![Line { wavelength_nm: 532.0, power: 1.0 }]),
+            3_000.0,
+            Edge::Tile,
+            Windows::Grid,
+        );
         let model = RegularSurface::fitted(&surface_statistics(std::slice::from_ref(&field)));
+        let brdf = |surface: &RegularSurface, wi, wo| {
+            let mut xyz = [[0.0; 3]];
+            let power_nm2 = |q, nm| surface.power_nm2(optics.sigma_nm, q, nm);
+            integrate(&optics, &[(wi, wo)], power_nm2, &mut xyz).unwrap();
+            xyz[0][1]
+        };
         for order in -2..=2 {
             let sin_o = f64::from(order) * 532.0 / 1_600.0 - 0.2;
             let wi = from_angles_deg(0.2f64.asin().to_degrees(), 0.0);
             let wo = [sin_o + 0.005, 0.0, (1.0 - (sin_o + 0.005).powi(2)).sqrt()];
             let exact = reference::brdf_xyz(std::slice::from_ref(&field), &optics, wi, wo).unwrap()[1];
-            let found = model.brdf_xyz(&optics, wi, wo).unwrap()[1];
+            let found = brdf(&model, wi, wo);
             // Both are sums of the same orders; the kernels are cut at 3e-7.
             assert!((found / exact - 1.0).abs() < 1e-5, "order {order}: {found:e} {exact:e}");
             let wrong = RegularSurface { waves: vec![Wave { amplitude_nm: 61.0, ..model.waves[0] }] };
-            assert!((wrong.brdf_xyz(&optics, wi, wo).unwrap()[1] / exact - 1.0).abs() > 1e-4);
+            assert!((brdf(&wrong, wi, wo) / exact - 1.0).abs() > 1e-4);
         }
     }
 }

@@ -2,14 +2,11 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::integrated;
-use diffraction_brdf::direction::{Vec3, Xyz};
-use diffraction_brdf::error::Result;
-use diffraction_build::optics::config::OpticsConfig;
+use diffraction_brdf::direction::Vec3;
 
 /// A surface of normally distributed heights with the autocorrelation `exp(-r²/T²)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RoughSurface {
+pub(crate) struct RoughSurface {
     /// Root mean square height in nm.
     pub rms_nm: f64,
     /// Correlation length `T` in nm.
@@ -17,14 +14,6 @@ pub struct RoughSurface {
 }
 
 impl RoughSurface {
-    /// XYZ of the BRDF in 1/sr.
-    ///
-    /// # Errors
-    /// `Error::Call` for an invisible light.
-    pub fn brdf_xyz(&self, optics: &OpticsConfig, wi: Vec3, wo: Vec3) -> Result<Xyz> {
-        integrated(optics, wi, wo, |q, nm| self.power_nm2(optics.sigma_nm, q, nm))
-    }
-
     /// `⟨|P|²⟩ / A` in nm². With `g = (k w h_rms)²` the mean of the phasors of two points is
     /// `exp(-g (1 - C)) = exp(-g) Σ g^m C^m / m!`; each `C^m` times the window's own correlation
     /// `exp(-r²/4σ²)` is a Gaussian, and so is its transform. `m = 0` is the coherent lobe.

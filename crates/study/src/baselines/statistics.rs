@@ -7,7 +7,7 @@ use diffraction_build::height::HeightField;
 
 /// What the closed forms know of a surface.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
-pub struct SurfaceStatistics {
+pub(crate) struct SurfaceStatistics {
     /// Root mean square height about the mean in nm.
     pub rms_nm: f64,
     /// Distance in nm at which the autocorrelation falls to 1/e: geometric mean of x and y.
@@ -21,7 +21,7 @@ pub struct SurfaceStatistics {
 const SECOND_WAVE: f64 = 0.1;
 
 /// Statistics averaged over a specimen's scans; waves are those of the first.
-pub fn surface_statistics(fields: &[HeightField]) -> SurfaceStatistics {
+pub(crate) fn surface_statistics(fields: &[HeightField]) -> SurfaceStatistics {
     let mean = |of: &dyn Fn(&HeightField) -> f64| fields.iter().map(of).sum::<f64>() / fields.len().max(1) as f64;
     SurfaceStatistics {
         rms_nm: mean(&variance).sqrt(),

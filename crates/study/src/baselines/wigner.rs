@@ -24,7 +24,7 @@ use diffraction_build::optics::window::SUPPORT_SIGMAS;
 const NORMAL_SIN: f64 = 1e-9;
 
 /// Unit vector of the plane of incidence in the surface; the viewer's plane where light comes along the normal.
-pub fn plane_of_incidence(wi: Vec3, wo: Vec3) -> [f64; 2] {
+pub(crate) fn plane_of_incidence(wi: Vec3, wo: Vec3) -> [f64; 2] {
     let along = |[x, y, _]: Vec3| {
         let length = x.hypot(y);
         (length > NORMAL_SIN).then(|| [x / length, y / length])
@@ -34,7 +34,7 @@ pub fn plane_of_incidence(wi: Vec3, wo: Vec3) -> [f64; 2] {
 
 /// A line of heights under the coherence window.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PhaseScreen {
+pub(crate) struct PhaseScreen {
     /// Heights in nm at half steps from one end to the other, an odd number.
     heights_nm: Vec<f64>,
     /// Amplitude of the window at each.
@@ -99,7 +99,7 @@ impl PhaseScreen {
 
     /// `|P|² / A` in nm² at each wavelength, which lie at equal steps of wavenumber: the Wigner distribution projected
     /// along all places.
-    pub fn projected_nm2(&self, q: Vec3, wavelengths_nm: &[f64]) -> Vec<f64> {
+    pub(crate) fn projected_nm2(&self, q: Vec3, wavelengths_nm: &[f64]) -> Vec<f64> {
         let [u, v] = self.in_plane(q);
         // Both ends of a lag move by half steps: ends that are an odd number of them apart never meet.
         let sums = [0, 1].map(|first| {
@@ -149,7 +149,7 @@ fn distribution<const N: usize>(
 
 /// How finely a light field is kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct LightField {
+pub(crate) struct LightField {
     /// Positions along the screen.
     pub positions: usize,
     /// Angles: sines of the viewer's angle in the plane of incidence at equal steps over [-1, 1].
@@ -196,9 +196,9 @@ impl LightField {
 mod tests {
     use super::*;
     use crate::baselines::tests::{sinusoid, uneven};
-    use diffraction_brdf::front_factor::Factor;
+
     use diffraction_brdf::spectrum::{Illuminant, Line};
-    use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
+    use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
     use diffraction_build::optics::reference;
 
     const SIGMA_NM: f64 = 2_000.0;
@@ -252,18 +252,12 @@ mod tests {
     #[test]
     fn in_the_plane_of_a_grating_the_projection_is_the_direct_sum() {
         let field = uneven();
-        let optics = OpticsConfig {
-            illuminant: Illuminant::Lines(vec![Line { wavelength_nm: NM, power: 1.0 }]),
-            wavelength_nm: [380.0, 780.0],
-            sigma_nm: SIGMA_NM,
-            lobe_sigma_nm: None,
-            edge: Edge::Fade,
-            windows: Windows::Centre,
-            material: Material::Ideal,
-            dispersion: None,
-            shadowing: false,
-            factor: Factor::Scalar,
-        };
+        let optics = OpticsConfig::ideal(
+            Illuminant::Lines(vec![Line { wavelength_nm: NM, power: 1.0 }]),
+            SIGMA_NM,
+            Edge::Fade,
+            Windows::Centre,
+        );
         let screen = PhaseScreen::along(&field, [1.0, 0.0], SIGMA_NM);
         // Near the orders -2, -1 and 1.
         for sine in [0.57, 0.235, -0.43] {

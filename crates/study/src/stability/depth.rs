@@ -47,7 +47,7 @@ pub struct DepthRow {
 }
 
 /// Every depth with automatic settings, and with four tables.
-pub fn rows_and_cases() -> (Vec<DepthRow>, Vec<StabilityCase>) {
+pub(crate) fn rows_and_cases() -> (Vec<DepthRow>, Vec<StabilityCase>) {
     DEPTHS_NM.into_iter().map(depth).unzip()
 }
 

@@ -34,7 +34,7 @@ pub struct GrazingRow {
 }
 
 /// Grazing rows, and every case.
-pub fn rows_and_cases() -> (Vec<GrazingRow>, Vec<StabilityCase>) {
+pub(crate) fn rows_and_cases() -> (Vec<GrazingRow>, Vec<StabilityCase>) {
     let field = relief([32, 32], [125.0; 2], 150.0);
     let optics = optics(800.0);
     let Ok(set) = tables(&field, &optics, &config(Basis::Chebyshev)) else {

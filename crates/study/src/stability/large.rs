@@ -19,7 +19,7 @@ const SAMPLES: usize = 8_192;
 /// A wave along x of 8192² samples 1 nm apart. It does not depend on y, so the direct sum over one row, as tall as the
 /// whole scan, is the same surface. Guard: sums of rows first, in doubles; a single float stops growing at 2²⁴ samples, a
 /// quarter of these.
-pub fn scan_of_8192() -> StabilityCase {
+pub(crate) fn scan_of_8192() -> StabilityCase {
     let name = "scan of 8192 x 8192, pitch 1 nm";
     let height = |column: usize| 60.0 * (TAU * 6.0 * column as f64 / SAMPLES as f64).sin();
     let field = HeightField {
@@ -54,7 +54,7 @@ fn float_sum(row: &HeightField) -> f64 {
 }
 
 /// Tables of 4001² texels. Guard: two tables hold the power over `w²` of so shallow a relief, not the power.
-pub fn table_of_4001() -> StabilityCase {
+pub(crate) fn table_of_4001() -> StabilityCase {
     let name = "table of 4001 x 4001 texels";
     // So shallow that two polynomials reach the tolerance.
     let field = relief([32, 32], [125.0; 2], 5.0);

@@ -15,7 +15,7 @@ use diffraction_brdf::storage::half_scale;
 use diffraction_build::ground::metrics::relative_error_quantiles;
 use diffraction_build::ground::sampling::four;
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
+use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
 use diffraction_build::optics::reference::brdf_xyz_batch;
 use diffraction_build::tables::build::build;
 use diffraction_build::tables::input::BuildInput;
@@ -25,13 +25,13 @@ use diffraction_build::tables::model::{Basis, Prefilter, Storage, TableSet, Tabl
 pub const TOLERANCE: f64 = 1e-2;
 
 /// Bound of the 95th percentile of the error on texels: basis and wavelengths may each take the tolerance.
-pub const BOUND: f64 = 2.0 * TOLERANCE;
+pub(crate) const BOUND: f64 = 2.0 * TOLERANCE;
 
 /// Directions compared per case.
 const DIRECTIONS: usize = 60;
 
 /// Name of the guard that [`Comparison::half_as_many`] takes out.
-pub const HALF_AS_MANY: &str = "as many tables as the depth asks for; half as many";
+pub(crate) const HALF_AS_MANY: &str = "as many tables as the depth asks for; half as many";
 
 /// A direction to the light and one to the viewer.
 pub type Pair = (Vec3, Vec3);
@@ -57,7 +57,7 @@ pub fn scaled(heights: Array2<f64>, pitch_nm: [f64; 2], depth_nm: f64) -> Height
 }
 
 /// Standard deviation in nm of the window where a case only needs lines.
-pub const WAVE_SIGMA_NM: f64 = 800.0;
+pub(crate) const WAVE_SIGMA_NM: f64 = 800.0;
 
 /// As [`optics`], lit by one laser line.
 pub fn laser(wavelength_nm: f64, sigma_nm: f64) -> OpticsConfig {
@@ -67,18 +67,7 @@ pub fn laser(wavelength_nm: f64, sigma_nm: f64) -> OpticsConfig {
 
 /// Daylight on the periodically repeated scan, averaged over all window positions.
 pub fn optics(sigma_nm: f64) -> OpticsConfig {
-    OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm,
-        lobe_sigma_nm: None,
-        edge: Edge::Tile,
-        windows: Windows::Grid,
-        material: Material::Ideal,
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
-    }
+    OpticsConfig::ideal(Illuminant::D65, sigma_nm, Edge::Tile, Windows::Grid)
 }
 
 /// Small float tables.
@@ -119,7 +108,7 @@ pub fn on_texels(set: &TableSet, t_range: [f64; 2]) -> Vec<Pair> {
 
 /// Directions on the row of texels at `v = 0`, where a surface without structure along y sends its light, from the
 /// second texel on.
-pub fn on_row(set: &TableSet, t_range: [f64; 2]) -> Vec<Pair> {
+pub(crate) fn on_row(set: &TableSet, t_range: [f64; 2]) -> Vec<Pair> {
     let texel = 4.0 / (set.size() - 1) as f64;
     let columns = (2..set.size() as i32 / 2).flat_map(|i| [f64::from(-i) * texel, f64::from(i) * texel]);
     columns
@@ -165,7 +154,7 @@ impl<'a> Comparison<'a> {
     }
 
     /// [`Self::error`] if the tables were read elsewhere than at `q`.
-    pub fn misread(&self, elsewhere: &dyn Fn(Vec3) -> Vec3) -> f64 {
+    pub(crate) fn misread(&self, elsewhere: &dyn Fn(Vec3) -> Vec3) -> f64 {
         self.error_of(&|wi, wo| {
             let q = elsewhere(wave_vector_change(wi, wo));
             self.set.front_factor.diffuse(wi, wo) * window_power(self.set, Interpolation::Cubic, q)[1]
@@ -198,12 +187,12 @@ impl<'a> Comparison<'a> {
     }
 
     /// [`Self::error`] with this many tables.
-    pub fn with_tables(&self, count: usize) -> f64 {
+    pub(crate) fn with_tables(&self, count: usize) -> f64 {
         self.other(self.field, &self.optics, &TablesConfig { count: Some(count), ..config(Basis::Chebyshev) })
     }
 
     /// [`Self::error`] with half as many tables.
-    pub fn half_as_many(&self) -> f64 {
+    pub(crate) fn half_as_many(&self) -> f64 {
         self.with_tables(self.set.tables.len() / 2)
     }
 
@@ -248,7 +237,7 @@ fn half_share(set: &TableSet, pairs: &[Pair]) -> f64 {
 }
 
 /// What is taken out of a comparison: its name, and the error without it.
-pub struct TakenOut<'a> {
+pub(crate) struct TakenOut<'a> {
     pub what: &'a str,
     pub without: &'a dyn Fn(&Comparison) -> f64,
 }
@@ -263,7 +252,7 @@ pub fn compared(name: &str, field: &HeightField, optics: &OpticsConfig, taken_ou
 }
 
 /// A figure with its bound, still without what keeps it.
-pub struct Tried {
+pub(crate) struct Tried {
     name: String,
     note: String,
     measured: f64,

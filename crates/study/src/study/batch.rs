@@ -20,13 +20,13 @@ use diffraction_build::tables::model::{Basis, Storage, TableSet};
 pub type Pair = (Vec3, Vec3);
 
 /// A method that answers many pairs of directions at once on the calling thread: XYZ in 1/sr.
-pub type Batch<'a> = &'a (dyn Fn(&[Pair], &mut [Xyz]) + Sync);
+pub(crate) type Batch<'a> = &'a (dyn Fn(&[Pair], &mut [Xyz]) + Sync);
 
 /// Most pairs that one thread takes at a time: methods that integrate over a spectrum prepare it once for each.
 const CHUNK_MAX: usize = 2048;
 
 /// Evaluates a method on all threads.
-pub fn on_all_threads(batch: Batch, pairs: &[Pair]) -> Vec<Xyz> {
+pub(crate) fn on_all_threads(batch: Batch, pairs: &[Pair]) -> Vec<Xyz> {
     let mut xyz = vec![[0.0; 3]; pairs.len()];
     let chunk = (pairs.len() / (4 * rayon::current_num_threads())).clamp(8, CHUNK_MAX);
     xyz.par_chunks_mut(chunk).zip(pairs.par_chunks(chunk)).for_each(|(out, pairs)| batch(pairs, out));
@@ -40,7 +40,7 @@ enum Texels {
 }
 
 /// A table set in one block of memory.
-pub struct PackedTables {
+pub(crate) struct PackedTables {
     basis: Basis,
     size: usize,
     count: usize,
@@ -246,7 +246,7 @@ fn without_tables(set: &TableSet, storage: Storage) -> TableSet {
         lobe,
         prefilter_width: set.prefilter_width,
         front_factor: set.front_factor,
-        served: None,
+        restriction: None,
         usable_radius: set.usable_radius,
     }
 }
@@ -277,7 +277,7 @@ mod tests {
                 shadowing: false,
                 factor: Factor::Scalar,
             },
-            served: None,
+            restriction: None,
             usable_radius: 2.0,
         }
     }

@@ -17,8 +17,9 @@ use super::methods::Context;
 use super::rows::Refusal;
 use super::sample::{floor_per_sr, luminances};
 use super::texels::Texels;
+use crate::error::Result;
 use diffraction_brdf::direction::Xyz;
-use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::error::{self, Error};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::files;
 use diffraction_brdf::storage::write_tables;
@@ -157,14 +158,14 @@ impl Candidate<'_> {
             lobe: set.lobe.clone(),
             prefilter_width: set.prefilter_width,
             front_factor: set.front_factor,
-            served: None,
+            restriction: None,
             usable_radius: set.usable_radius,
         }
     }
 }
 
 /// The first of the candidates that keeps the target with its numbers rounded to it, in files.
-fn filed(list: &[Candidate], target: f64, error_of: &dyn Fn(&PackedTables) -> f64) -> Result<Option<Filed>> {
+fn filed(list: &[Candidate], target: f64, error_of: &dyn Fn(&PackedTables) -> f64) -> error::Result<Option<Filed>> {
     for candidate in list {
         let &Candidate { tables, storage, .. } = candidate;
         let rounded = to_tolerance(&candidate.cut(), target);
@@ -273,7 +274,7 @@ fn config_of(context: &Context, basis: Basis, count: usize) -> TablesConfig {
     TablesConfig { size, count: Some(count), prefilter: Prefilter::Auto, ..context.tables_config(basis) }
 }
 
-fn build_trials(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refusal>) -> Result<Trials> {
+fn build_trials(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<Refusal>) -> error::Result<Trials> {
     let made = |basis, count| {
         let built = build::build(
             &BuildInput::new(&specimen.fields, &specimen.optics, &config_of(context, basis, count)),
@@ -283,7 +284,7 @@ fn build_trials(specimen: &StudySpecimen, context: &Context, refusals: &mut Vec<
         built.map(|(set, _)| set)
     };
     let counts = context.config.chebyshev.iter();
-    let chebyshev = counts.map(|&count| made(Basis::Chebyshev, count)).collect::<Result<_>>()?;
+    let chebyshev = counts.map(|&count| made(Basis::Chebyshev, count)).collect::<error::Result<_>>()?;
     let longest = context.config.taylor.iter().copied().max().unwrap_or(0);
     let taylor = match made(Basis::Taylor, longest) {
         Ok(set) => Some(set),

@@ -3,8 +3,8 @@
 use ndarray::Array3;
 
 use super::batch::Pair;
+use crate::error::Result;
 use diffraction_brdf::direction::Xyz;
-use diffraction_brdf::error::Result;
 use diffraction_build::tables::model::TableSet;
 
 /// One scene on a coarse lattice of its pixels: the directions it asks for, and how they make up a picture.
@@ -26,6 +26,6 @@ pub trait GpuClock: Sync {
     /// Seconds per pair of directions with half-float textures and the hardware's linear look-ups.
     ///
     /// # Errors
-    /// The GPU's; `Error::Limit` for more tables than a texture has layers.
+    /// [`Error::Lent`](crate::error::Error::Lent) in the GPU's words; a limit, for more tables than a texture has layers.
     fn seconds_per_direction(&self, set: &TableSet) -> Result<f64>;
 }

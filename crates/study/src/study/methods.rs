@@ -14,8 +14,8 @@ use crate::baselines::regular::RegularSurface;
 use crate::baselines::rough::RoughSurface;
 use crate::baselines::statistics::SurfaceStatistics;
 use crate::baselines::{self, harmonics};
+use crate::error::Result;
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
-use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{self, Interpolation};
 use diffraction_build::ground::memory;
 use diffraction_build::ground::progress::Progress;
@@ -92,7 +92,7 @@ pub struct Rows {
 }
 
 /// What a row is about.
-pub struct Label<'a> {
+pub(crate) struct Label<'a> {
     method: &'a str,
     setting: String,
     tables: Option<(Basis, Storage)>,
@@ -101,7 +101,7 @@ pub struct Label<'a> {
 
 impl<'a> Label<'a> {
     /// Of a method that keeps other numbers than tables, so many bytes.
-    pub fn without_tables(method: &'a str, setting: String, bytes: usize) -> Self {
+    pub(crate) fn without_tables(method: &'a str, setting: String, bytes: usize) -> Self {
         Self { method, setting, tables: None, stored_bytes: bytes as u64 }
     }
 }
@@ -195,8 +195,7 @@ impl Context<'_> {
     /// Tables of one basis and number, stored in both formats.
     fn table_rows(&self, basis: Basis, count: usize) -> Result<(TableSet, Vec<MethodRow>)> {
         let config = TablesConfig { count: Some(count), ..self.tables_config(basis) };
-        let (set, cost) =
-            measured(|| Ok(build::build(&BuildInput::new(self.fields, self.optics, &config), &|_| ())?.0))?;
+        let ((set, _), cost) = measured(|| build::build(&BuildInput::new(self.fields, self.optics, &config), &|_| ()))?;
         let mut rows = Vec::new();
         for storage in [Storage::Float, Storage::Half] {
             let packed = PackedTables::new(&set, count, storage);
@@ -306,7 +305,7 @@ impl Context<'_> {
     }
 
     /// The directions on which evaluation is timed.
-    pub fn timed_pairs(&self) -> Vec<Pair> {
+    pub(crate) fn timed_pairs(&self) -> Vec<Pair> {
         direction_pairs(Region::Hemisphere, self.config.timed_directions)
     }
 
@@ -353,7 +352,11 @@ pub fn tables_config(config: &StudyConfig, basis: Basis) -> TablesConfig {
 }
 
 /// The transforms of all windows, and what they took.
-pub fn transforms(fields: &[HeightField], optics: &OpticsConfig, config: &StudyConfig) -> Result<(Vec<Spectra>, Cost)> {
+pub fn transforms(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    config: &StudyConfig,
+) -> diffraction_brdf::Result<(Vec<Spectra>, Cost)> {
     measured(|| {
         let plan = plan::plan(&BuildInput::new(fields, optics, &tables_config(config, Basis::Chebyshev)))?;
         let windows = plan.windows.iter();
@@ -375,7 +378,8 @@ fn family(basis: Basis, storage: Storage) -> &'static str {
     }
 }
 
-pub fn measured<T>(work: impl FnOnce() -> Result<T>) -> Result<(T, Cost)> {
+/// The result of some work, and what it took.
+pub fn measured<T, E>(work: impl FnOnce() -> std::result::Result<T, E>) -> std::result::Result<(T, Cost), E> {
     let before = memory::restart();
     let started = Instant::now();
     let made = work()?;

@@ -90,7 +90,7 @@ impl Sample {
     }
 
     /// Errors of a method where (u, v) lies on texels.
-    pub fn errors_on_texels(&self, batch: Batch) -> ErrorQuantiles {
+    pub(crate) fn errors_on_texels(&self, batch: Batch) -> ErrorQuantiles {
         self.deviation(&self.on_texels.luminance, &luminances(batch, &self.on_texels.pairs))
     }
 
@@ -112,7 +112,7 @@ pub fn luminances(batch: Batch, pairs: &[Pair]) -> Vec<f64> {
 }
 
 /// Pairs whose (u, v) is the texel nearest to that of the given pairs, with the same share of the reach in `w`.
-pub fn moved_to_texels(pairs: &[Pair], size: usize) -> Vec<Pair> {
+pub(crate) fn moved_to_texels(pairs: &[Pair], size: usize) -> Vec<Pair> {
     let texel = 4.0 / (size - 1) as f64;
     let moved = |&(wi, wo): &Pair| {
         let q = wave_vector_change(wi, wo);

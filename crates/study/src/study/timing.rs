@@ -31,12 +31,12 @@ impl Clock {
     }
 
     /// Seconds per direction on one thread.
-    pub fn on_one_thread(&self, batch: Batch, pairs: &[Pair]) -> f64 {
+    pub(crate) fn on_one_thread(&self, batch: Batch, pairs: &[Pair]) -> f64 {
         self.one.install(|| best_per_direction(batch, pairs))
     }
 
     /// Wall seconds per direction with all threads at work.
-    pub fn on_all_threads(&self, batch: Batch, pairs: &[Pair]) -> f64 {
+    pub(crate) fn on_all_threads(&self, batch: Batch, pairs: &[Pair]) -> f64 {
         best_per_direction(batch, pairs)
     }
 }

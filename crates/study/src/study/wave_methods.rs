@@ -22,7 +22,7 @@ pub fn count(config: &StudyConfig) -> usize {
 
 impl Context<'_> {
     /// The Wigner distribution projected, light fields of ever more rays, ever more optical paths.
-    pub fn wave_rows(&self) -> Result<Vec<MethodRow>> {
+    pub(crate) fn wave_rows(&self) -> Result<Vec<MethodRow>> {
         let mut rows = vec![self.wigner_row()];
         self.progress.advance(1);
         for &[positions, angles] in &self.config.light_fields {

@@ -4,12 +4,13 @@ use super::args::StudyArgs;
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
+use crate::error::Result;
 use crate::manifest;
 use crate::report::study_page::{PAGE, write_study};
 use crate::stages::config::SpecimenConfig;
 use crate::stages::ingest::{Scans, ingest};
 use crate::stages::study::{FrameClock, drawn};
-use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::error::Error;
 use diffraction_render::scene::model::Scene;
 use diffraction_study::stability::{StabilityCase, Verdict, run_stability};
 use diffraction_study::study::{GpuClock, SceneSamples, StudyConfig, StudySpecimen, run_study};
@@ -18,13 +19,23 @@ use diffraction_study::study::{GpuClock, SceneSamples, StudyConfig, StudySpecime
 pub(crate) fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
     let (manifest, _) = manifest::load(&args.manifest)?;
     if let Some(unknown) = args.specimen.iter().find(|name| manifest.specimens.iter().all(|s| s.name != **name)) {
-        return Err(Error::Call(format!("{}: no specimen is called `{unknown}`", args.manifest.display())));
+        return Err(Error::Call(format!("{}: no specimen is called `{unknown}`", args.manifest.display())).into());
+    }
+    let is_chosen = |s: &&SpecimenConfig| args.specimen.is_empty() || args.specimen.contains(&s.name);
+    if let Some(specimen) = manifest.specimens.iter().filter(is_chosen).find(|s| s.optics.source_deg.is_some()) {
+        return Err(Error::Call(format!(
+            "{}: specimen \"{}\" has coherence.source_deg, a source of fixed size, and the models that a study compares know one \
+             coherence for all wavelengths: give sigma_um for the study, or choose others with --specimen",
+            args.manifest.display(),
+            specimen.name
+        ))
+        .into());
     }
     let progress = reporter(global.quiet);
     let config = if args.thorough { StudyConfig::thorough() } else { StudyConfig::quick() };
     let mut failures = Vec::new();
     let mut specimens = Vec::new();
-    for given in manifest.specimens.iter().filter(|s| args.specimen.is_empty() || args.specimen.contains(&s.name)) {
+    for given in manifest.specimens.iter().filter(is_chosen) {
         match specimen(given, &manifest.scenes, &config) {
             Ok(specimen) => specimens.push(specimen),
             Err(error) => failures.push(format!("{}: {error}", given.name)),

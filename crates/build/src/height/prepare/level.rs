@@ -6,7 +6,7 @@ use ndarray::{Array2, Axis};
 use crate::height::HeightField;
 
 /// Fewest samples in a scan line that tell its slope from the structure.
-pub const LINE_SAMPLES_MIN: usize = 8;
+pub(crate) const LINE_SAMPLES_MIN: usize = 8;
 
 /// Order of the subtracted surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,7 +41,7 @@ struct Axes {
 /// On a full grid with the origin in its middle 1, x, y, xy, x² - ⟨x²⟩, y² - ⟨y²⟩ are orthogonal, so
 /// each coefficient is one quotient of sums and no equations are solved. What a grid is too small to
 /// tell (the slope of one sample, the curvature of two) has a norm of exactly 0 and is taken as 0.
-pub fn subtract_surface(field: &mut HeightField, order: Order) -> Surface {
+pub(crate) fn subtract_surface(field: &mut HeightField, order: Order) -> Surface {
     let axes = axes(field.size());
     let ones = [vec![1.0; axes.x.len()], vec![1.0; axes.y.len()]];
     let mut terms: Vec<(&[f64], &[f64])> = vec![(&ones[0], &ones[1]), (&axes.x, &ones[1]), (&ones[0], &axes.y)];
@@ -102,7 +102,7 @@ fn subtract_term(heights: &mut Array2<f64>, along_x: &[f64], along_y: &[f64]) ->
 /// what then is left: neither dust nor a few high features tilt or sink a line. (A median would do
 /// as much, but it jumps from line to line where a structure has two levels of equal share.) Lines have at
 /// least [`LINE_SAMPLES_MIN`] samples.
-pub fn subtract_lines(field: &mut HeightField) -> f64 {
+pub(crate) fn subtract_lines(field: &mut HeightField) -> f64 {
     let [nx, ny] = field.size();
     let half = nx / 2;
     let middle = 0.5 * (nx - 1) as f64;

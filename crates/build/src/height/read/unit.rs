@@ -26,7 +26,7 @@ pub enum LengthUnit {
 
 impl LengthUnit {
     /// Length of the unit in nm.
-    pub fn to_nm(self) -> f64 {
+    pub(crate) fn to_nm(self) -> f64 {
         match self {
             Self::Pm => 1e-3,
             Self::Angstrom => 0.1,

@@ -48,7 +48,7 @@ fn autocorrelation(heights: &Array2<f64>) -> Array2<f64> {
         line.iter_mut().zip(heights).for_each(|(value, height)| value.re = *height);
     }
     fft2(&mut spectrum);
-    // The power spectrum is real and even, so the forward transform serves as the inverse.
+    // The power spectrum is real and even, so the forward transform is its own inverse.
     spectrum.mapv_inplace(|value| Complex::from(value.norm_sqr()));
     fft2(&mut spectrum);
     let (padded_columns, size) = (spectrum.ncols(), spectrum.len() as f64);

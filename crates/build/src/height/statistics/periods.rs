@@ -77,7 +77,7 @@ struct Peak {
 /// 1e-6 only. Its place is the centre of the power around it, which lies between the lines: exactly so
 /// for a sinusoid, whose power a Hann window spreads over five lines, and in the middle of the many lines of a grating
 /// that is not quite regular. One that varies more has several peaks.
-pub fn dominant(field: &HeightField) -> Vec<Period> {
+pub(crate) fn dominant(field: &HeightField) -> Vec<Period> {
     let spectrum = spectrum(field);
     let maxima = local_maxima(&spectrum);
     let Some(highest) = maxima.first().map(|&line| spectrum.power(line)) else { return Vec::new() };

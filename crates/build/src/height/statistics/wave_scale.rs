@@ -50,14 +50,14 @@ pub fn wall_share(field: &HeightField, wavelength_nm: f64) -> f64 {
 
 /// Shortest wavelength in nm at which a scan tells steep slopes from gentle ones: five times its coarser pitch, axes of
 /// one sample left out, along which a surface has no structure.
-pub fn wavelength_told_nm(field: &HeightField) -> f64 {
+pub(crate) fn wavelength_told_nm(field: &HeightField) -> f64 {
     let axes = field.size().into_iter().zip(field.pitch_nm).filter(|(count, _)| *count > 1);
     axes.map(|(_, pitch_nm)| pitch_nm / PITCH_MAX).fold(0.0, f64::max)
 }
 
 /// The largest [`wave_slope`] that a surface of this rms height can have: `D` is at most four times the mean square height,
 /// along both axes.
-pub fn wave_slope_max(rms_height_nm: f64, wavelength_nm: f64) -> f64 {
+pub(crate) fn wave_slope_max(rms_height_nm: f64, wavelength_nm: f64) -> f64 {
     8f64.sqrt() * rms_height_nm / (SLOPE_LENGTH * wavelength_nm)
 }
 

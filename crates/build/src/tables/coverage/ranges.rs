@@ -8,7 +8,7 @@ use std::ops::Range;
 use ndarray::Array3;
 
 use crate::tables::grid::Grid;
-use crate::tables::model::Served;
+use crate::tables::model::Restriction;
 use crate::tables::texels::Texels;
 use diffraction_brdf::direction::max_abs_w;
 
@@ -193,7 +193,7 @@ impl Coverage {
     }
 
     /// Range of `|w|` at the texel nearest to `(u, v)`; `None` where it is not covered.
-    pub fn abs_w_near(&self, uv: [f64; 2]) -> Option<[f64; 2]> {
+    pub(crate) fn abs_w_near(&self, uv: [f64; 2]) -> Option<[f64; 2]> {
         let index = self.grid.nearest(uv)?;
         let [row, column] = [index / self.grid.size, index % self.grid.size];
         self.covers(row, column).then(|| self.abs_w_at(row, column, self.range(row, column)))
@@ -294,7 +294,7 @@ impl Coverage {
     }
 
     /// The texture of ranges that readers of the tables need; `None` where nothing is covered.
-    pub fn range_texture(&self) -> Option<Served> {
+    pub fn range_texture(&self) -> Option<Restriction> {
         let [rows, columns] = self.window()?;
         let range = Array3::from_shape_fn((rows.len(), columns.len(), 3), |(row, column, channel)| {
             let index = (rows.start + row) * self.grid.size + columns.start + column;
@@ -305,7 +305,7 @@ impl Coverage {
                 (false, _) => 0.0,
             }
         });
-        Some(Served { size: self.grid.size, first: [rows.start, columns.start], range })
+        Some(Restriction { size: self.grid.size, first: [rows.start, columns.start], range })
     }
 }
 

@@ -5,7 +5,7 @@ use super::shares::RING_SHARE;
 use crate::tables::accumulate::SIMD_WIDTH;
 use crate::tables::grid::Grid;
 use crate::tables::input::BuildInput;
-use crate::tables::resolution::{lobe_width, nodes_expected};
+use crate::tables::resolution::{narrowest_blur, nodes_expected};
 use crate::tables::rings::{Ring, quadrature, wavelengths_of};
 use crate::tables::texels::Texels;
 use crate::tables::work::WindowWork;
@@ -29,7 +29,7 @@ const OPERATIONS_PER_KERNEL_VALUE: f64 = 20.0;
 /// # Errors
 /// `Error::Call` for an invisible light.
 pub(super) fn fine_rings(input: &BuildInput, radius_max: f64) -> Result<Vec<Ring>> {
-    let narrowest = FINE_LOBES * lobe_width(input.optics.sigma_nm, input.wavelength_range_nm[0]);
+    let narrowest = FINE_LOBES * narrowest_blur(input.optics);
     let mut rings = Vec::new();
     let mut outer = radius_max;
     while outer > 0.0 {

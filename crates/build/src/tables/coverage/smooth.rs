@@ -25,7 +25,8 @@ pub(super) fn smooth(coverage: Coverage, input: &BuildInput) -> Coverage {
     let rms_nm = input.rms_nm.max(1.0);
     let tolerance = input.tables.tolerance;
     let phase = |nm: f64| std::f64::consts::TAU / nm * rms_nm;
-    let unlike = (coverage.grid.texel() / lobe_width(input.optics.sigma_nm, middle_nm)).min(1.0);
+    let sigma_nm = input.optics.body_coherence().sigma_nm_at(middle_nm);
+    let unlike = (coverage.grid.texel() / lobe_width(sigma_nm, middle_nm)).min(1.0);
     let first = 6.0 * RANGE_SHARES[0] * tolerance / (2.0 * phase(middle_nm).powi(2) * unlike);
     let second = (8.0 * RANGE_SHARES[1] * tolerance).sqrt() / (2.0 * phase(low_nm));
     coverage.with_smooth_ranges(RANGE_PAD, first.min(second) / max_abs_w(0.0))

@@ -23,14 +23,14 @@ fn shade_runs(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let run = runs[id.x];
     var sum = vec3<f32>(0.0, 0.0, 0.0);
-    var unserved = 0.0;
+    var unanswered = 0.0;
     for (var index = run.first; index < run.first + run.count; index = index + 1u) {
         let xyz = surface_xyz(samples[index].wi, samples[index].wo);
-        if serves(xyz) {
+        if has_answer(xyz) {
             sum = sum + samples[index].weight * xyz;
         } else {
-            unserved = unserved + 1.0;
+            unanswered = unanswered + 1.0;
         }
     }
-    sums[id.x] = vec4<f32>(sum, unserved);
+    sums[id.x] = vec4<f32>(sum, unanswered);
 }

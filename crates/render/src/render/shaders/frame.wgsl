@@ -51,7 +51,7 @@ fn shade_surfaces(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f
         let wi = in_frame(tangent.xyz, bitangent, normal, light.direction);
         let wo = in_frame(tangent.xyz, bitangent, normal, to_viewer);
         let shown = surface_xyz(wi, wo);
-        if !serves(shown) {
+        if !has_answer(shown) {
             return vec4<f32>(1.0, 0.0, 1.0, 1.0);
         }
         sum = sum + light.irradiance * wi.z * shown;

@@ -6,7 +6,7 @@ fn shade_material(@location(0) wi: vec3<f32>, @location(1) wo: vec3<f32>) -> @lo
     let to_light = normalize(wi);
     let to_viewer = normalize(wo);
     let shown = surface_xyz(to_light, to_viewer);
-    if !serves(shown) {
+    if !has_answer(shown) {
         // No answer: magenta, which no surface is by itself.
         return vec4<f32>(1.0, 0.0, 1.0, 1.0);
     }

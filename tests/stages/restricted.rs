@@ -1,7 +1,7 @@
 //! Tables made for certain scenes show them as tables for every direction do, and answer nothing else.
 
 use diffraction_atlas::stages::coverage::savings::{account, cover, measure};
-use diffraction_brdf::evaluate::{Interpolation, brdf_xyz, serves};
+use diffraction_brdf::evaluate::{Interpolation, answers, brdf_xyz};
 use diffraction_build::height::HeightField;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{ReadConfig, read_scan};
@@ -156,7 +156,7 @@ fn a_ball_asks_for_one_depth_at_each_texel() {
 }
 
 #[test]
-fn what_is_not_served_has_no_answer() {
+fn what_is_not_covered_has_no_answer() {
     let (fields, optics, tables) = ([surface()], daylight(Windows::Grid), config(101));
     let input = BuildInput::new(&fields, &optics, &tables);
     let patch = Shape::Patch { width_mm: 20.0, distance_mm: 60.0, tilt_deg: 30.0, turn_deg: 0.0 };
@@ -164,19 +164,19 @@ fn what_is_not_served_has_no_answer() {
     let (set, covered) = restricted(&input, &scene);
     let gathered = samples(&scene).unwrap();
     for (wi, wo) in gathered.wi.iter().zip(&gathered.wo) {
-        assert!(serves(&set, Interpolation::Bilinear, wi.map(f64::from), wo.map(f64::from)));
+        assert!(answers(&set, Interpolation::Bilinear, wi.map(f64::from), wo.map(f64::from)));
     }
     let normal = [0.0, 0.0, 1.0];
-    // Normal to normal lies at u = v = 0, where this patch does not look; so does a pair of the served (u, v) at
+    // Normal to normal lies at u = v = 0, where this patch does not look; so does a pair of the covered (u, v) at
     // another depth.
     let (wi, wo) = (gathered.wi[0].map(f64::from), gathered.wo[0].map(f64::from));
     let shallower = pair_at([-wi[0] - wo[0], -wi[1] - wo[1]], 0.3 * (wi[2] + wo[2]));
     for (wi, wo) in [(normal, normal), shallower] {
-        assert!(!serves(&set, Interpolation::Bilinear, wi, wo));
+        assert!(!answers(&set, Interpolation::Bilinear, wi, wo));
         assert!(brdf_xyz(&set, Interpolation::Bilinear, wi, wo).iter().all(|value| value.is_nan()));
     }
     assert!(covered.count() < 1_000);
-    // Below the surface there is nothing to look up, served or not.
+    // Below the surface there is nothing to look up, covered or not.
     assert_eq!(brdf_xyz(&set, Interpolation::Bilinear, normal, [0.0, 0.0, -1.0]), [0.0; 3]);
     // Another light asks for what is not there: the picture shows it.
     let elsewhere = Scene { lights: vec![light([-0.5, 0.866, 0.5], 0.53)], ..scene };
@@ -295,7 +295,7 @@ fn check_scene(scene: &Scene) -> Result<(), TestCaseError> {
     let (set, _) = restricted(&input, scene);
     static FULL: std::sync::OnceLock<TableSet> = std::sync::OnceLock::new();
     let full = FULL.get_or_init(|| {
-        // More tables than the tolerance asks for: what is compared is the served set.
+        // More tables than the tolerance asks for: what is compared is the restricted set.
         let many = TablesConfig { count: Some(8), ..config(101) };
         build(&BuildInput::new(&[surface()], &daylight(Windows::Grid), &many), &|_| ()).unwrap().0
     });
@@ -314,7 +314,7 @@ fn any_scene() -> impl Strategy<Value = Scene> {
     })
 }
 
-/// What lies between the samples is served too: another renderer's samples, anywhere in the same pixels and lights.
+/// What lies between the samples is covered too: another renderer's samples, anywhere in the same pixels and lights.
 fn check_other_samples(scene: Scene) -> Result<(), TestCaseError> {
     let (fields, optics, tables) = ([surface()], daylight(Windows::Grid), config(101));
     let input = BuildInput::new(&fields, &optics, &tables);
@@ -326,7 +326,7 @@ fn check_other_samples(scene: Scene) -> Result<(), TestCaseError> {
         .wi
         .iter()
         .zip(&other.wo)
-        .filter(|(wi, wo)| !serves(&set, Interpolation::Bilinear, wi.map(f64::from), wo.map(f64::from)));
+        .filter(|(wi, wo)| !answers(&set, Interpolation::Bilinear, wi.map(f64::from), wo.map(f64::from)));
     // At the outline of a ball a pixel's surface turns away without end: its last half pixel is not foreseen.
     let missed = missed.count();
     prop_assert!(missed * 100 <= asked, "{missed} of {asked}");
@@ -342,7 +342,7 @@ fn ball_or_patch() -> impl Strategy<Value = Scene> {
         .prop_map(|(shape, a, wide)| Scene { size_px: 32, ..scene(shape, vec![light(a, wide)]) })
 }
 
-/// Two scenes that tables once served badly: a beam along the horizon, and a patch turned away from its light.
+/// Two scenes that tables once covered badly: a beam along the horizon, and a patch turned away from its light.
 #[test]
 fn scenes_at_the_horizon_look_the_same() {
     let grazing = [0.999_799_979_995_999, 0.0, 0.02];
@@ -375,7 +375,7 @@ proptest! {
     }
 
     #[test]
-    fn other_samples_of_the_same_scene_are_served(scene in ball_or_patch()) {
+    fn other_samples_of_the_same_scene_are_answered(scene in ball_or_patch()) {
         check_other_samples(scene)?;
     }
 }
@@ -391,7 +391,7 @@ proptest! {
 
     #[test]
     #[ignore = "slow: as the one above in more scenes"]
-    fn other_samples_of_many_scenes_are_served(scene in ball_or_patch()) {
+    fn other_samples_of_many_scenes_are_answered(scene in ball_or_patch()) {
         check_other_samples(scene)?;
     }
 }

@@ -1,6 +1,6 @@
-//! Sampling: densities against counts, mean weights against quadrature, reciprocity, and the bound on weights.
+//! Sampling of built tables: densities against counts, mean weights against quadrature, reciprocity, and the bound on weights.
 
-#[path = "tiny_atlas/mod.rs"]
+#[path = "../../brdf/tests/tiny_atlas/mod.rs"]
 mod tiny_atlas;
 
 use std::f64::consts::PI;
@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 
 use diffraction_brdf::direction::from_angles_deg;
 use diffraction_brdf::spectrum::Illuminant;
-use diffraction_brdf::{Brdf, Factor, FrontFactor, Material, Served, Vec3, Xyz};
+use diffraction_brdf::{Brdf, Factor, FrontFactor, Material, Restriction, Vec3, Xyz};
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{ReadConfig, read_scan};
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
@@ -36,18 +36,7 @@ fn built(name: &str, material: Material, level: Level, blend_nm: Option<f64>) ->
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../specimens/{name}.tif"));
     let scan = read_scan(&path, &ReadConfig::default()).unwrap();
     let (field, _) = prepare(&scan.field, &PrepareConfig { level, despike: None, blend_nm }).unwrap();
-    let optics = OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm: 1_500.0,
-        lobe_sigma_nm: None,
-        edge: Edge::Tile,
-        windows: Windows::Grid,
-        material,
-        dispersion: None,
-        shadowing: false,
-        factor: Factor::Scalar,
-    };
+    let optics = OpticsConfig { material, ..OpticsConfig::ideal(Illuminant::D65, 1_500.0, Edge::Tile, Windows::Grid) };
     let config = TablesConfig {
         basis: Basis::Chebyshev,
         tolerance: 1e-2,
@@ -303,7 +292,7 @@ fn where_tables_have_no_answer_nothing_is_drawn_and_the_density_is_zero() {
         1 => 0.8,
         _ => f32::from(u8::from(row > 3)),
     });
-    set.served = Some(Served { size: 65, first: [16, 24], range });
+    set.restriction = Some(Restriction { size: 65, first: [16, 24], range });
     let brdf = Brdf::new(set).unwrap();
     for angle in ANGLES_DEG {
         let wo = from_angles_deg(angle, 160.0);

@@ -1,4 +1,4 @@
-//! Tables that serve scenes: what is written, what is left out, and what refuses to answer.
+//! Tables restricted to scenes: what is written, what is left out, and what refuses to answer.
 
 use diffraction_brdf::exr_image::read_rgb;
 
@@ -29,8 +29,8 @@ fn only_what_a_scene_needs_is_published() {
     let index = place.json("out/small/v0001/atlas.json");
     assert_eq!(index["specimens"].as_array().unwrap().len(), 1, "no scene shows the wave");
     let about = place.json("out/small/v0001/rough/specimen.json");
-    let served = &about["tables"]["served"];
-    assert_eq!(served["size"], 65);
+    let restriction = &about["tables"]["served"];
+    assert_eq!(restriction["size"], 65);
     let texels = about["tables"]["u"]["samples"].as_u64().unwrap() * about["tables"]["v"]["samples"].as_u64().unwrap();
     assert!(texels < 300 && about["tables"]["lobe"].is_null(), "{texels} texels");
     assert!(!about["check_values"].as_array().unwrap().is_empty());
@@ -76,7 +76,7 @@ fn what_is_left_out_need_not_fit() {
 }
 
 #[test]
-fn directions_that_are_not_served_are_refused() {
+fn directions_that_are_not_covered_are_refused() {
     let place = Place::with_scans();
     place.write("d.csv", &directions(12));
     place.publish(&manifest("\"scenes\"", &[PATCH]));
@@ -85,7 +85,7 @@ fn directions_that_are_not_served_are_refused() {
         refused.stdout.is_empty() && refused.stderr.contains("12 of 12 directions, row 1 the first"),
         "{refused:?}"
     );
-    // The directions of a check value are served.
+    // The directions of a check value are covered.
     let about = place.json("out/small/v0001/rough/specimen.json");
     let check = &about["check_values"][0];
     let angle = |key: &str| check[key].as_f64().unwrap();
@@ -114,11 +114,11 @@ fn the_plan_lists_what_is_left_out() {
     }
     let plan = place.call("plan m.toml --json").ended(0).json();
     let rows = plan["specimens"][0]["budget"]["rows"].as_array().unwrap();
-    assert_eq!(rows.len(), 5, "everything, then texels, depths, spectrum and lobe");
+    assert_eq!(rows.len(), 5, "everything, then texels, |w|, spectrum and lobe");
     assert!(!place.path("out").exists(), "nothing is written");
 }
 
-/// A scene that is content with less is served by fewer tables, and differs by no more than it allows.
+/// A scene that is content with less needs fewer tables, and differs by no more than it allows.
 #[test]
 fn a_scene_pays_for_its_own_tolerance() {
     let place = Place::with_scans();
@@ -132,7 +132,7 @@ fn a_scene_pays_for_its_own_tolerance() {
         let folder = format!("out/small/v{version:04}");
         let report = place.json(&format!("{folder}/report.json"));
         let rough = &report["specimens"][0];
-        assert_eq!(rough["build"]["tolerance"], tolerance, "the strictest of what is served");
+        assert_eq!(rough["build"]["tolerance"], tolerance, "the strictest of what is covered");
         let image = read_rgb(&place.path(&format!("{folder}/rough/scenes/ball.exr"))).unwrap().0;
         pictures.push((rough["build"]["tables"].as_u64().unwrap(), image));
     }
@@ -145,11 +145,11 @@ fn a_scene_pays_for_its_own_tolerance() {
 }
 
 #[test]
-fn what_cannot_be_served_is_said() {
+fn what_cannot_be_covered_is_said() {
     let place = Place::with_scans();
     for (text, expected) in [
-        (manifest("\"scenes\"", &[]), "there must be a [[scene]] to serve"),
-        (manifest("[]", &[SCENES]), "serves no direction at all"),
+        (manifest("\"scenes\"", &[]), "there must be a [[scene]] to cover"),
+        (manifest("[]", &[SCENES]), "covers no direction at all"),
         (manifest("[\"bal\"]", &[SCENES]), "did you mean \"ball\"?"),
         (manifest("\"some\"", &[SCENES]), "scenes"),
         (manifest("\"all\"", &[SCENES, "tolerance = 0.01\n"]), "goes with tables that are made for scenes"),

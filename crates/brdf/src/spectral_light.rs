@@ -1,0 +1,88 @@
+//! Spectral tables under a light: XYZ for any illuminant, integrated when asked for.
+
+use std::f64::consts::{SQRT_2, TAU};
+
+use crate::direction::{Vec3, Xyz, max_abs_w};
+use crate::error::Result;
+use crate::evaluate::Interpolation;
+use crate::spectral::{Pair, SpectralTables};
+use crate::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers, wavenumbers_for_pulses};
+
+/// Relative error to which 95 % of an order's pulses in `1/λ` are integrated.
+const TOLERANCE: f64 = 1e-4;
+
+/// Fewest wavelengths of a continuous light.
+const WAVELENGTHS_MIN: usize = 24;
+
+/// Below this radius in (u, v) pulses are as wide as there: the relief sets how many wavelengths are needed.
+const RADIUS_MIN: f64 = 0.02;
+
+/// Spectral tables with a light: what wavelengths to sum, for directions at each distance from the mirror direction.
+#[derive(Debug, Clone)]
+pub struct UnderLight<'a> {
+    tables: &'a SpectralTables,
+    interpolation: Interpolation,
+    /// From the outside in: inner radius in (u, v), and the wavelengths from there on outwards.
+    rings: Vec<(f64, SpectralQuadrature)>,
+}
+
+impl SpectralTables {
+    /// The tables under a light, whose spectrum counts from the tables' shortest wavelength to their longest; Y = 1/π for a
+    /// white Lambertian surface under that light.
+    ///
+    /// # Errors
+    /// [`Error::Call`](crate::Error::Call) for laser lines shorter than the tables' wavelengths, and a light that the eye
+    /// does not see.
+    pub fn under(&self, interpolation: Interpolation, illuminant: &Illuminant) -> Result<UnderLight<'_>> {
+        if let Illuminant::Lines(lines) = illuminant {
+            self.check_wavelengths(&lines.iter().map(|line| line.wavelength_nm).collect::<Vec<_>>())?;
+        }
+        let mut rings = Vec::new();
+        let (mut outer, is_line) = (2.0, matches!(illuminant, Illuminant::Lines(_)));
+        loop {
+            let inner = if outer < RADIUS_MIN || is_line { 0.0 } else { outer / SQRT_2 };
+            rings.push((inner, self.quadrature(illuminant, [inner, outer])?));
+            if inner == 0.0 {
+                return Ok(UnderLight { tables: self, interpolation, rings });
+            }
+            outer = inner;
+        }
+    }
+
+    /// Wavelengths that resolve the pulses of directions within an annulus.
+    ///
+    /// Along a direction the power is a sum over pairs of surface points of waves in `1/λ` at the lag `ρ Δx + |w| Δh`: the
+    /// window limits `Δx`, the relief `Δh`. Their deviations add as squares.
+    fn quadrature(&self, illuminant: &Illuminant, [inner, outer]: [f64; 2]) -> Result<SpectralQuadrature> {
+        let range_nm = [self.shortest_nm, self.longest_nm];
+        let window = SQRT_2 * TAU * self.sigma_nm * outer;
+        let relief = TAU * self.half_height_range_nm * max_abs_w(inner);
+        let deviation = 1.0 / window.hypot(relief);
+        let count = wavenumbers_for_pulses(illuminant, range_nm, deviation, TOLERANCE, WAVELENGTHS_MIN);
+        uniform_wavenumbers(illuminant, range_nm, count)
+    }
+}
+
+impl UnderLight<'_> {
+    /// XYZ of the BRDF in 1/sr; zero for directions that are not above the surface.
+    pub fn eval(&self, wi: Vec3, wo: Vec3) -> Xyz {
+        let mut xyz = [0.0; 3];
+        if !(wi[2] > 0.0 && wo[2] > 0.0) {
+            return xyz;
+        }
+        let pair = Pair::of(self.tables.front_factor, wi, wo);
+        let radius = pair.radius();
+        let ring = self.rings.iter().find(|(inner, _)| radius >= *inner);
+        let Some((_, SpectralQuadrature { wavelengths_nm, weights })) = ring else { return [f64::NAN; 3] };
+        for (nm, weight) in wavelengths_nm.iter().zip(weights) {
+            let value = self.tables.eval_pair(self.interpolation, &pair, *nm);
+            xyz.iter_mut().zip(weight).for_each(|(sum, weight)| *sum += weight * value);
+        }
+        xyz
+    }
+
+    /// Most wavelengths that a direction is summed over.
+    pub fn wavelengths(&self) -> usize {
+        self.rings.iter().map(|(_, quadrature)| quadrature.wavelengths_nm.len()).max().unwrap_or(0)
+    }
+}
