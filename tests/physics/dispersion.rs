@@ -7,6 +7,7 @@ use crate::common::surfaces::{flat, laser, lobe_deviation, outgoing, quantile, s
 use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg};
 use diffraction_brdf::dispersion::{Dispersion, Origin};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::front_factor::image_radius2;
 use diffraction_brdf::material::{Material, reflectance};
 use diffraction_brdf::spectrum::{Illuminant, Line, uniform_wavelengths};
 use diffraction_build::accuracy::directions::ErrorDirections;
@@ -101,6 +102,46 @@ fn a_mirror_has_the_colour_of_its_metal() {
         let [r, g, b] = xyz_to_linear_srgb(direct);
         assert_eq!(name == "gold" || name == "copper", r > 1.2 * g && g > 1.1 * b, "{name}");
     }
+}
+
+/// Towards grazing angles gold reflects more and more of the blue: its lobe, whose table knows the angle, turns white.
+#[test]
+fn at_oblique_angles_a_mirror_pales() {
+    let field = flat([8, 8], [400.0, 400.0]);
+    let optics = metal("gold", Factor::Vector);
+    let table = &optics.dispersion.as_ref().unwrap().table;
+    let set = tables(&field, &optics, 1e-4, Some(101));
+    let mut blue = Vec::new();
+    for theta_deg in [0.0, 60.0, 80.0, 86.0] {
+        let wi = from_angles_deg(theta_deg, 30.0);
+        let wo = [-wi[0], -wi[1], wi[2]];
+        let direct = brdf_xyz_batch(std::slice::from_ref(&field), &optics, &[(wi, wo)]).unwrap()[0];
+        let told = brdf_xyz(&set, Interpolation::Cubic, wi, wo);
+        // In the mirror direction the window's power is 4πσ²/λ², and at 80 degrees the lobe's image adds to it.
+        let quadrature = uniform_wavelengths(&Illuminant::D65, [380.0, 780.0], 1.0).unwrap();
+        let image = image_radius2(wi, wo);
+        let mut expected = [0.0; 3];
+        for (&nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
+            let r = reflectance(table.material_at(nm).unwrap(), wi[2]);
+            let power = 4.0 * PI * (SIGMA_NM / nm).powi(2);
+            let both = 1.0 + (-image * (2.0 * PI * SIGMA_NM / nm).powi(2)).exp();
+            expected.iter_mut().zip(weight).for_each(|(sum, weight)| *sum += weight * r * power * both);
+        }
+        let white = [1, 2].map(|c| {
+            let of = |(nm, weight): (&f64, &Xyz)| weight[c] / nm.powi(2);
+            quadrature.wavelengths_nm.iter().zip(&quadrature.weights).map(of).sum::<f64>()
+        });
+        let found = expected[2] / expected[1] / (white[1] / white[0]);
+        println!("{theta_deg}: {expected:?} {direct:?} {told:?}, blue {found:.3} of a white mirror's");
+        // The image is read at its own place in the table, whose angle is not quite that of the directions.
+        let most = if theta_deg < 70.0 { 1e-5 } else { 1e-3 };
+        for c in 0..3 {
+            assert!((direct[c] / expected[c] - 1.0).abs() < 1e-4, "{theta_deg}: {direct:?} {expected:?}");
+            assert!((told[c] / direct[c] - 1.0).abs() < most, "{theta_deg}: {told:?} {direct:?}");
+        }
+        blue.push(found);
+    }
+    assert!(blue.windows(2).all(|pair| pair[1] > 1.03 * pair[0]) && blue[0] < 0.6 && blue[3] > 0.75, "{blue:?}");
 }
 
 /// A table of the same material whose real part is a few percent off.

@@ -1,7 +1,6 @@
 //! Refractive indices from the literature: wavelength in nm, `n`, `k`.
 //!
 //! The numbers are those of the publications named; of each table the part from the near ultraviolet to the near infrared.
-#![allow(clippy::approx_constant)] // Chromium absorbs with k = 3.14 at 451 nm.
 
 /// A material of the literature.
 pub(crate) struct BuiltIn {
@@ -108,6 +107,7 @@ const ALUMINIUM: [[f64; 3]; 17] = [
 ];
 
 /// Johnson and Christy 1974.
+#[expect(clippy::approx_constant, reason = "measured, not the circle's")]
 const CHROMIUM: [[f64; 3]; 23] = [
     [301.0, 1.53, 2.34],
     [311.0, 1.58, 2.4],

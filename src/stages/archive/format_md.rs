@@ -204,8 +204,8 @@ fn factors(example: &SpecimenFile) -> String {
     let material = match &example.optics.dispersion {
         None => material,
         Some(Dispersive { reference_nm, table }) => format!(
-            "{material}: {}, whose index depends on the wavelength, at {reference_nm:.1} nm; the tables hold how `R` at normal \
-             incidence changes with the wavelength, the rest of `D` and `C` is taken to change with it",
+            "{material}: {}, whose index depends on the wavelength, at {reference_nm:.1} nm; the tables hold how `R` at \
+             normal incidence changes with the wavelength, `lobe.exr` how `R` at its own angle does",
             table.name()
         ),
     };

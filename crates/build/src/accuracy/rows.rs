@@ -36,8 +36,8 @@ pub enum Cause {
     Grid,
     /// Rounding of stored values.
     Storage,
-    /// One front factor for all wavelengths, where the material's index depends on them; held exactly is the colour at normal
-    /// incidence alone.
+    /// One front factor for all wavelengths, where the material's index depends on them; tables hold the colour at normal
+    /// incidence, that of the lobe exactly.
     #[serde(rename = "front factor at one wavelength")]
     OneWavelength,
     /// None of the tables': the scan against every second sample of itself.
@@ -150,13 +150,13 @@ fn rows_of(
         row(Cause::Total, group, &exact, &total(Interpolation::Bilinear)),
         row(Cause::TotalCubic, group, &exact, &total(Interpolation::Cubic)),
     ];
-    if let Some(as_tables) = reference.as_tables.get(range.clone()).filter(|xyz| !xyz.is_empty()) {
-        let as_tables: Vec<f64> = as_tables.iter().map(|xyz| xyz[1]).collect();
-        rows.push(row(Cause::OneWavelength, group, &exact, &as_tables));
-    }
     // The shares below are those of the diffuse part under interpolation in `w`: a power series keeps neither apart.
     if stored.basis == Basis::Taylor {
         return rows;
+    }
+    if let Some(as_tables) = reference.as_tables.get(range.clone()).filter(|xyz| !xyz.is_empty()) {
+        let as_tables: Vec<f64> = as_tables.iter().map(|xyz| xyz[1]).collect();
+        rows.push(row(Cause::OneWavelength, group, &exact, &as_tables));
     }
     // The diffuse part as bright as it is seen, so that one floor counts for all rows.
     let front = at_pairs(&|wi, wo| stored.front_factor.diffuse(wi, wo));

@@ -31,8 +31,8 @@ struct Change<'a> {
 enum Kind {
     /// Each wavelength has its own index; of one polarisation where a number is given.
     Exact { front: FrontFactor, pair: (Vec3, Vec3), polarisation: Option<usize> },
-    /// As tables have it: the reflectance at normal incidence alone changes.
-    AsTables,
+    /// As tables have it: of all but the coherent part, the reflectance at normal incidence alone changes.
+    AsTables { front: FrontFactor, pair: (Vec3, Vec3) },
 }
 
 impl<'a> PairFactors<'a> {
@@ -53,8 +53,9 @@ impl<'a> PairFactors<'a> {
 
     /// The same with the front factor at one wavelength, as tables have it.
     pub fn as_tables(optics: &'a OpticsConfig, wi: Vec3, wo: Vec3) -> Option<Self> {
-        let all = Self::of(optics, wi, wo)?;
-        Some(Self { change: all.change.map(|change| Change { kind: Kind::AsTables, ..change }), ..all })
+        let (all, front) = (Self::of(optics, wi, wo)?, optics.front_factor());
+        let kind = Kind::AsTables { front, pair: (wi, wo) };
+        Some(Self { change: all.change.map(|change| Change { kind, ..change }), ..all })
     }
 
     /// The same by polarisation: ss, sp, ps, pp, the incident one first; `None` where the factor knows none, or for directions
@@ -77,9 +78,9 @@ impl<'a> PairFactors<'a> {
     fn at(&self, wavelength_nm: f64) -> [f64; 2] {
         let Some(Change { dispersive, kind }) = self.change else { return [self.diffuse, self.coherent] };
         match kind {
-            Kind::AsTables => {
-                let relative = dispersive.relative_reflectance(wavelength_nm);
-                [relative * self.diffuse, relative * self.coherent]
+            Kind::AsTables { front, pair: (wi, wo) } => {
+                let front = FrontFactor { material: dispersive.material_at(wavelength_nm), ..front };
+                [dispersive.relative_reflectance(wavelength_nm) * self.diffuse, front.coherent(wi, wo)]
             }
             Kind::Exact { front, pair: (wi, wo), polarisation } => {
                 let front = FrontFactor { material: dispersive.material_at(wavelength_nm), ..front };

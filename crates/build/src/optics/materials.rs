@@ -1,8 +1,9 @@
 //! Materials of optics: the same at every wavelength, or as tables and the reference take one that is not.
 //!
 //! The reference has the front factor of every wavelength. Tables of X, Y, Z, read with one front factor, have it at one
-//! wavelength, the material's *reference wavelength*, and hold in themselves how the reflectance at normal incidence differs
-//! from the one there: `D(λ, wi, wo) ≈ D(λ0, wi, wo) R(λ, 1) / R(λ0, 1)`.
+//! wavelength, the material's *reference wavelength*. Of the diffuse part and the cross term they hold how the reflectance at
+//! normal incidence differs from the one there, `D(λ, wi, wo) ≈ D(λ0, wi, wo) R(λ, 1) / R(λ0, 1)`; of the coherent lobe, whose
+//! texels know the angle `θd` at which it is reflected, `R(λ, cos θd) / R(λ0, cos θd)`, which is exact.
 
 use diffraction_brdf::dispersion::Dispersion;
 use diffraction_brdf::error::{Error, Result};
@@ -61,6 +62,14 @@ impl OpticsConfig {
         if wavelengths_nm.is_empty() { Ok(()) } else { check_range(table, ends) }
     }
 
+    /// So many uniform wavenumbers with the XYZ weights of the light.
+    ///
+    /// # Errors
+    /// `Error::Call` for an invisible light.
+    pub fn quadrature(&self, count: usize) -> Result<SpectralQuadrature> {
+        uniform_wavenumbers(&self.illuminant, self.wavelength_nm, count)
+    }
+
     /// So many uniform wavenumbers with the XYZ weights of tables: under a material of its own colour they hold it as
     /// [`Dispersive::relative_reflectance`].
     ///
@@ -68,7 +77,7 @@ impl OpticsConfig {
     /// `Error::Call` for an invisible light.
     pub fn tables_quadrature(&self, count: usize) -> Result<SpectralQuadrature> {
         match &self.dispersion {
-            None => uniform_wavenumbers(&self.illuminant, self.wavelength_nm, count),
+            None => self.quadrature(count),
             Some(dispersive) => filtered_wavenumbers(&self.illuminant, self.wavelength_nm, count, |nm| {
                 dispersive.relative_reflectance(nm)
             }),

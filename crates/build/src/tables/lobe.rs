@@ -9,12 +9,13 @@ use rayon::prelude::*;
 use super::grid::Grid;
 use super::input::BuildInput;
 use super::resolution::narrowest_lobe;
-use super::rings::quadrature;
+use super::rings::light_quadrature;
 use crate::optics::config::OpticsConfig;
 use crate::optics::spectra::Spectra;
 use diffraction_brdf::direction::max_abs_w;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{Interpolation, stencil};
+use diffraction_brdf::material::{Material, reflectance};
 use diffraction_brdf::spectrum::SpectralQuadrature;
 
 /// Texels per standard deviation of the narrowest lobe, along its radius and in the cross patch.
@@ -104,7 +105,7 @@ fn layout(input: &BuildInput, radius_max: f64, t: [f64; 2]) -> Result<Layout> {
         rows,
         columns: (radius_max / narrowest_lobe(optics) * TEXELS_PER_WIDTH[0]).ceil() as usize + 1,
         read: (first as usize).saturating_sub(ROWS_MARGIN)..(last.ceil() as usize + ROWS_MARGIN + 1).min(rows),
-        quadrature: quadrature(input, wavelengths_needed(optics, rms_nm))?,
+        quadrature: light_quadrature(input, wavelengths_needed(optics, rms_nm))?,
     })
 }
 
@@ -123,6 +124,15 @@ pub(super) fn samples(input: &BuildInput, radius_max: f64, t: [f64; 2]) -> Resul
 /// `Error::Call` for an invisible light.
 pub(super) fn coherent(power: &PhasorPower, input: &BuildInput, radius_max: f64, t: [f64; 2]) -> Result<Array3<f32>> {
     let Layout { rows, columns, read, quadrature } = layout(input, radius_max, t)?;
+    // One wavelength is its own reference.
+    let dispersive = input.optics.dispersion.as_ref().filter(|_| !input.is_grey);
+    let materials = dispersive.map(|dispersive| quadrature.wavelengths_nm.iter().map(|nm| dispersive.material_at(*nm)));
+    let materials: Option<Vec<Material>> = materials.map(Iterator::collect);
+    // A texel knows the angle at which the lobe is reflected, so its colour is that of this angle.
+    let relative = |index: usize, cos_theta_d: f64| {
+        let of = |material| reflectance(material, cos_theta_d);
+        materials.as_ref().map_or(1.0, |materials| of(materials[index]) / of(input.optics.material))
+    };
     let coherence = input.optics.lobe_coherence();
     let mut table = Array3::<f32>::zeros((rows, columns, 3));
     let mut lines = table.slice_axis_mut(Axis(0), read.clone().into());
@@ -131,13 +141,15 @@ pub(super) fn coherent(power: &PhasorPower, input: &BuildInput, radius_max: f64,
         for (column, mut texel) in line.outer_iter_mut().enumerate() {
             let radius = radius_max * column as f64 / (columns - 1) as f64;
             let mut sum = [0.0; 3];
-            for (nm, weight) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights) {
+            let w = t * max_abs_w(radius);
+            let cos_theta_d = 0.5 * radius.hypot(w);
+            for (index, (nm, weight)) in quadrature.wavelengths_nm.iter().zip(&quadrature.weights).enumerate() {
                 let sigma_nm = coherence.sigma_nm_at(*nm);
                 // Transforms know the peak of the largest window.
                 let peak = (sigma_nm / input.optics.lobe_sigma_nm()).powi(2);
                 let shape = peak * (-(TAU * sigma_nm * radius / nm).powi(2)).exp();
                 let s = TAU / nm * t * max_abs_w(radius);
-                let power = power.at(s);
+                let power = power.at(s) * relative(index, cos_theta_d);
                 for c in 0..3 {
                     sum[c] += weight[c] / (nm * nm) * power * shape;
                 }

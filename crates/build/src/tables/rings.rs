@@ -88,12 +88,24 @@ pub(super) fn wavelengths_of(input: &BuildInput, [inner, outer]: [f64; 2]) -> us
 /// # Errors
 /// `Error::Call` for an invisible light.
 pub(super) fn quadrature(input: &BuildInput, count: usize) -> Result<SpectralQuadrature> {
-    if let (true, Illuminant::Lines(lines)) = (input.is_grey, &input.optics.illuminant) {
-        let wavelengths_nm: Vec<f64> = lines.iter().map(|line| line.wavelength_nm).collect();
-        let weights = vec![[1.0; 3]; wavelengths_nm.len()];
-        return Ok(SpectralQuadrature { wavelengths_nm, weights });
-    }
-    input.optics.tables_quadrature(count)
+    grey(input).map_or_else(|| input.optics.tables_quadrature(count), Ok)
+}
+
+/// The same without the material's colour.
+///
+/// # Errors
+/// As [`quadrature`].
+pub(super) fn light_quadrature(input: &BuildInput, count: usize) -> Result<SpectralQuadrature> {
+    grey(input).map_or_else(|| input.optics.quadrature(count), Ok)
+}
+
+/// The wavelength of tables that hold one alone, with equal weights.
+fn grey(input: &BuildInput) -> Option<SpectralQuadrature> {
+    let Illuminant::Lines(lines) = &input.optics.illuminant else { return None };
+    input.is_grey.then(|| SpectralQuadrature {
+        wavelengths_nm: lines.iter().map(|line| line.wavelength_nm).collect(),
+        weights: vec![[1.0; 3]; lines.len()],
+    })
 }
 
 /// Rings for every direction from the outside in, each narrower by the root of two, until the fewest wavelengths suffice.
