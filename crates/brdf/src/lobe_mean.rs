@@ -165,7 +165,8 @@ mod tests {
                 for found in [closed, by_points] {
                     assert!((found - expected).abs() < 1e-3 * expected + 2e-5, "{size} {centre:?}: {found} {expected}");
                 }
-                assert!((closed - by_points).abs() < 2e-4 * closed + 1e-7, "{size} {centre:?}: {closed} {by_points}");
+                // Twenty-four places over the twelve widths of the lobe err by 2.0e-4, closed forms along as many chords by 2e-9.
+                assert!((closed - by_points).abs() < 2.1e-4 * closed + 1e-7, "{size} {centre:?}: {closed} {by_points}");
                 let exchanged = Footprint::new(covariance[2], covariance[1], covariance[0]).unwrap();
                 let wrong = LobeEllipse::direct(centre, exchanged).gaussian_mean(WIDTH);
                 largest_wrong = largest_wrong.max((wrong - expected).abs() / (1e-3 * expected + 2e-5));
