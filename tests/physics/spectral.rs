@@ -19,19 +19,8 @@ use diffraction_build::tables::spectral::{SpectralInput, build_spectral};
 const TOLERANCE: f64 = 1e-3;
 
 fn optics(edge: Edge, windows: Windows, sigma_nm: f64, factor: Factor) -> OpticsConfig {
-    OpticsConfig {
-        illuminant: Illuminant::D65,
-        wavelength_nm: [380.0, 780.0],
-        sigma_nm,
-        lobe_sigma_nm: None,
-        source_deg: None,
-        edge,
-        windows,
-        material: Material::Dielectric { n: 1.56 },
-        dispersion: None,
-        shadowing: false,
-        factor,
-    }
+    let material = Material::Dielectric { n: 1.56 };
+    OpticsConfig { material, factor, ..OpticsConfig::ideal(Illuminant::D65, sigma_nm, edge, windows) }
 }
 
 fn spectral_tables(fields: &[HeightField], optics: &OpticsConfig, tables: &TablesConfig) -> SpectralTables {

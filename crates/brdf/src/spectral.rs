@@ -77,7 +77,7 @@ pub struct SpectralCross {
 }
 
 /// How many images so many tables take.
-pub fn images_for(count: usize) -> usize {
+pub(crate) fn images_for(count: usize) -> usize {
     count.div_ceil(TABLES_PER_IMAGE)
 }
 

@@ -80,9 +80,4 @@ impl UnderLight<'_> {
         }
         xyz
     }
-
-    /// Most wavelengths that a direction is summed over.
-    pub fn wavelengths(&self) -> usize {
-        self.rings.iter().map(|(_, quadrature)| quadrature.wavelengths_nm.len()).max().unwrap_or(0)
-    }
 }

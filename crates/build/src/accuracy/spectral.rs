@@ -21,15 +21,12 @@ use diffraction_brdf::spectrum::SpectralQuadrature;
 /// The fractional part of the golden ratio: multiples of it fill an interval evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Two directions and a wavelength in nm.
+/// Two directions and a wavelength.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
-    /// Unit vector to the light.
-    pub wi: Vec3,
-    /// Unit vector to the viewer.
-    pub wo: Vec3,
-    /// Wavelength in nm.
-    pub wavelength_nm: f64,
+struct Place {
+    wi: Vec3,
+    wo: Vec3,
+    wavelength_nm: f64,
 }
 
 /// Places on which errors are counted, group after group.
@@ -81,11 +78,6 @@ impl Places {
             found.places.extend(above.into_iter().chain(below));
         }
         found
-    }
-
-    /// The places.
-    pub fn places(&self) -> &[Place] {
-        &self.places
     }
 }
 

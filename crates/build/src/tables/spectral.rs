@@ -70,7 +70,7 @@ impl SpectralInput {
 
 /// The wavelengths in nm that spectral tables answer for: those of the light, of laser lines all that the eye
 /// sees besides, as far as the material is known.
-pub fn range_nm(optics: &OpticsConfig) -> [f64; 2] {
+fn range_nm(optics: &OpticsConfig) -> [f64; 2] {
     let [first, last] = optics.wavelength_nm;
     let all = match optics.illuminant {
         Illuminant::Lines(_) => [first.min(VISIBLE_NM[0]), last.max(VISIBLE_NM[1])],
