@@ -109,7 +109,7 @@ def density_error(sampled, stated, theta_deg):
 
     reach = math.asinh(math.pi / LOBE_ANGLE)
     domain = mi.chi2.PlanarDomain(mi.ScalarBoundingBox2f([0, -math.pi], [reach, math.pi]))
-    test = mi.chi2.ChiSquareTest(domain, draw, density, sample_dim=3, sample_count=SAMPLES, res=41, ires=9)
+    test = mi.chi2.ChiSquareTest(domain, draw, density, sample_dim=3, sample_count=SAMPLES, res=41, ires=33)
     test.run(significance_level=SIGNIFICANCE, quiet=True)
     # The chance that a right sampler does as badly, in powers of ten.
     chance = 0.0 if test.fail else float(test.p_value)

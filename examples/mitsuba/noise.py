@@ -14,7 +14,7 @@ import numpy as np
 mi.set_variant("llvm_ad_rgb")
 import diffraction_atlas.mitsuba  # noqa: E402, F401  (needs the variant)
 
-SIZE_PX, SAMPLES, MANY = 96, 64, 4096
+SIZE_PX, SAMPLES, MANY = 64, 64, 2048
 
 
 def lights():
