@@ -1,0 +1,10 @@
+import { Engine } from './engine';
+import { atlasFiles } from './atlas/files';
+import { fromFragment } from './state';
+import { fromAngles } from './angles';
+const canvas = document.createElement('canvas');
+document.body.append(canvas);
+const engine = new Engine(canvas, atlasFiles(document), fromFragment(location.hash));
+engine.resize(256, 256);
+const ready = engine.open().then(() => engine.loadSpecimen(() => {})).then(() => engine.loadSpectral(() => {}));
+Object.assign(window, { atlasViewer: { ready, engine, fromAngles, set: (s: object) => engine.set(s) } });
