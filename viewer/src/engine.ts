@@ -4,7 +4,7 @@ import { DataTexture, FloatType, HalfFloatType, NearestFilter, RGBAFormat, WebGL
 import { materialAt } from './atlas/dispersion';
 import { AtlasError, type AtlasFiles } from './atlas/files';
 import { packSpectral, packTables, type PackedSpectral, type PackedTables, type Progress } from './atlas/pack';
-import { readIndex, readSpecimen, type AtlasIndex, type Specimen } from './atlas/specimen';
+import { readIndex, readSpecimen, type AtlasIndex, type Specimen, type ViewerFile } from './atlas/specimen';
 import { Picture, byteTarget, flipped, type Evaluated } from './gl/picture';
 import { automaticExposure, Probe, type Ask, type Pair } from './gl/probe';
 import { BINDING } from './gl/library';
@@ -73,6 +73,12 @@ export class Engine {
   async open(): Promise<void> {
     this.index = await readIndex(this.files);
     if (!this.index.specimens?.length) throw new AtlasError('The atlas holds no specimen.');
+  }
+
+  private viewer: Promise<ViewerFile | null> | null = null;
+  /** What the atlas holds for this page alone; null where it holds nothing. */
+  viewerFile(): Promise<ViewerFile | null> {
+    return (this.viewer ??= this.files.optionalJson<ViewerFile>('viewer.json').catch(() => null));
   }
 
   /** Loads the state's specimen, or the first one, and what the state needs of it. */
@@ -213,6 +219,18 @@ export class Engine {
       const index = specimen ? materialAt(specimen, at) : null;
       return { nm: at, material: index?.material ?? 0, index_n: index?.index_n ?? 1, index_k: index?.index_k ?? 0 };
     });
+  }
+
+  /** Look-ups in tables for one direction of one light. */
+  lookups(): number {
+    const { loaded } = this;
+    if (!loaded) return 0;
+    const light = this.light();
+    if (light && loaded.spectral) {
+      const { table_layers, cross_layers } = loaded.spectral.packed.params;
+      return (table_layers + cross_layers) * Number(this.quadratureUniforms.u_wavelengths?.value ?? 0);
+    }
+    return loaded.packed.params.table_count + loaded.packed.params.restricted;
   }
 
   private body(): Body | null {

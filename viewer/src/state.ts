@@ -81,7 +81,7 @@ export const DEFAULTS: State = {
   screen: { distance_mm: 100, width_mm: 200, beam_mm: 2, incidence_deg: 0 },
   light_samples: 16,
   pixel_samples: 16,
-  pointer: { x: 0.25, y: 0.2 },
+  pointer: { x: -0.72, y: 0 },
   polar_log: true,
   motion: 'none',
   size_px: null,

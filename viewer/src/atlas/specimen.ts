@@ -6,6 +6,7 @@ export interface AtlasIndex {
   name: string;
   program_version: string;
   specimens: { name: string; species?: string }[];
+  files: { path: string }[];
 }
 
 export interface StoredArray {

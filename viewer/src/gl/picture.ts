@@ -62,6 +62,7 @@ export class Picture {
     u_to_clip: { value: new Matrix4() },
     u_extent: { value: new Vector2(1, 1) },
     u_offset: { value: new Vector2() },
+    u_size: { value: new Vector2(1, 1) },
     u_wi: { value: new Vector3(0, 0, 1) },
     u_tangent: { value: new Vector3() },
     u_bitangent: { value: new Vector3() },
@@ -167,6 +168,7 @@ export class Picture {
 
   private draw(state: State, evaluated: Evaluated, body: Body | null, target: WebGLRenderTarget): void {
     body?.drawShadows(this.renderer, this.own);
+    this.own.u_size.value.set(target.width, target.height);
     this.program(state, evaluated, body).draw(this.renderer, target);
   }
 
