@@ -128,6 +128,8 @@ export class App {
     const { size_px } = this.engine.state;
     const box = this.page.stage.element.getBoundingClientRect();
     const dpr = Math.min(2, devicePixelRatio || 1);
+    const side = Math.min(box.width, box.height);
+    this.page.stage.square(size_px ? side : null);
     const [width, height] = size_px ? [size_px, size_px] : [Math.round(box.width * dpr), Math.round(box.height * dpr)];
     if (width < 1 || height < 1) return;
     this.engine.resize(width, height);
@@ -211,7 +213,7 @@ export class App {
   private updateStatus(): void {
     const { engine } = this;
     const { taken, whole } = engine.progress;
-    this.page.status.textContent = `${Math.min(taken, whole)} / ${whole} samples · ${engine.size.width} × ${engine.size.height} · ${engine.lookups()} look-ups · ${shown(this.frameMs, 2)} ms`;
+    this.page.status.textContent = `${Math.min(taken, whole)} / ${whole} samples · ${engine.size.width} × ${engine.size.height} · ${engine.lookups()} look-ups · ${engine.clock.ms === null ? `${shown(this.frameMs, 2)} ms` : `${shown(engine.clock.ms, 2)} ms GPU`}`;
   }
 
   private specimenFacts(): string {

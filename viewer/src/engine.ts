@@ -7,6 +7,7 @@ import { packSpectral, packTables, type PackedSpectral, type PackedTables, type 
 import { readIndex, readSpecimen, type AtlasIndex, type Specimen, type ViewerFile } from './atlas/specimen';
 import { Picture, byteTarget, flipped, type Evaluated } from './gl/picture';
 import { automaticExposure, Probe, type Ask, type Pair } from './gl/probe';
+import { GpuClock } from './gl/clock';
 import { BINDING } from './gl/library';
 import { upload, type Uploaded } from './gl/upload';
 import { illuminant, quadrature, wavelengthsNeeded, type Illuminant, type Quadrature } from './light/illuminants';
@@ -29,6 +30,7 @@ const METER_SIDE = 192;
 
 export class Engine {
   readonly renderer: WebGLRenderer;
+  readonly clock: GpuClock;
   readonly probe: Probe;
   /** Whether targets of 32-bit floats can be drawn and read: without them there are no numbers, only pictures. */
   readonly floats: boolean;
@@ -50,6 +52,7 @@ export class Engine {
   ) {
     const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, powerPreference: 'high-performance' });
     if (!gl) throw new GraphicsError('This page draws with WebGL 2, which this browser does not offer or has switched off.');
+    this.clock = new GpuClock(gl);
     this.renderer = new WebGLRenderer({ canvas, context: gl });
     this.renderer.autoClear = true;
     this.renderer.setClearColor(0x000000, 0);
@@ -151,10 +154,11 @@ export class Engine {
     if (!loaded) return null;
     const count = all ? null : this.state.tables;
     const light = this.light();
+    const { interpolation } = this.state;
     if (light && loaded.spectral) {
-      return { source: 'spectral', uniforms: { ...this.limited(loaded.spectral.uploaded, count, false), ...this.quadratureFor(light) } };
+      return { interpolation, source: 'spectral', uniforms: { ...this.limited(loaded.spectral.uploaded, count, false), ...this.quadratureFor(light) } };
     }
-    return { source: 'tables', uniforms: this.limited(loaded.tables, count, this.state.pigment) };
+    return { interpolation, source: 'tables', uniforms: this.limited(loaded.tables, count, this.state.pigment) };
   }
 
   /** The spectral tables under any light, where they are loaded. */
@@ -162,7 +166,7 @@ export class Engine {
     const loaded = this.loaded;
     if (!loaded?.spectral) return null;
     const light = this.light() ?? illuminant('D65', 633, 45);
-    return { source: 'spectral', uniforms: { ...this.limited(loaded.spectral.uploaded, this.state.tables, false), ...this.quadratureFor(light) } };
+    return { interpolation: this.state.interpolation, source: 'spectral', uniforms: { ...this.limited(loaded.spectral.uploaded, this.state.tables, false), ...this.quadratureFor(light) } };
   }
 
   /** The quadrature of a light for the specimen's spectral tables. */
@@ -278,7 +282,7 @@ export class Engine {
     const started = performance.now();
     const other = this.state.difference && this.state.tables !== null ? this.otherPicture() : null;
     while (this.picture.samples < whole) {
-      this.picture.step(this.state, evaluated, body);
+      this.clock.time(() => this.picture.step(this.state, evaluated, body));
       if (other) other.step(this.state, this.evaluated(true) ?? evaluated, body);
       if (performance.now() - started > budget_ms) break;
     }

@@ -8,7 +8,7 @@ import { BALL_VIEW, patchAxes, patchView, SNAKE_VIEW, type View } from '../scene
 import type { Body } from '../scene/body';
 import type { State } from '../state';
 import { aboutVertical, centredOn, extent, toClip } from './camera';
-import { EVALUATION, type Source } from './library';
+import { evaluation, type Interpolation, type Source } from './library';
 import { displayPass, material, meanPass, Pass } from './passes';
 import { FILL_VERTEX, LIGHTS_MAX, SHADE } from './shade';
 import type { Uniforms } from './upload';
@@ -18,6 +18,7 @@ const degrees = Math.PI / 180;
 /** What is evaluated: where the numbers come from, and their uniforms. */
 export interface Evaluated {
   source: Source;
+  interpolation: Interpolation;
   uniforms: Uniforms;
 }
 
@@ -120,7 +121,7 @@ export class Picture {
     const count = Picture.samplesOf(state);
     const [x, y] = pixelOffset(this.taken, state.pixel_samples);
     const offset: [number, number] = [(2 * x) / this.width, (2 * y) / this.height];
-    this.prepare(state, evaluated, body, this.taken, count, offset, 1);
+    this.prepare(state, body, this.taken, count, offset, 1);
     this.own.u_output.value = 0;
     this.draw(state, evaluated, body, this.sample);
     const [before, after] = this.sums;
@@ -155,7 +156,7 @@ export class Picture {
   /** The two directions of the active light at a place in picture coordinates; null beside the surface and in the shade. */
   directionsAt(state: State, evaluated: Evaluated, body: Body | null, at: { x: number; y: number }): { wi: Vec3; wo: Vec3 } | null {
     const [ex, ey] = extent(this.width, this.height);
-    this.prepare(state, evaluated, body, -1, 1, [at.x / ex, at.y / ey], this.width);
+    this.prepare(state, body, -1, 1, [at.x / ex, at.y / ey], this.width);
     this.own.u_output.value = 1;
     this.draw(state, evaluated, body, this.pixel);
     const out = new Float32Array(4);
@@ -173,7 +174,7 @@ export class Picture {
   }
 
   /** Sets every uniform for a sample; index -1 is the middle of the lights. */
-  private prepare(state: State, evaluated: Evaluated, body: Body | null, index: number, count: number, offset: [number, number], enlarge: number): void {
+  private prepare(state: State, body: Body | null, index: number, count: number, offset: [number, number], enlarge: number): void {
     const own = this.own;
     const size = extent(this.width, this.height);
     const lights: Vector4[] = own.u_light.value;
@@ -195,7 +196,6 @@ export class Picture {
     if (state.shape === 'patch') this.preparePatch(state);
     if (state.shape === 'map') own.u_wi.value.set(...lightSample(state.lights[0], index, count)[0]);
     if (state.shape === 'screen') this.prepareScreen(state, index, count);
-    void evaluated;
   }
 
   private preparePatch(state: State): void {
@@ -227,14 +227,14 @@ export class Picture {
   }
 
   private program(state: State, evaluated: Evaluated, body: Body | null): Pass {
-    const key = `${evaluated.source} ${state.shape} ${state.interpolation}`;
+    const key = `${evaluated.source} ${state.shape} ${evaluated.interpolation}`;
     const flat = { ball: BALL, patch: PATCH, screen: SCREEN, map: MAP } as const;
     let pass = this.programs.get(key);
     const solid = state.shape === 'snake' || state.shape === 'model';
     if (!pass) {
       const surface = solid ? body?.fragment : flat[state.shape as keyof typeof flat];
       if (surface === undefined) throw new Error(`the shape ${state.shape} is not there yet`);
-      const text = EVALUATION[evaluated.source] + SHADE + surface;
+      const text = evaluation(evaluated.source, evaluated.interpolation) + SHADE + surface;
       const made: RawShaderMaterial = material(solid ? (body?.vertex ?? '') : FILL_VERTEX, text, { ...this.own }, solid);
       pass = new Pass(made, solid ? body?.geometry : undefined);
       this.programs.set(key, pass);

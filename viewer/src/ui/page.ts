@@ -259,5 +259,6 @@ function trustControls(current: () => State, change: Change): Control[] {
   return [
     slider({ label: 'Tables used', title: 'How many tables of the expansion are summed.', min: 1, max: 16, step: 1, get: (s) => s.tables ?? all, set: (v) => ({ tables: v >= all ? null : v }), text: (v, s) => (s.tables === null ? 'all' : `${v}`) }, current, change),
     toggle({ label: 'show the difference', title: 'The difference of luminance from all tables, ten times enlarged, in place of the picture.', get: (s) => s.difference, set: (v) => ({ difference: v }), when: (s) => s.tables !== null }, change),
+    segments<State['interpolation']>({ label: 'Between texels', title: 'Bilinear look-ups are the hardware’s; cubic ones are closest to the scan.', choices: [{ value: 'bilinear', label: 'bilinear' }, { value: 'cubic', label: 'cubic' }], get: (s) => s.interpolation, set: (interpolation) => ({ interpolation }) }, change),
   ];
 }
