@@ -120,15 +120,23 @@ export class Engine {
     this.quadratureKey = '';
   }
 
-  /** Changes the state; the picture starts anew where it looks different. */
-  set(change: Partial<State>): void {
+  /** Waits for the GPU. */
+  finish(): void {
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+
+  /** Changes the state; the picture starts anew where it looks different. Returns whether it does. */
+  set(change: Partial<State>): boolean {
     const before = this.state;
     this.state = merged(before, change);
     const shows = ({ pointer, polar_log, motion, exposure, tone, ...rest }: State) => {
       void [pointer, polar_log, motion, exposure, tone];
       return JSON.stringify(rest);
     };
-    if (shows(before) !== shows(this.state)) this.restart();
+    const different = shows(before) !== shows(this.state);
+    if (different) this.restart();
+    return different;
   }
 
   restart(): void {

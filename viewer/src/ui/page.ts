@@ -2,6 +2,8 @@
 
 import type { Engine } from '../engine';
 import type { State } from '../state';
+import { aboutView } from './about';
+import { chromaticityView } from './chromaticity';
 import { button, list, section, segments, slider, toggle, type Change, type Control } from './controls';
 import { h } from './dom';
 import { icons } from './icons';
@@ -41,7 +43,8 @@ export function buildPage(actions: Actions): Page {
   const picture = stage(current, change);
   const map = mapView();
   const [spectrum, polar, relief] = [spectrumView(), polarView(change), reliefView()];
-  const views: View[] = [map, spectrum, polar, relief];
+  const [colour, about] = [chromaticityView(), aboutView()];
+  const views: View[] = [map, spectrum, polar, relief, colour, about];
   const controls: Control[] = [];
   const keep = (control: Control): HTMLElement => {
     controls.push(control);
@@ -74,6 +77,8 @@ export function buildPage(actions: Actions): Page {
     card('All viewing directions', map),
     card('Plane of incidence', polar),
     card('Relief and its frequencies', relief),
+    card('Chromaticity', colour),
+    card('The specimen', about),
   );
   const head = h(
     'header',
