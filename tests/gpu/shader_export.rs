@@ -9,7 +9,7 @@ use diffraction_atlas::stages::archive::shader_export::{
 };
 
 /// Runs a compiler over a shader; `None` with a loud line where the compiler is not installed.
-pub(crate) fn accepted(tool: &str, arguments: &[&str], file: &Path) -> Option<bool> {
+fn accepted(tool: &str, arguments: &[&str], file: &Path) -> Option<bool> {
     let output = match Command::new(tool).args(arguments).arg(file).output() {
         Ok(output) => output,
         Err(_) => {

@@ -125,34 +125,6 @@ pub fn shader(source: ShaderSource, language: ShaderLanguage) -> Result<Vec<u8>>
     }
 }
 
-/// The functions of a shader in GLSL ES 3.00 without its entry point, for a page that puts its own inputs, outputs and `main`
-/// behind them: structs, constants, the uniform block, the samplers, and every function. `#version` and the precision come
-/// before them.
-///
-/// # Errors
-/// As [`shader()`].
-pub fn glsl_functions(source: ShaderSource) -> Result<String> {
-    let text = String::from_utf8(shader(source, ShaderLanguage::GlslEs300)?).map_err(|error| fault("GLSL", error))?;
-    let mut out = format!("// Translated from {}.wgsl and optics.wgsl: not written by hand.\n", source.name());
-    let mut dropped = 0;
-    let body = text.split_once("\nvoid main()").ok_or_else(|| fault("GLSL", "it has no main"))?.0;
-    for line in body.lines() {
-        let starts = |with: &[&str]| with.iter().any(|start| line.starts_with(start));
-        if starts(&["#version", "precision ", "smooth in ", "flat in ", "in ", "layout(location"]) {
-            dropped += 1;
-        } else if !(line.is_empty() && out.ends_with("\n\n")) {
-            out += line;
-            out.push('\n');
-        }
-    }
-    let inputs = match source {
-        ShaderSource::Tables => 2,
-        ShaderSource::Spectral => 3,
-    };
-    // The version, two precisions, the inputs, one output.
-    if dropped == 4 + inputs { Ok(out) } else { Err(fault("GLSL", "its inputs are not where they were")) }
-}
-
 fn fault(language: &str, message: impl std::fmt::Display) -> Error {
     Error::Gpu(format!("a table shader has no {language} form, a fault of this program: {message}"))
 }

@@ -1,4 +1,7 @@
-// Translated from spectral.wgsl and optics.wgsl: not written by hand.
+#version 300 es
+
+precision highp float;
+precision highp int;
 
 struct Front {
     uint material;
@@ -38,6 +41,11 @@ uniform highp sampler2DArray _group_0_binding_1_fs;
 uniform highp sampler2DArray _group_0_binding_2_fs;
 
 uniform highp sampler2D _group_0_binding_3_fs;
+
+smooth in vec3 _vs2fs_location0;
+smooth in vec3 _vs2fs_location1;
+smooth in float _vs2fs_location2;
+layout(location = 0) out vec4 _fs2p_location0;
 
 vec3 wave_vector_change(vec3 wi_1, vec3 wo_1) {
     return (-(wi_1) - wo_1);
@@ -425,3 +433,19 @@ float brdf_spectral(vec3 wi_11, vec3 wo_11, float wavelength_nm_3) {
 bool has_answer(float value) {
     return (value != NO_ANSWER);
 }
+
+void main() {
+    vec3 wi = _vs2fs_location0;
+    vec3 wo = _vs2fs_location1;
+    float wavelength_nm = _vs2fs_location2;
+    vec3 to_light = normalize(wi);
+    float _e5 = brdf_spectral(to_light, normalize(wo), wavelength_nm);
+    bool _e6 = has_answer(_e5);
+    if (!(_e6)) {
+        _fs2p_location0 = vec4(0.0, 0.0, 0.0, 1.0);
+        return;
+    }
+    _fs2p_location0 = vec4((_e5 * max(to_light.z, 0.0)), 1.0, 0.0, 1.0);
+    return;
+}
+

@@ -1,4 +1,7 @@
-// Translated from tables.wgsl and optics.wgsl: not written by hand.
+#version 300 es
+
+precision highp float;
+precision highp int;
 
 struct Front {
     uint material;
@@ -49,6 +52,10 @@ uniform highp sampler2DArray _group_0_binding_1_fs;
 uniform highp sampler2DArray _group_0_binding_2_fs;
 
 uniform highp sampler2D _group_0_binding_3_fs;
+
+smooth in vec3 _vs2fs_location0;
+smooth in vec3 _vs2fs_location1;
+layout(location = 0) out vec4 _fs2p_location0;
 
 vec3 wave_vector_change(vec3 wi_1, vec3 wo_1) {
     return (-(wi_1) - wo_1);
@@ -547,3 +554,21 @@ vec3 surface_xyz(vec3 wi_13, vec3 wo_13) {
 vec3 xyz_to_linear_srgb(vec3 xyz_1) {
     return vec3(dot(vec3(3.2404542, -1.5371385, -0.4985314), xyz_1), dot(vec3(-0.969266, 1.8760108, 0.041556), xyz_1), dot(vec3(0.0556434, -0.2040259, 1.0572252), xyz_1));
 }
+
+void main() {
+    vec3 wi = _vs2fs_location0;
+    vec3 wo = _vs2fs_location1;
+    vec3 to_light = normalize(wi);
+    vec3 to_viewer = normalize(wo);
+    vec3 _e4 = surface_xyz(to_light, to_viewer);
+    bool _e5 = has_answer(_e4);
+    if (!(_e5)) {
+        _fs2p_location0 = vec4(1.0, 0.0, 1.0, 1.0);
+        return;
+    }
+    vec3 xyz_2 = (_e4 * max(to_light.z, 0.0));
+    vec3 _e16 = xyz_to_linear_srgb(xyz_2);
+    _fs2p_location0 = vec4(_e16, 1.0);
+    return;
+}
+
