@@ -13,7 +13,10 @@ import { buildPage, meteredBy, type Page } from './ui/page';
 import { plotWavelengths } from './ui/spectrum';
 import { specimenCards } from './ui/specimens';
 import { switchTheme } from './ui/theme';
-import { shown } from './ui/dom';
+import { readEnvironment } from './scene/environment';
+import { readModel } from './scene/model';
+import { chooseFile, dropTarget } from './ui/drop';
+import { h, shown } from './ui/dom';
 import type { Answer } from './ui/views';
 
 const VIEWS_EVERY_MS = 70;
@@ -70,6 +73,7 @@ export class App {
       event.preventDefault();
       this.fault(new Error('The graphics driver took its memory back (the WebGL context was lost). Load the page again.'));
     });
+    dropTarget(mount, (dropped) => void this.take(dropped));
     new ResizeObserver(() => this.fit()).observe(this.page.stage.element);
     addEventListener('hashchange', () => {
       if (location.hash !== toFragment(this.engine.state)) this.set(fromFragment(location.hash));
@@ -116,6 +120,16 @@ export class App {
 
   set(change: Partial<State>): void {
     const before = this.engine.state;
+    if (change.shape === 'model' && !this.engine.model) {
+      this.stale.controls = true;
+      chooseFile('.glb,.gltf,.obj', (files) => void this.take(files));
+      return;
+    }
+    if (change.environment === 'own' && before.environment !== 'own' && !this.engine.hasSky) {
+      this.stale.controls = true;
+      chooseFile('.exr,.hdr', (files) => void this.take(files));
+      return;
+    }
     if (this.engine.set(change)) this.moved = performance.now();
     const after = this.engine.state;
     if (change.pointer) this.asked = null;
@@ -265,6 +279,30 @@ export class App {
     return `${specimen.species ?? specimen.name} · coherence σ ${shown(sigma_nm / 1000)} µm`;
   }
 
+  /** Files dropped on the page, or chosen: a mesh, or an image of the surroundings. */
+  private async take(files: File[]): Promise<void> {
+    for (const file of files) {
+      try {
+        if (/\.(glb|gltf|obj)$/i.test(file.name)) {
+          this.engine.useModel(await readModel(file));
+          this.set({ shape: 'model', view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 } });
+        } else if (/\.(exr|hdr)$/i.test(file.name)) {
+          this.engine.useSky(await readEnvironment(file));
+          this.set({ environment: 'own' });
+        } else throw new Error('The page takes meshes (.glb, .gltf, .obj) and images of the surroundings (.exr, .hdr).');
+      } catch (error) {
+        this.notice(`${file.name}: ${error instanceof Error ? error.message : String(error)}`);
+      }
+    }
+  }
+
+  /** A few words that go away by themselves. */
+  private notice(text: string): void {
+    const note = h('p', { className: 'notice', role: 'alert' }, text);
+    document.body.append(note);
+    setTimeout(() => note.remove(), 7000);
+  }
+
   private savePng(): void {
     this.detail.now = 1;
     this.fit();
@@ -284,9 +322,9 @@ export class App {
     history.replaceState(null, '', toFragment(this.engine.state) || location.pathname + location.search);
     try {
       await navigator.clipboard.writeText(location.href);
-      this.page.status.textContent = 'The link is copied.';
+      this.notice('The link is copied.');
     } catch {
-      this.page.status.textContent = 'The link stands in the address bar.';
+      this.notice('The link stands in the address bar.');
     }
   }
 

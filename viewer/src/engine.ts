@@ -12,6 +12,7 @@ import { BINDING } from './gl/library';
 import { upload, type Uploaded } from './gl/upload';
 import { illuminant, quadrature, wavelengthsNeeded, type Illuminant, type Quadrature } from './light/illuminants';
 import type { Body } from './scene/body';
+import { builtIn, skyTextures, type Environment, type SkyTextures } from './scene/environment';
 import { snakeBody } from './scene/snake';
 import { merged, type State } from './state';
 
@@ -37,6 +38,8 @@ export class Engine {
   index!: AtlasIndex;
   loaded: Loaded | null = null;
   model: Body | null = null;
+  private ownSky: SkyTextures | null = null;
+  private builtSky: { name: string; sky: SkyTextures } | null = null;
   private readonly picture: Picture;
   private other: Picture | null = null;
   private meter: Picture | null = null;
@@ -60,6 +63,9 @@ export class Engine {
     if (!this.floats && gl.getExtension('EXT_color_buffer_half_float') === null) {
       throw new GraphicsError('This page sums light in floating-point numbers, which this graphics driver cannot draw to.');
     }
+    // An address cannot hold the files that these ask for.
+    if (this.state.shape === 'model') this.state.shape = 'ball';
+    if (this.state.environment === 'own') this.state.environment = 'none';
     this.picture = new Picture(this.renderer, this.floats ? FloatType : HalfFloatType);
     this.probe = new Probe(this.renderer);
   }
@@ -250,6 +256,31 @@ export class Engine {
     return this.state.shape === 'model' ? this.model : null;
   }
 
+  /** A mesh of the reader's own, from now on the shape "model". */
+  useModel(body: Body): void {
+    this.model?.geometry.dispose();
+    this.model = body;
+    this.restart();
+  }
+
+  /** Light from all around of the reader's own, from now on the environment "own". */
+  useSky(sky: Environment): void {
+    this.ownSky = skyTextures(sky);
+    this.restart();
+  }
+
+  get hasSky(): boolean {
+    return this.ownSky !== null;
+  }
+
+  private sky(): SkyTextures | null {
+    const { environment } = this.state;
+    if (environment === 'none') return null;
+    if (environment === 'own') return this.ownSky;
+    if (this.builtSky?.name !== environment) this.builtSky = { name: environment, sky: skyTextures(builtIn(environment)) };
+    return this.builtSky.sky;
+  }
+
   /** The factor from XYZ to the display, white being 1. */
   exposure(): number {
     const { exposure } = this.state;
@@ -257,14 +288,15 @@ export class Engine {
   }
 
   private automatic(): number {
-    const { specimen, shape, illuminant: light, laser_nm, scale } = this.state;
-    const key = JSON.stringify([specimen, shape, light, laser_nm, scale]);
+    const { specimen, shape, illuminant: light, laser_nm, scale, environment: sky } = this.state;
+    const key = JSON.stringify([specimen, shape, light, laser_nm, scale, sky]);
     const evaluated = this.evaluated();
     if (this.metered?.key === key || !evaluated || !this.floats) return this.metered?.exposure ?? 1;
     this.meter ??= new Picture(this.renderer, FloatType);
     this.meter.resize(METER_SIDE, METER_SIDE);
     this.meter.restart();
-    const still: State = { ...this.state, view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 }, light_samples: 4, pixel_samples: 1 };
+    this.meter.sky = this.sky();
+    const still: State = { ...this.state, environment_samples: 16, view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 }, light_samples: 4, pixel_samples: 1 };
     for (let i = 0; i < Picture.samplesOf(still); i++) this.meter.step(still, evaluated, this.body());
     this.metered = { key, exposure: automaticExposure(this.meter.values()) };
     return this.metered.exposure;
@@ -287,6 +319,7 @@ export class Engine {
     const [evaluated, body] = [this.evaluated(), this.body()];
     if (!evaluated) return true;
     const whole = Picture.samplesOf(this.state);
+    this.picture.sky = this.sky();
     const started = performance.now();
     const other = this.state.difference && this.state.tables !== null ? this.otherPicture() : null;
     while (this.picture.samples < whole) {
@@ -304,6 +337,7 @@ export class Engine {
       this.other.resize(this.picture.width, this.picture.height);
       this.restart();
     }
+    this.other.sky = this.sky();
     return this.other;
   }
 
