@@ -32,3 +32,4 @@ mod restricted;
 mod scans;
 mod settings;
 mod versions;
+mod viewing;
