@@ -5,7 +5,7 @@ use minijinja::{Environment, UndefinedBehavior, Value, context, escape_formatter
 use crate::report::embed::{Album, EMBEDDED_MAX_BYTES, Picture, missing};
 use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
-use crate::report::{budget_facts, frames, gpu_facts, measured, numbers, plots};
+use crate::report::{budget_facts, frames, goniometry, gpu_facts, measured, numbers, plots};
 use crate::stages::cache::store::CacheUse;
 use crate::stages::results::{RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
 use crate::stages::viewer::page::REPORT_WITHOUT;
@@ -221,7 +221,12 @@ fn specimen_section(
     let errors: Vec<(&ErrorRow, bool)> =
         rows.iter().map(|row| (row, tolerance.is_some_and(|tolerance| row.is_over(tolerance)))).collect();
     let over = errors.iter().any(|(_, over)| *over);
+    let goniometry = match &specimen.goniometry {
+        Some(found) => Some(goniometry::view(found, periods, album)?),
+        None => None,
+    };
     Ok(context! {
+        goniometry => goniometry,
         id => anchor(number),
         name => &specimen.name,
         species => specimen.species.clone().unwrap_or_default(),

@@ -6,6 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::cache::store::CacheUse;
+use super::goniometry::Goniometry;
 pub use super::gpu::results::{GpuResult, GpuRow};
 use super::stage::Stage;
 use crate::stages::measured::MeasuredResult;
@@ -126,6 +127,9 @@ pub struct SpecimenResult {
     /// Comparison with measured reflectance, where the manifest names some.
     #[serde(default)]
     pub measured: Option<MeasuredResult>,
+    /// Which colours it shows from which angles; `None` where its tables are restricted to scenes.
+    #[serde(default)]
+    pub goniometry: Option<Goniometry>,
     /// The scenes rendered with the tables.
     pub scenes: Vec<SceneResult>,
     /// Picture of the heights.

@@ -13,11 +13,18 @@ import { buildPage, meteredBy, type Page } from './ui/page';
 import { plotWavelengths } from './ui/spectrum';
 import { specimenCards } from './ui/specimens';
 import { switchTheme } from './ui/theme';
-import { shown } from './ui/dom';
+import { readEnvironment } from './scene/environment';
+import { readModel } from './scene/model';
+import { chooseFile, dropTarget } from './ui/drop';
+import { h, shown } from './ui/dom';
 import type { Answer } from './ui/views';
 
 const VIEWS_EVERY_MS = 70;
 const ADDRESS_EVERY_MS = 400;
+/** What a sample may take while something moves, and how long nothing must move before the picture gets every pixel. */
+const MOVING_MS = 36;
+const STILL_AFTER_MS = 300;
+const COARSEST = 0.25;
 
 export class App {
   readonly engine: Engine;
@@ -27,6 +34,11 @@ export class App {
   private stale = { picture: true, views: true, controls: true, address: false };
   private last = { views: 0, address: 0, tick: 0 };
   private frameMs = 0;
+  /** Pixels per pixel of the screen along each side: now, and while something moves. */
+  private detail = { now: 1, moving: 1 };
+  private moved = 0;
+  private tickMs = 16;
+  private drew = false;
   private opened = false;
 
   constructor(
@@ -61,6 +73,7 @@ export class App {
       event.preventDefault();
       this.fault(new Error('The graphics driver took its memory back (the WebGL context was lost). Load the page again.'));
     });
+    dropTarget(mount, (dropped) => void this.take(dropped));
     new ResizeObserver(() => this.fit()).observe(this.page.stage.element);
     addEventListener('hashchange', () => {
       if (location.hash !== toFragment(this.engine.state)) this.set(fromFragment(location.hash));
@@ -77,8 +90,7 @@ export class App {
     page.specimens.append(...(await specimenCards(engine, (specimen) => this.set({ specimen }))));
     await this.load();
     this.opened = true;
-    this.fit();
-    engine.draw(0);
+    this.firstFrames();
     page.element.classList.add('ready');
     const tick = (now: number) => {
       try {
@@ -92,9 +104,33 @@ export class App {
     void this.load(true);
   }
 
+  /** Draws coarsely, once to compile the shaders and once to see how fast they are. */
+  private firstFrames(): void {
+    const { engine } = this;
+    this.detail.now = COARSEST;
+    this.fit();
+    engine.draw(0);
+    engine.restart();
+    const started = performance.now();
+    engine.draw(0);
+    engine.finish();
+    const whole = (performance.now() - started) / COARSEST ** 2;
+    this.detail.moving = Math.min(1, Math.max(COARSEST, Math.sqrt(MOVING_MS / whole)));
+  }
+
   set(change: Partial<State>): void {
     const before = this.engine.state;
-    this.engine.set(change);
+    if (change.shape === 'model' && !this.engine.model) {
+      this.stale.controls = true;
+      chooseFile('.glb,.gltf,.obj', (files) => void this.take(files));
+      return;
+    }
+    if (change.environment === 'own' && before.environment !== 'own' && !this.engine.hasSky) {
+      this.stale.controls = true;
+      chooseFile('.exr,.hdr', (files) => void this.take(files));
+      return;
+    }
+    if (this.engine.set(change)) this.moved = performance.now();
     const after = this.engine.state;
     if (change.pointer) this.asked = null;
     this.stale = { picture: true, views: true, controls: true, address: true };
@@ -128,7 +164,10 @@ export class App {
     const { size_px } = this.engine.state;
     const box = this.page.stage.element.getBoundingClientRect();
     const dpr = Math.min(2, devicePixelRatio || 1);
-    const [width, height] = size_px ? [size_px, size_px] : [Math.round(box.width * dpr), Math.round(box.height * dpr)];
+    const side = Math.min(box.width, box.height);
+    this.page.stage.square(size_px ? side : null);
+    const detail = dpr * this.detail.now;
+    const [width, height] = size_px ? [size_px, size_px] : [Math.round(box.width * detail), Math.round(box.height * detail)];
     if (width < 1 || height < 1) return;
     this.engine.resize(width, height);
     this.stale.picture = this.stale.views = true;
@@ -143,6 +182,7 @@ export class App {
       page.stage.update(engine.state);
       page.facts.textContent = this.specimenFacts();
     }
+    this.chooseDetail(now);
     if (stale.picture) {
       const started = performance.now();
       stale.picture = !engine.draw(0);
@@ -161,9 +201,27 @@ export class App {
     }
   }
 
+  /** Fewer pixels while something moves and the GPU is slow; all of them once it stands still. */
+  private chooseDetail(now: number): void {
+    const { detail, stale } = this;
+    const moving = now - this.moved < STILL_AFTER_MS;
+    if (moving && this.drew && detail.now === detail.moving) {
+      const took = Math.min(1000, this.tickMs);
+      if (took > 1.4 * MOVING_MS) detail.moving = Math.max(COARSEST, detail.moving * Math.max(0.5, Math.sqrt(MOVING_MS / took)));
+      else if (took < 0.6 * MOVING_MS && detail.moving < 1) detail.moving = Math.min(1, detail.moving * 1.1);
+    }
+    this.drew = stale.picture;
+    const wanted = moving ? detail.moving : 1;
+    if (Math.abs(wanted - detail.now) < 0.02 * detail.now && wanted !== 1) return;
+    if (wanted === detail.now) return;
+    detail.now = wanted;
+    this.fit();
+  }
+
   /** What moves by itself since the last frame. */
   private move(now: number): void {
-    const seconds = Math.min(0.1, (now - this.last.tick) / 1000);
+    this.tickMs = now - this.last.tick;
+    const seconds = Math.min(0.1, this.tickMs / 1000);
     this.last.tick = now;
     const { state } = this.engine;
     if (state.motion === 'light') {
@@ -211,7 +269,7 @@ export class App {
   private updateStatus(): void {
     const { engine } = this;
     const { taken, whole } = engine.progress;
-    this.page.status.textContent = `${Math.min(taken, whole)} / ${whole} samples · ${engine.size.width} × ${engine.size.height} · ${engine.lookups()} look-ups · ${shown(this.frameMs, 2)} ms`;
+    this.page.status.textContent = `${Math.min(taken, whole)} / ${whole} samples · ${engine.size.width} × ${engine.size.height} · ${engine.lookups()} look-ups · ${engine.clock.ms === null ? `${shown(this.frameMs, 2)} ms` : `${shown(engine.clock.ms, 2)} ms GPU`}`;
   }
 
   private specimenFacts(): string {
@@ -221,7 +279,33 @@ export class App {
     return `${specimen.species ?? specimen.name} · coherence σ ${shown(sigma_nm / 1000)} µm`;
   }
 
+  /** Files dropped on the page, or chosen: a mesh, or an image of the surroundings. */
+  private async take(files: File[]): Promise<void> {
+    for (const file of files) {
+      try {
+        if (/\.(glb|gltf|obj)$/i.test(file.name)) {
+          this.engine.useModel(await readModel(file));
+          this.set({ shape: 'model', view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 } });
+        } else if (/\.(exr|hdr)$/i.test(file.name)) {
+          this.engine.useSky(await readEnvironment(file));
+          this.set({ environment: 'own' });
+        } else throw new Error('The page takes meshes (.glb, .gltf, .obj) and images of the surroundings (.exr, .hdr).');
+      } catch (error) {
+        this.notice(`${file.name}: ${error instanceof Error ? error.message : String(error)}`);
+      }
+    }
+  }
+
+  /** A few words that go away by themselves. */
+  private notice(text: string): void {
+    const note = h('p', { className: 'notice', role: 'alert' }, text);
+    document.body.append(note);
+    setTimeout(() => note.remove(), 7000);
+  }
+
   private savePng(): void {
+    this.detail.now = 1;
+    this.fit();
     this.engine.draw(Infinity);
     this.page.stage.canvas.toBlob((blob) => blob && download(blob, `${this.engine.state.specimen}.${this.engine.state.shape}.png`));
   }
@@ -238,9 +322,9 @@ export class App {
     history.replaceState(null, '', toFragment(this.engine.state) || location.pathname + location.search);
     try {
       await navigator.clipboard.writeText(location.href);
-      this.page.status.textContent = 'The link is copied.';
+      this.notice('The link is copied.');
     } catch {
-      this.page.status.textContent = 'The link stands in the address bar.';
+      this.notice('The link stands in the address bar.');
     }
   }
 
@@ -259,6 +343,8 @@ export class App {
       state: () => structuredClone(engine.state),
       frame: async () => {
         await settled();
+        this.detail.now = 1;
+        this.fit();
         engine.draw(Infinity);
         this.updateViews();
       },

@@ -7,10 +7,12 @@ import { packSpectral, packTables, type PackedSpectral, type PackedTables, type 
 import { readIndex, readSpecimen, type AtlasIndex, type Specimen, type ViewerFile } from './atlas/specimen';
 import { Picture, byteTarget, flipped, type Evaluated } from './gl/picture';
 import { automaticExposure, Probe, type Ask, type Pair } from './gl/probe';
+import { GpuClock } from './gl/clock';
 import { BINDING } from './gl/library';
 import { upload, type Uploaded } from './gl/upload';
 import { illuminant, quadrature, wavelengthsNeeded, type Illuminant, type Quadrature } from './light/illuminants';
 import type { Body } from './scene/body';
+import { builtIn, skyTextures, type Environment, type SkyTextures } from './scene/environment';
 import { snakeBody } from './scene/snake';
 import { merged, type State } from './state';
 
@@ -29,12 +31,15 @@ const METER_SIDE = 192;
 
 export class Engine {
   readonly renderer: WebGLRenderer;
+  readonly clock: GpuClock;
   readonly probe: Probe;
   /** Whether targets of 32-bit floats can be drawn and read: without them there are no numbers, only pictures. */
   readonly floats: boolean;
   index!: AtlasIndex;
   loaded: Loaded | null = null;
   model: Body | null = null;
+  private ownSky: SkyTextures | null = null;
+  private builtSky: { name: string; sky: SkyTextures } | null = null;
   private readonly picture: Picture;
   private other: Picture | null = null;
   private meter: Picture | null = null;
@@ -50,6 +55,7 @@ export class Engine {
   ) {
     const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, powerPreference: 'high-performance' });
     if (!gl) throw new GraphicsError('This page draws with WebGL 2, which this browser does not offer or has switched off.');
+    this.clock = new GpuClock(gl);
     this.renderer = new WebGLRenderer({ canvas, context: gl });
     this.renderer.autoClear = true;
     this.renderer.setClearColor(0x000000, 0);
@@ -57,6 +63,9 @@ export class Engine {
     if (!this.floats && gl.getExtension('EXT_color_buffer_half_float') === null) {
       throw new GraphicsError('This page sums light in floating-point numbers, which this graphics driver cannot draw to.');
     }
+    // An address cannot hold the files that these ask for.
+    if (this.state.shape === 'model') this.state.shape = 'ball';
+    if (this.state.environment === 'own') this.state.environment = 'none';
     this.picture = new Picture(this.renderer, this.floats ? FloatType : HalfFloatType);
     this.probe = new Probe(this.renderer);
   }
@@ -117,15 +126,23 @@ export class Engine {
     this.quadratureKey = '';
   }
 
-  /** Changes the state; the picture starts anew where it looks different. */
-  set(change: Partial<State>): void {
+  /** Waits for the GPU. */
+  finish(): void {
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+
+  /** Changes the state; the picture starts anew where it looks different. Returns whether it does. */
+  set(change: Partial<State>): boolean {
     const before = this.state;
     this.state = merged(before, change);
     const shows = ({ pointer, polar_log, motion, exposure, tone, ...rest }: State) => {
       void [pointer, polar_log, motion, exposure, tone];
       return JSON.stringify(rest);
     };
-    if (shows(before) !== shows(this.state)) this.restart();
+    const different = shows(before) !== shows(this.state);
+    if (different) this.restart();
+    return different;
   }
 
   restart(): void {
@@ -151,10 +168,11 @@ export class Engine {
     if (!loaded) return null;
     const count = all ? null : this.state.tables;
     const light = this.light();
+    const { interpolation } = this.state;
     if (light && loaded.spectral) {
-      return { source: 'spectral', uniforms: { ...this.limited(loaded.spectral.uploaded, count, false), ...this.quadratureFor(light) } };
+      return { interpolation, source: 'spectral', uniforms: { ...this.limited(loaded.spectral.uploaded, count, false), ...this.quadratureFor(light) } };
     }
-    return { source: 'tables', uniforms: this.limited(loaded.tables, count, this.state.pigment) };
+    return { interpolation, source: 'tables', uniforms: this.limited(loaded.tables, count, this.state.pigment) };
   }
 
   /** The spectral tables under any light, where they are loaded. */
@@ -162,7 +180,7 @@ export class Engine {
     const loaded = this.loaded;
     if (!loaded?.spectral) return null;
     const light = this.light() ?? illuminant('D65', 633, 45);
-    return { source: 'spectral', uniforms: { ...this.limited(loaded.spectral.uploaded, this.state.tables, false), ...this.quadratureFor(light) } };
+    return { interpolation: this.state.interpolation, source: 'spectral', uniforms: { ...this.limited(loaded.spectral.uploaded, this.state.tables, false), ...this.quadratureFor(light) } };
   }
 
   /** The quadrature of a light for the specimen's spectral tables. */
@@ -238,6 +256,31 @@ export class Engine {
     return this.state.shape === 'model' ? this.model : null;
   }
 
+  /** A mesh of the reader's own, from now on the shape "model". */
+  useModel(body: Body): void {
+    this.model?.geometry.dispose();
+    this.model = body;
+    this.restart();
+  }
+
+  /** Light from all around of the reader's own, from now on the environment "own". */
+  useSky(sky: Environment): void {
+    this.ownSky = skyTextures(sky);
+    this.restart();
+  }
+
+  get hasSky(): boolean {
+    return this.ownSky !== null;
+  }
+
+  private sky(): SkyTextures | null {
+    const { environment } = this.state;
+    if (environment === 'none') return null;
+    if (environment === 'own') return this.ownSky;
+    if (this.builtSky?.name !== environment) this.builtSky = { name: environment, sky: skyTextures(builtIn(environment)) };
+    return this.builtSky.sky;
+  }
+
   /** The factor from XYZ to the display, white being 1. */
   exposure(): number {
     const { exposure } = this.state;
@@ -245,14 +288,15 @@ export class Engine {
   }
 
   private automatic(): number {
-    const { specimen, shape, illuminant: light, laser_nm, scale } = this.state;
-    const key = JSON.stringify([specimen, shape, light, laser_nm, scale]);
+    const { specimen, shape, illuminant: light, laser_nm, scale, environment: sky } = this.state;
+    const key = JSON.stringify([specimen, shape, light, laser_nm, scale, sky]);
     const evaluated = this.evaluated();
     if (this.metered?.key === key || !evaluated || !this.floats) return this.metered?.exposure ?? 1;
     this.meter ??= new Picture(this.renderer, FloatType);
     this.meter.resize(METER_SIDE, METER_SIDE);
     this.meter.restart();
-    const still: State = { ...this.state, view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 }, light_samples: 4, pixel_samples: 1 };
+    this.meter.sky = this.sky();
+    const still: State = { ...this.state, environment_samples: 16, view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 }, light_samples: 4, pixel_samples: 1 };
     for (let i = 0; i < Picture.samplesOf(still); i++) this.meter.step(still, evaluated, this.body());
     this.metered = { key, exposure: automaticExposure(this.meter.values()) };
     return this.metered.exposure;
@@ -275,10 +319,11 @@ export class Engine {
     const [evaluated, body] = [this.evaluated(), this.body()];
     if (!evaluated) return true;
     const whole = Picture.samplesOf(this.state);
+    this.picture.sky = this.sky();
     const started = performance.now();
     const other = this.state.difference && this.state.tables !== null ? this.otherPicture() : null;
     while (this.picture.samples < whole) {
-      this.picture.step(this.state, evaluated, body);
+      this.clock.time(() => this.picture.step(this.state, evaluated, body));
       if (other) other.step(this.state, this.evaluated(true) ?? evaluated, body);
       if (performance.now() - started > budget_ms) break;
     }
@@ -292,6 +337,7 @@ export class Engine {
       this.other.resize(this.picture.width, this.picture.height);
       this.restart();
     }
+    this.other.sky = this.sky();
     return this.other;
   }
 

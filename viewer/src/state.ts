@@ -4,6 +4,7 @@ import type { IlluminantName } from './light/illuminants';
 import type { Vec3 } from './light/samples';
 
 export type Shape = 'ball' | 'snake' | 'patch' | 'screen' | 'map' | 'model';
+export type Surroundings = 'none' | 'overcast' | 'window' | 'own';
 export type Motion = 'none' | 'light' | 'turntable';
 
 export interface Light {
@@ -51,6 +52,9 @@ export interface State {
   /** Samples of each light that has a size, and positions within a pixel, once the picture stands still. */
   light_samples: number;
   pixel_samples: number;
+  /** Light from all around, besides the lights. */
+  environment: Surroundings;
+  environment_samples: number;
   /** The place that is asked, in picture coordinates: x to the right, y up, the square [-1, 1] in the middle. */
   pointer: { x: number; y: number };
   polar_log: boolean;
@@ -81,6 +85,8 @@ export const DEFAULTS: State = {
   screen: { distance_mm: 100, width_mm: 200, beam_mm: 2, incidence_deg: 0 },
   light_samples: 16,
   pixel_samples: 16,
+  environment: 'none',
+  environment_samples: 64,
   pointer: { x: -0.72, y: 0 },
   polar_log: true,
   motion: 'none',
@@ -115,6 +121,7 @@ const CHOICES: Partial<Record<keyof State, readonly string[]>> = {
   illuminant: ['tables', 'D65', 'A', 'E', 'F11', 'LED', 'laser', 'sun'],
   interpolation: ['bilinear', 'cubic'],
   motion: ['none', 'light', 'turntable'],
+  environment: ['none', 'overcast', 'window', 'own'],
 };
 
 const RANGES: Partial<Record<keyof State, readonly [number, number]>> = {
@@ -127,6 +134,7 @@ const RANGES: Partial<Record<keyof State, readonly [number, number]>> = {
   tables: [1, 256],
   light_samples: [1, 1024],
   pixel_samples: [1, 1024],
+  environment_samples: [1, 4096],
   size_px: [1, 4096],
   active: [0, 3],
 };

@@ -15,6 +15,7 @@ use crate::stages::archive::specimen_file::{self, SpecimenFile};
 use crate::stages::cache::store::CacheUse;
 use crate::stages::config::SpecimenConfig;
 use crate::stages::coverage::savings;
+use crate::stages::goniometry::goniometry;
 use crate::stages::pictures::covered::covered_picture;
 use crate::stages::pictures::preview::write_preview;
 use crate::stages::pictures::scenes;
@@ -68,6 +69,10 @@ pub(super) fn describe(
         let expected = reference.map(|reference| work.expected(&reference));
         shared_scenes::share(work, expected)
     });
+    let goniometry = clock.stage(Stage::LookAround, || {
+        let tables = spectral.as_ref().map(|spectral| &spectral.tables);
+        goniometry(measured.stored.surface(), tables, &ingested.scans.optics, &job.folder, &job.specimen.name)
+    })?;
     let (shares, pictures) = clock.stage(Stage::WritePictures, || {
         let shares: Vec<Share> = shares.collect();
         let scenes =
@@ -89,6 +94,7 @@ pub(super) fn describe(
     Ok(Described {
         result: SpecimenResult {
             spectral: spectral.map(|spectral| spectral.result),
+            goniometry,
             ..result(job, ingested, planned, measured, pictures, budget, warnings)
         },
         inputs: inputs(job, ingested),
@@ -215,6 +221,7 @@ fn result(
         power_sums: measured.reflected.power_sums,
         albedo: measured.reflected.albedo,
         measured: measured.measured,
+        goniometry: None,
         scenes: pictures.scenes,
         height_map,
         spectrum,
@@ -270,6 +277,7 @@ pub(super) fn failed_result(specimen: &SpecimenConfig, error: &Error) -> Specime
         power_sums: Vec::new(),
         albedo: Vec::new(),
         measured: None,
+        goniometry: None,
         scenes: Vec::new(),
         height_map: None,
         spectrum: None,

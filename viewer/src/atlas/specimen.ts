@@ -98,6 +98,7 @@ export interface Specimen {
   tables: StoredTables;
   spectral?: StoredSpectral | null;
   warnings?: string[];
+  errors?: { what: string; region: string; p95: number | null }[];
 }
 
 /** What lies in the atlas only for this page. */

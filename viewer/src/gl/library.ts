@@ -61,8 +61,40 @@ vec3 reflected(vec3 wi, vec3 wo) {
 `;
 
 export type Source = 'tables' | 'spectral';
+export type Interpolation = 'bilinear' | 'cubic';
 
-export const EVALUATION: Record<Source, string> = {
-  tables: functionsOf(tables) + REFLECTED_TABLES,
-  spectral: functionsOf(spectral) + REFLECTED_SPECTRAL,
-};
+/** Four by four texels, the cubic through each four, in place of the hardware's two by two. */
+const CUBIC_LOOKUP = `
+vec4 cubic_weights(float x) {
+  return vec4(-(x - 1.0) * (x - 2.0) * (x - 3.0) / 6.0, x * (x - 2.0) * (x - 3.0) / 2.0, -x * (x - 1.0) * (x - 3.0) / 2.0, x * (x - 1.0) * (x - 2.0) / 6.0);
+}
+vec4 cubic_lookup(highp sampler2DArray layers, vec3 at, float lod) {
+  ivec2 size = textureSize(layers, 0).xy;
+  vec2 place = clamp(at.xy * vec2(size) - 0.5, vec2(0.0), vec2(size - 1));
+  ivec2 first = clamp(ivec2(floor(place)) - 1, ivec2(0), max(size - 4, ivec2(0)));
+  vec2 share = place - vec2(first);
+  vec4 across = cubic_weights(share.x);
+  vec4 down = cubic_weights(share.y);
+  vec4 sum = vec4(0.0);
+  for (int y = 0; y < 4; y++)
+    for (int x = 0; x < 4; x++) sum += across[x] * down[y] * texelFetch(layers, ivec3(min(first + ivec2(x, y), size - 1), int(at.z)), 0);
+  return sum;
+}
+`;
+
+/** The evaluation with look-ups in tables of the given kind; a range of t is always looked up bilinearly. */
+function withLookups(functions: string, interpolation: Interpolation): string {
+  if (interpolation === 'bilinear') return functions;
+  const start = functions.search(/(vec3|float) expansion\(/);
+  if (start < 0) throw new Error('the translated shader has no sum over tables');
+  const end = functions.indexOf('\n}\n', start);
+  const sum = functions.slice(start, end).replace('textureLod(', 'cubic_lookup(');
+  return functions.slice(0, start) + CUBIC_LOOKUP + sum + functions.slice(end);
+}
+
+const FUNCTIONS: Record<Source, string> = { tables: functionsOf(tables), spectral: functionsOf(spectral) };
+const REFLECTED: Record<Source, string> = { tables: REFLECTED_TABLES, spectral: REFLECTED_SPECTRAL };
+
+/** The text that defines `reflected`. */
+export const evaluation = (source: Source, interpolation: Interpolation): string =>
+  withLookups(FUNCTIONS[source], interpolation) + REFLECTED[source];

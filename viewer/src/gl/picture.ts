@@ -5,19 +5,23 @@ import { directionTo, normalise, pixelOffset, sampleIrradiance, sequencePoint, s
 import { BALL, PATCH } from '../scene/convex';
 import { MAP, SCREEN } from '../scene/flat';
 import { BALL_VIEW, patchAxes, patchView, SNAKE_VIEW, type View } from '../scene/frames';
+import type { SkyTextures } from '../scene/environment';
 import type { Body } from '../scene/body';
 import type { State } from '../state';
 import { aboutVertical, centredOn, extent, toClip } from './camera';
-import { EVALUATION, type Source } from './library';
+import { evaluation, type Interpolation, type Source } from './library';
 import { displayPass, material, meanPass, Pass } from './passes';
 import { FILL_VERTEX, LIGHTS_MAX, SHADE } from './shade';
 import type { Uniforms } from './upload';
 
 const degrees = Math.PI / 180;
 
+const FLAT = { ball: BALL, patch: PATCH, screen: SCREEN, map: MAP } as const;
+
 /** What is evaluated: where the numbers come from, and their uniforms. */
 export interface Evaluated {
   source: Source;
+  interpolation: Interpolation;
   uniforms: Uniforms;
 }
 
@@ -56,6 +60,11 @@ export class Picture {
     u_output: { value: 0 },
     u_active: { value: 0 },
     u_lights: { value: 1 },
+    u_sky: { value: 0 },
+    u_sky_map: { value: null },
+    u_sky_rows: { value: null },
+    u_spin: { value: new Vector2(1, 0) },
+    u_index: { value: 0 },
     u_light: { value: Array.from({ length: LIGHTS_MAX }, () => new Vector4()) },
     u_turn: { value: new Vector2(1, 0) },
     u_from_clip: { value: new Matrix4() },
@@ -81,6 +90,8 @@ export class Picture {
   private sample: WebGLRenderTarget;
   private readonly pixel: WebGLRenderTarget;
   private taken = 0;
+  /** Light from all around, besides the lights. */
+  sky: SkyTextures | null = null;
   width = 1;
   height = 1;
 
@@ -112,7 +123,8 @@ export class Picture {
   /** How many samples make the picture whole. */
   static samplesOf(state: State): number {
     const sized = state.shape === 'screen' || state.lights.some((light) => light.diameter_deg > 0);
-    return Math.max(sized ? state.light_samples : 1, state.pixel_samples);
+    const sky = state.environment !== 'none' && lightsSurface(state);
+    return Math.max(sized ? state.light_samples : 1, state.pixel_samples, sky ? state.environment_samples : 1);
   }
 
   /** Takes one sample more. */
@@ -120,7 +132,7 @@ export class Picture {
     const count = Picture.samplesOf(state);
     const [x, y] = pixelOffset(this.taken, state.pixel_samples);
     const offset: [number, number] = [(2 * x) / this.width, (2 * y) / this.height];
-    this.prepare(state, evaluated, body, this.taken, count, offset, 1);
+    this.prepare(state, body, this.taken, count, offset, 1);
     this.own.u_output.value = 0;
     this.draw(state, evaluated, body, this.sample);
     const [before, after] = this.sums;
@@ -155,7 +167,7 @@ export class Picture {
   /** The two directions of the active light at a place in picture coordinates; null beside the surface and in the shade. */
   directionsAt(state: State, evaluated: Evaluated, body: Body | null, at: { x: number; y: number }): { wi: Vec3; wo: Vec3 } | null {
     const [ex, ey] = extent(this.width, this.height);
-    this.prepare(state, evaluated, body, -1, 1, [at.x / ex, at.y / ey], this.width);
+    this.prepare(state, body, -1, 1, [at.x / ex, at.y / ey], this.width);
     this.own.u_output.value = 1;
     this.draw(state, evaluated, body, this.pixel);
     const out = new Float32Array(4);
@@ -173,7 +185,7 @@ export class Picture {
   }
 
   /** Sets every uniform for a sample; index -1 is the middle of the lights. */
-  private prepare(state: State, evaluated: Evaluated, body: Body | null, index: number, count: number, offset: [number, number], enlarge: number): void {
+  private prepare(state: State, body: Body | null, index: number, count: number, offset: [number, number], enlarge: number): void {
     const own = this.own;
     const size = extent(this.width, this.height);
     const lights: Vector4[] = own.u_light.value;
@@ -183,6 +195,7 @@ export class Picture {
       const [direction, irradiance] = lightSample(light, index, count);
       lights[i].set(...aboutVertical(direction, -state.spin_deg), irradiance);
     });
+    this.prepareSky(state, index);
     own.u_turn.value.set(Math.cos(state.turn_deg * degrees), Math.sin(state.turn_deg * degrees));
     const view = viewOf(state, body);
     if (view) {
@@ -195,7 +208,15 @@ export class Picture {
     if (state.shape === 'patch') this.preparePatch(state);
     if (state.shape === 'map') own.u_wi.value.set(...lightSample(state.lights[0], index, count)[0]);
     if (state.shape === 'screen') this.prepareScreen(state, index, count);
-    void evaluated;
+  }
+
+  private prepareSky(state: State, index: number): void {
+    const { own, sky } = this;
+    own.u_sky.value = sky && lightsSurface(state) ? sky.total : 0;
+    own.u_sky_map.value = sky?.map ?? null;
+    own.u_sky_rows.value = sky?.rows ?? null;
+    own.u_spin.value.set(Math.cos(state.spin_deg * degrees), Math.sin(state.spin_deg * degrees));
+    own.u_index.value = index;
   }
 
   private preparePatch(state: State): void {
@@ -227,14 +248,13 @@ export class Picture {
   }
 
   private program(state: State, evaluated: Evaluated, body: Body | null): Pass {
-    const key = `${evaluated.source} ${state.shape} ${state.interpolation}`;
-    const flat = { ball: BALL, patch: PATCH, screen: SCREEN, map: MAP } as const;
-    let pass = this.programs.get(key);
     const solid = state.shape === 'snake' || state.shape === 'model';
+    const key = `${evaluated.source} ${solid ? body?.geometry.uuid : state.shape} ${evaluated.interpolation}`;
+    let pass = this.programs.get(key);
     if (!pass) {
-      const surface = solid ? body?.fragment : flat[state.shape as keyof typeof flat];
+      const surface = solid ? body?.fragment : FLAT[state.shape as keyof typeof FLAT];
       if (surface === undefined) throw new Error(`the shape ${state.shape} is not there yet`);
-      const text = EVALUATION[evaluated.source] + SHADE + surface;
+      const text = evaluation(evaluated.source, evaluated.interpolation) + SHADE + surface;
       const made: RawShaderMaterial = material(solid ? (body?.vertex ?? '') : FILL_VERTEX, text, { ...this.own }, solid);
       pass = new Pass(made, solid ? body?.geometry : undefined);
       this.programs.set(key, pass);
@@ -243,6 +263,9 @@ export class Picture {
     return pass;
   }
 }
+
+/** Whether a camera sees the surface: maps and screens have no surroundings. */
+const lightsSurface = (state: State): boolean => state.shape !== 'map' && state.shape !== 'screen';
 
 /** Direction and irradiance of one sample of a light. */
 function lightSample(light: State['lights'][number], index: number, count: number): [Vec3, number] {

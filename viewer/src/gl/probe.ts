@@ -3,7 +3,7 @@
 import { DataTexture, FloatType, NearestFilter, RGBAFormat, Vector3, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 import type { Xyz } from '../light/illuminants';
 import type { Vec3 } from '../light/samples';
-import { EVALUATION } from './library';
+import { evaluation } from './library';
 import { displayPass, material, Pass } from './passes';
 import { byteTarget, flipped, floatTarget, type Evaluated } from './picture';
 import { FILL_VERTEX } from './shade';
@@ -146,10 +146,10 @@ export class Probe {
   }
 
   private program(evaluated: Evaluated, name: string, text: string): Pass {
-    const key = `${evaluated.source} ${name}`;
+    const key = `${evaluated.source} ${evaluated.interpolation} ${name}`;
     let pass = this.programs.get(key);
     if (!pass) {
-      pass = new Pass(material(FILL_VERTEX, EVALUATION[evaluated.source] + text, { ...this.own }));
+      pass = new Pass(material(FILL_VERTEX, evaluation(evaluated.source, evaluated.interpolation) + text, { ...this.own }));
       this.programs.set(key, pass);
     }
     Object.assign(pass.material.uniforms, evaluated.uniforms);

@@ -87,9 +87,12 @@ export function illuminant(name: Exclude<IlluminantName, 'tables'>, nm: number, 
   }
 }
 
+/** Wavelengths beside a place that share its light. */
+const SHARERS = 6;
+
 /**
  * `count` wavelengths evenly spaced in 1/λ, with weights: the light's spectrum times the observer's, taken every 0.25 nm and
- * dealt linearly to the two wavelengths beside it.
+ * dealt to the six wavelengths beside it, so that spectra are integrated as if a polynomial ran through their values.
  */
 export function quadrature(light: Illuminant, [low, high]: [number, number], count: number): Quadrature {
   if (light.lines) {
@@ -102,20 +105,29 @@ export function quadrature(light: Illuminant, [low, high]: [number, number], cou
   const [first, last] = [1 / high, 1 / low];
   const nm = Array.from({ length: count }, (_, j) => 1 / (first + (j / (count - 1)) * (last - first)));
   const weights: Xyz[] = nm.map(() => [0, 0, 0]);
+  const sharers = Math.min(SHARERS, count);
   const steps = Math.ceil((high - low) / 0.25);
   const width = (high - low) / steps;
   for (let i = 0; i < steps; i++) {
     const at = low + (i + 0.5) * width;
     const position = ((1 / at - first) / (last - first)) * (count - 1);
-    const index = Math.min(Math.floor(position), count - 2);
-    const share = position - index;
+    const start = Math.min(count - sharers, Math.max(0, Math.floor(position) - sharers / 2 + 1));
     const density = power(at) * width;
-    observer(at).forEach((c, channel) => {
-      weights[index][channel] += (1 - share) * density * c;
-      weights[index + 1][channel] += share * density * c;
+    const colour = observer(at).map((c) => c * density);
+    cardinals(position - start, sharers).forEach((share, k) => {
+      for (let channel = 0; channel < 3; channel++) weights[start + k][channel] += share * colour[channel];
     });
   }
   return normalised(nm, weights);
+}
+
+/** Values at x of the polynomials that are 1 at one of 0, 1, … count - 1 and 0 at the others. */
+function cardinals(x: number, count: number): number[] {
+  return Array.from({ length: count }, (_, k) => {
+    let value = 1;
+    for (let j = 0; j < count; j++) if (j !== k) value *= (x - j) / (k - j);
+    return value;
+  });
 }
 
 function normalised(nm: number[], weights: Xyz[]): Quadrature {

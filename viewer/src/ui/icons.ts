@@ -14,6 +14,7 @@ export const icons = {
   flat: icon('M6 6h12l3 12H3z', 'M10 6L8.500 18M14 6l1.500 12'),
   screen: icon('M4 4h16v12H4z', round(1.5, 12, 10), 'M12 16v5'),
   map: icon(round(8), round(4), 'M12 4v16M4 12h16'),
+  own: icon('M12 3l8 4.500v9L12 21l-8-4.500v-9z', 'M12 12l8-4.500M12 12L4 7.500M12 12v9'),
   light: icon(round(4), 'M12 2v3M12 19v3M2 12h3M19 12h3M5 5l2 2M17 17l2 2M19 5l-2 2M7 17l-2 2'),
   orbit: icon(round(3), 'M3 12c0-3 4-5 9-5s9 2 9 5-4 5-9 5', 'M14 14l-2 3 3 2'),
   spot: icon(round(6), 'M12 2v6M12 16v6M2 12h6M16 12h6'),

@@ -2,6 +2,8 @@
 
 import type { Engine } from '../engine';
 import type { State } from '../state';
+import { aboutView } from './about';
+import { chromaticityView } from './chromaticity';
 import { button, list, section, segments, slider, toggle, type Change, type Control } from './controls';
 import { h } from './dom';
 import { icons } from './icons';
@@ -41,7 +43,8 @@ export function buildPage(actions: Actions): Page {
   const picture = stage(current, change);
   const map = mapView();
   const [spectrum, polar, relief] = [spectrumView(), polarView(change), reliefView()];
-  const views: View[] = [map, spectrum, polar, relief];
+  const [colour, about] = [chromaticityView(), aboutView()];
+  const views: View[] = [map, spectrum, polar, relief, colour, about];
   const controls: Control[] = [];
   const keep = (control: Control): HTMLElement => {
     controls.push(control);
@@ -74,6 +77,8 @@ export function buildPage(actions: Actions): Page {
     card('All viewing directions', map),
     card('Plane of incidence', polar),
     card('Relief and its frequencies', relief),
+    card('Chromaticity', colour),
+    card('The specimen', about),
   );
   const head = h(
     'header',
@@ -155,6 +160,7 @@ function shapes(change: Change): Control {
         { value: 'patch', label: 'flat', icon: icons.flat, title: 'A flat sample, tilted.' },
         { value: 'screen', label: 'screen', icon: icons.screen, title: 'A beam through a hole in a screen, thrown back on it.' },
         { value: 'map', label: 'map', icon: icons.map, title: 'The BRDF itself over all viewing directions.' },
+        { value: 'model', label: 'own', icon: icons.own, title: 'Your own mesh: drop a .glb or .obj file with texture coordinates on the page.' },
       ],
       get: (state) => state.shape,
       set: (shape) => ({ shape, view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 }, spin_deg: 0 }),
@@ -188,6 +194,7 @@ function lightControls(current: () => State, change: Change): Control[] {
     slider({ label: 'Angle', unit: '°', title: 'Angle of the light from the line of sight at rest.', min: 0, max: 175, step: 0.5, get: (s) => angles(s).theta, set: (v, s) => withLight(s, { direction: pointed(Math.max(v, 0.01), angles(s).phi) }), text: (v) => `${v.toFixed(1)}°` }, current, change),
     slider({ label: 'Azimuth', unit: '°', title: 'Where the light stands around the line of sight; 0 is to the right.', min: -180, max: 180, step: 1, get: (s) => angles(s).phi, set: (v, s) => withLight(s, { direction: pointed(angles(s).theta, v) }), text: (v) => `${v.toFixed(0)}°` }, current, change),
     slider({ label: 'Size', unit: '°', title: 'Full angle of the light’s disc: 0 is a point, 0.53° the sun.', min: 0, max: 30, step: 0.01, get: (s) => light(s).diameter_deg, set: (v, s) => withLight(s, { diameter_deg: v }) }, current, change),
+    slider({ label: 'Strength', title: 'Irradiance on a surface that faces the light; 0 switches it off.', min: 0, max: 4, step: 0.05, get: (s) => light(s).irradiance, set: (v, s) => withLight(s, { irradiance: v }) }, current, change),
     list<State['illuminant']>(
       {
         label: 'Spectrum',
@@ -204,6 +211,22 @@ function lightControls(current: () => State, change: Change): Control[] {
         ],
         get: (s) => s.illuminant,
         set: (illuminant) => ({ illuminant }),
+      },
+      change,
+    ),
+    list<State['environment']>(
+      {
+        label: 'Surroundings',
+        title: 'Light from all around, besides the lights. Drop an .exr or .hdr file on the page to use your own.',
+        choices: [
+          { value: 'none', label: 'dark' },
+          { value: 'overcast', label: 'overcast sky' },
+          { value: 'window', label: 'room with windows' },
+          { value: 'own', label: 'own image' },
+        ],
+        get: (s) => s.environment,
+        set: (environment) => ({ environment }),
+        when: (s) => s.shape !== 'map' && s.shape !== 'screen',
       },
       change,
     ),
@@ -259,5 +282,6 @@ function trustControls(current: () => State, change: Change): Control[] {
   return [
     slider({ label: 'Tables used', title: 'How many tables of the expansion are summed.', min: 1, max: 16, step: 1, get: (s) => s.tables ?? all, set: (v) => ({ tables: v >= all ? null : v }), text: (v, s) => (s.tables === null ? 'all' : `${v}`) }, current, change),
     toggle({ label: 'show the difference', title: 'The difference of luminance from all tables, ten times enlarged, in place of the picture.', get: (s) => s.difference, set: (v) => ({ difference: v }), when: (s) => s.tables !== null }, change),
+    segments<State['interpolation']>({ label: 'Between texels', title: 'Bilinear look-ups are the hardware’s; cubic ones are closest to the scan.', choices: [{ value: 'bilinear', label: 'bilinear' }, { value: 'cubic', label: 'cubic' }], get: (s) => s.interpolation, set: (interpolation) => ({ interpolation }) }, change),
   ];
 }

@@ -28,7 +28,7 @@ export function spectrumView(): View {
     return new uPlot(
       {
         width: plotBox.clientWidth || 340,
-        height: 168,
+        height: plotBox.clientHeight || 168,
         legend: { show: false },
         cursor: { y: false, points: { size: 6 } },
         scales: { x: { time: false }, y: { range: (_, low, high) => [Math.min(0, low), high > 0 ? high * 1.08 : 1] } },
@@ -43,7 +43,7 @@ export function spectrumView(): View {
       plotBox,
     );
   };
-  new ResizeObserver(() => plot?.setSize({ width: plotBox.clientWidth, height: 168 })).observe(plotBox);
+  new ResizeObserver(() => plot?.setSize({ width: plotBox.clientWidth, height: plotBox.clientHeight })).observe(plotBox);
 
   return {
     element,

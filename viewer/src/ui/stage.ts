@@ -16,6 +16,8 @@ export interface Stage {
   overlay: HTMLElement;
   grip: Grip;
   update(state: State): void;
+  /** Shows the picture in a square of this side in the middle; null fills the stage. */
+  square(side: number | null): void;
 }
 
 /** A direction turned to the right and upwards as the picture is seen, in degrees. */
@@ -40,7 +42,7 @@ export function stage(current: () => State, change: (change: Partial<State>) => 
   const overlay = h('div', { className: 'overlay' });
   const spot = h('div', { className: 'spot', 'aria-hidden': 'true' });
   const element = h('div', { className: 'picture' }, canvas, spot, overlay);
-  const made: Stage = { element, canvas, overlay, grip: 'light', update };
+  const made: Stage = { element, canvas, overlay, grip: 'light', update, square };
 
   const sizes = () => {
     const { width, height } = canvas.getBoundingClientRect();
@@ -137,7 +139,14 @@ export function stage(current: () => State, change: (change: Partial<State>) => 
 
   function update(state: State): void {
     const { width, height, extent: [ex, ey] } = sizes();
-    spot.style.transform = `translate(${((state.pointer.x / ex + 1) / 2) * width}px, ${((1 - state.pointer.y / ey) / 2) * height}px)`;
+    const [left, top] = [canvas.offsetLeft, canvas.offsetTop];
+    spot.style.transform = `translate(${left + ((state.pointer.x / ex + 1) / 2) * width}px, ${top + ((1 - state.pointer.y / ey) / 2) * height}px)`;
+  }
+
+  function square(side: number | null): void {
+    const box = element.getBoundingClientRect();
+    canvas.style.width = canvas.style.height = side === null ? '' : `${side}px`;
+    canvas.style.margin = side === null ? '' : `${(box.height - side) / 2}px ${(box.width - side) / 2}px`;
   }
   return made;
 }
