@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
+use std::time::Duration;
 
 use crate::cli::commands::list;
 use crate::cli::options::Global;
@@ -11,6 +12,9 @@ use crate::error::Result;
 use crate::stages::viewer::content::Content;
 use crate::stages::viewer::server::Loopback;
 use diffraction_brdf::error::{self, Error};
+
+/// How long answers under way are waited for at the end.
+const GRACE: Duration = Duration::from_secs(1);
 
 /// Folder of atlases where none is named.
 const ATLASES: &str = "out/atlas";
@@ -42,7 +46,13 @@ pub(crate) fn run(args: &ViewArgs, global: &Global) -> Result<Outcome> {
     let content = Content::open(&folder, &[])?;
     let server = Arc::new(Loopback::bind(args.port)?);
     let stopped = Arc::clone(&server);
-    ctrlc::set_handler(move || stopped.stop())
+    let on_signal = move || {
+        stopped.stop();
+        // An answer that nobody takes keeps its thread; it is not waited for.
+        thread::sleep(GRACE);
+        std::process::exit(0);
+    };
+    ctrlc::set_handler(on_signal)
         .map_err(|error| Error::limit(format!("Ctrl-C cannot be caught: {error}"), "start the program anew"))?;
     output::print(&format!("{}\n", server.url()))?;
     if !global.quiet {
@@ -71,7 +81,7 @@ fn only_atlas(folder: &Path) -> error::Result<PathBuf> {
 /// Opens the address beside the server; where there is no browser, says so.
 fn open_browser(url: String) {
     thread::spawn(move || {
-        if let Err(error) = open::that(&url) {
+        if let Err(error) = open::that_detached(&url) {
             eprintln!("no browser could be opened ({error}): open {url}");
         }
     });
