@@ -9,7 +9,7 @@ import type { Vec3 } from './light/samples';
 import { fromFragment, toFragment, type State } from './state';
 import { aboutVertical } from './gl/camera';
 import { download, recordWebm } from './ui/capture';
-import { buildPage, meteredBy, type Page } from './ui/page';
+import { buildPage, type Page } from './ui/page';
 import { plotWavelengths } from './ui/spectrum';
 import { specimenCards } from './ui/specimens';
 import { switchTheme } from './ui/theme';
@@ -39,6 +39,7 @@ export class App {
   private moved = 0;
   private tickMs = 16;
   private drew = false;
+  private recording = false;
   private opened = false;
 
   constructor(
@@ -56,13 +57,14 @@ export class App {
         switchTheme();
         this.stale.views = true;
       },
+      exposure: () => (this.opened ? this.engine.exposure() : Math.PI),
+      tables: () => this.engine?.tableCount() ?? 1,
       remeter: () => {
         this.engine.remeter();
         this.stale.picture = this.stale.controls = true;
       },
     });
     this.engine = new Engine(this.page.stage.canvas, files, fromFragment(location.hash));
-    meteredBy(this.engine);
     mount.replaceChildren(this.page.element);
     this.page.map.onAsk = (wo) => {
       this.asked = wo;
@@ -182,6 +184,7 @@ export class App {
       page.stage.update(engine.state);
       page.facts.textContent = this.specimenFacts();
     }
+    if (this.recording) stale.picture = true;
     this.chooseDetail(now);
     if (stale.picture) {
       const started = performance.now();
@@ -204,7 +207,7 @@ export class App {
   /** Fewer pixels while something moves and the GPU is slow; all of them once it stands still. */
   private chooseDetail(now: number): void {
     const { detail, stale } = this;
-    const moving = now - this.moved < STILL_AFTER_MS;
+    const moving = this.recording || now - this.moved < STILL_AFTER_MS;
     if (moving && this.drew && detail.now === detail.moving) {
       const took = Math.min(1000, this.tickMs);
       if (took > 1.4 * MOVING_MS) detail.moving = Math.max(COARSEST, detail.moving * Math.max(0.5, Math.sqrt(MOVING_MS / took)));
@@ -313,9 +316,12 @@ export class App {
   private async record(): Promise<void> {
     const { state } = this.engine;
     if (state.motion === 'none') this.set({ motion: 'light' });
+    this.recording = true;
     const blob = await recordWebm(this.page.stage.canvas, 5);
+    this.recording = false;
     if (state.motion === 'none') this.set({ motion: 'none' });
-    if (blob) download(blob, `${state.specimen}.${state.shape}.webm`);
+    if (!blob) this.notice('This browser records no WebM.');
+    else download(blob, `${state.specimen}.${state.shape}.webm`);
   }
 
   private async copyLink(): Promise<void> {

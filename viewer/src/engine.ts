@@ -239,6 +239,13 @@ export class Engine {
     });
   }
 
+  /** Tables of the specimen that the picture is made from. */
+  tableCount(): number {
+    const { loaded } = this;
+    if (!loaded) return 1;
+    return this.light() && loaded.spectral ? (loaded.specimen.spectral?.tables ?? 1) : loaded.packed.params.table_count;
+  }
+
   /** Look-ups in tables for one direction of one light. */
   lookups(): number {
     const { loaded } = this;
