@@ -2,6 +2,7 @@
 
 import { fromAngles } from './angles';
 import type { AtlasFiles } from './atlas/files';
+import { measuredSpectra, type MeasuredSpectrum } from './atlas/measured';
 import { Engine } from './engine';
 import { dominantWavelength } from './light/colour';
 import { illuminant, quadrature, type Xyz } from './light/illuminants';
@@ -30,7 +31,11 @@ export class App {
   readonly engine: Engine;
   readonly page: Page;
   private pending: Promise<void> = Promise.resolve();
+  /** A viewing direction that is asked in place of the spot's. */
   private asked: Vec3 | null = null;
+  /** A measured spectrum whose directions are asked. */
+  private measured: MeasuredSpectrum | null = null;
+  private offeredFor = '';
   private stale = { picture: true, views: true, controls: true, address: false };
   private last = { views: 0, address: 0, tick: 0 };
   private frameMs = 0;
@@ -68,6 +73,10 @@ export class App {
     mount.replaceChildren(this.page.element);
     this.page.map.onAsk = (wo) => {
       this.asked = wo;
+      this.stale.views = true;
+    };
+    this.page.spectrum.onChoose = (measured) => {
+      this.measured = measured;
       this.stale.views = true;
     };
     const { canvas } = this.page.stage;
@@ -134,7 +143,7 @@ export class App {
     }
     if (this.engine.set(change)) this.moved = performance.now();
     const after = this.engine.state;
-    if (change.pointer) this.asked = null;
+    if (change.pointer || change.specimen) this.asked = this.measured = null;
     this.stale = { picture: true, views: true, controls: true, address: true };
     if (before.size_px !== after.size_px) this.fit();
     if (!this.opened) return;
@@ -160,6 +169,11 @@ export class App {
       if (!this.opened) throw error;
     }
     this.stale = { picture: true, views: true, controls: true, address: true };
+    const name = engine.loaded?.specimen.name ?? '';
+    if (this.offeredFor !== name) {
+      this.offeredFor = name;
+      page.spectrum.offer(await measuredSpectra(engine, name));
+    }
   }
 
   private fit(): void {
@@ -243,8 +257,8 @@ export class App {
 
   private answer(): Answer | null {
     const { engine } = this;
-    const found = engine.directions();
     const evaluated = engine.evaluated();
+    const found = this.measured ? directionsOf(this.measured) : engine.directions();
     if (!found || !evaluated) return null;
     const pair = { wi: found.wi, wo: this.asked ?? found.wo };
     const [xyz] = engine.probe.brdf(evaluated, [pair]);
@@ -254,10 +268,12 @@ export class App {
     const stored = engine.loaded?.specimen.spectral;
     let spectrum: Answer['spectrum'] = null;
     if (spectral && stored) {
-      const nm = plotWavelengths(stored.shortest_nm, stored.longest_nm);
-      spectrum = { nm, values: engine.probe.spectrum(spectral, pair, engine.asks(nm)) };
+      const at = this.measured?.nm ?? [];
+      const nm = [...new Set([...plotWavelengths(stored.shortest_nm, stored.longest_nm), ...at])].sort((a, b) => a - b);
+      const measured = nm.map((one) => this.measured?.values[at.indexOf(one)] ?? null);
+      spectrum = { nm, values: engine.probe.spectrum(spectral, pair, engine.asks(nm)), measured };
     }
-    return { ...pair, xyz, white, dominant: xyz ? dominantWavelength(xyz, white) : null, spectrum };
+    return { ...pair, chosen: this.measured !== null, xyz, white, dominant: xyz ? dominantWavelength(xyz, white) : null, spectrum };
   }
 
   private updateBadge(answer: Answer | null): void {
@@ -375,6 +391,8 @@ export class App {
     };
   }
 }
+
+const directionsOf = ({ angles_deg: [ti, pi, tr, pr] }: MeasuredSpectrum) => ({ wi: fromAngles(ti, pi), wo: fromAngles(tr, pr) });
 
 /** A direction turned about the line of sight. */
 function aboutView([x, y, z]: Vec3, angle_deg: number): Vec3 {

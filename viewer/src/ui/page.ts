@@ -10,7 +10,7 @@ import { mapView, type MapView } from './map';
 import { lightPad } from './pad';
 import { polarView } from './polar';
 import { reliefView } from './relief';
-import { spectrumView } from './spectrum';
+import { spectrumView, type SpectrumView } from './spectrum';
 import { stage, withLight, type Grip, type Stage } from './stage';
 import type { View } from './views';
 
@@ -18,6 +18,7 @@ export interface Page {
   element: HTMLElement;
   stage: Stage;
   map: MapView;
+  spectrum: SpectrumView;
   views: View[];
   controls: Control[];
   specimens: HTMLElement;
@@ -105,7 +106,7 @@ export function buildPage(actions: Actions): Page {
     h('main', { className: 'stage' }, picture.element, h('div', { className: 'under' }, gripRow, motion(change, keep))),
     aside,
   );
-  return { element, stage: picture, map, views, controls, specimens, status, badge, loading, facts };
+  return { element, stage: picture, map, spectrum, views, controls, specimens, status, badge, loading, facts };
 }
 
 const iconButton = (icon: () => Node, word: string, title: string, onclick: () => void): HTMLElement =>
