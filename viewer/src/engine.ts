@@ -7,6 +7,7 @@ import { packSpectral, packTables, type PackedSpectral, type PackedTables, type 
 import { readIndex, readSpecimen, type AtlasIndex, type Specimen, type ViewerFile } from './atlas/specimen';
 import { Picture, byteTarget, flipped, type Evaluated } from './gl/picture';
 import { automaticExposure, Probe, type Ask, type Pair } from './gl/probe';
+import { P3 } from './gl/display';
 import { GpuClock } from './gl/clock';
 import { BINDING } from './gl/library';
 import { upload, type Uploaded } from './gl/upload';
@@ -67,6 +68,10 @@ export class Engine {
     if (this.state.shape === 'model') this.state.shape = 'ball';
     if (this.state.environment === 'own') this.state.environment = 'none';
     this.picture = new Picture(this.renderer, this.floats ? FloatType : HalfFloatType);
+    if (matchMedia('(color-gamut: p3)').matches && 'drawingBufferColorSpace' in gl) {
+      gl.drawingBufferColorSpace = 'display-p3';
+      if (gl.drawingBufferColorSpace === 'display-p3') this.picture.primaries = P3;
+    }
     this.probe = new Probe(this.renderer);
   }
 
@@ -237,6 +242,13 @@ export class Engine {
       const index = specimen ? materialAt(specimen, at) : null;
       return { nm: at, material: index?.material ?? 0, index_n: index?.index_n ?? 1, index_k: index?.index_k ?? 0 };
     });
+  }
+
+  /** Tables of the specimen that the picture is made from. */
+  tableCount(): number {
+    const { loaded } = this;
+    if (!loaded) return 1;
+    return this.light() && loaded.spectral ? (loaded.specimen.spectral?.tables ?? 1) : loaded.packed.params.table_count;
   }
 
   /** Look-ups in tables for one direction of one light. */
