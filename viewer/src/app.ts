@@ -375,7 +375,7 @@ export class App {
       exposure: () => engine.exposure(),
       brdfXyz: async (...angles: [number, number, number, number]): Promise<Xyz | null> => {
         await settled();
-        const evaluated = engine.evaluated();
+        const evaluated = engine.evaluated(false, false);
         return evaluated ? engine.probe.brdf(evaluated, [pair(...angles)])[0] : null;
       },
       spectrumAt: async (theta_i: number, phi_i: number, theta_r: number, phi_r: number, wavelengths_nm?: number[]) => {

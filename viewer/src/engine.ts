@@ -167,8 +167,11 @@ export class Engine {
     return illuminant(name, laser_nm, sun_deg);
   }
 
-  /** What pictures and numbers are made from: the tables of XYZ, or spectral ones under the state's light. */
-  evaluated(all = false): Evaluated | null {
+  /**
+   * What pictures and numbers are made from: the tables of XYZ, or spectral ones under the state's light. With all tables, or as
+   * many as the state says; with the pigment below the structure, or without.
+   */
+  evaluated(all = false, pigment = this.state.pigment): Evaluated | null {
     const loaded = this.loaded;
     if (!loaded) return null;
     const count = all ? null : this.state.tables;
@@ -177,7 +180,7 @@ export class Engine {
     if (light && loaded.spectral) {
       return { interpolation, source: 'spectral', uniforms: { ...this.limited(loaded.spectral.uploaded, count, false), ...this.quadratureFor(light) } };
     }
-    return { interpolation, source: 'tables', uniforms: this.limited(loaded.tables, count, this.state.pigment) };
+    return { interpolation, source: 'tables', uniforms: this.limited(loaded.tables, count, pigment) };
   }
 
   /** The spectral tables under any light, where they are loaded. */
