@@ -11,7 +11,7 @@ pub mod study_page;
 mod study_plots;
 
 mod embed;
-mod facts;
+pub(crate) mod facts;
 mod frames;
 mod goniometry;
 mod gpu_facts;

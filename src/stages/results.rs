@@ -232,6 +232,9 @@ pub struct SceneResult {
     pub size_px: [usize; 2],
     /// Factor applied to the luminance before it is shown.
     pub exposure: f64,
+    /// Where the light comes from, in words.
+    #[serde(default)]
+    pub light: String,
     /// Seconds to render from the tables.
     pub seconds: f64,
     /// Measured difference from the reference, where one was rendered.

@@ -346,6 +346,7 @@ fn scene(name: &str, period: &Period, pictures: &mut BTreeMap<String, Vec<u8>>) 
     pictures.insert(path(".side_by_side"), encode_png(&pair).unwrap());
     pictures.insert(path(".difference"), encode_png(&difference).unwrap());
     SceneResult {
+        light: "light from 45° at azimuth 0°, 0.53° wide".into(),
         name: "sphere".into(),
         shape: "sphere".into(),
         size_px: [512, 512],

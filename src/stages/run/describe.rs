@@ -35,6 +35,10 @@ use diffraction_build::tables::model::Basis;
 use diffraction_render::render::png_image::write_png;
 use diffraction_render::scene::model::Scene;
 
+/// What is said where the manifest names no material.
+const NO_MATERIAL: &str = "no material is given, so all light is reflected and brightness means nothing yet: say what it is made of, such \
+                           as material = { n = 1.56 } for keratin, or material = \"ideal\" if that is meant";
+
 /// What a finished specimen leaves besides its files.
 pub(super) struct Described {
     pub(super) result: SpecimenResult,
@@ -62,7 +66,10 @@ pub(super) fn describe(
     spectral: Option<Spectral>,
     clock: &mut Clock,
 ) -> Step<Described> {
-    let warnings = warnings(ingested, planned, &measured);
+    let mut warnings = warnings(ingested, planned, &measured);
+    if !job.specimen.is_material_given {
+        warnings.push(NO_MATERIAL.into());
+    }
     let pictures = std::mem::take(&mut measured.pictures);
     let (shares, own): (Vec<_>, Vec<_>) = pictures.into_iter().partition(|(work, _)| work.is_share());
     let shares = shares.into_iter().map(|(work, reference)| {

@@ -23,10 +23,10 @@ Parameters:
   scalar factor do at grazing angles. Surfaces that never do stay as they are.
 - `colours`: "srgb" (default) gives linear sRGB in variants of three channels; "xyz" gives CIE XYZ in them, see below.
 
-Variants. `llvm_ad_rgb`, `llvm_ad_mono` (which gets Y), `llvm_ad_spectral`, and the same of `cuda`. The spectral ones need spectral tables in the atlas; then
-lights have spectra, in Mitsuba's own way, and nothing below about light and colour applies. Wavelengths shorter than the tables' get the value at the shortest. The
-scalar variants are refused: Mitsuba calls a plugin in Python for arrays of rays, and what reads tables and draws directions here are operations on arrays that a scalar
-variant does not have. Polarised variants are refused: the tables hold sums over polarisations.
+Variants. `llvm_ad_rgb`, `llvm_ad_mono` (which gets Y), `llvm_ad_spectral`, and the same of `cuda`; `scalar_rgb` and `scalar_spectral`, where Mitsuba calls Python for each
+ray, hundreds of times slower: for small comparisons. The spectral ones need spectral tables in the atlas; then lights have spectra, in Mitsuba's own way, and
+nothing below about light and colour applies. Wavelengths shorter than the tables' get the value at the shortest. Polarised variants are refused: the tables hold sums
+over polarisations.
 
 Light, in the other variants. The tables hold XYZ with the colour of their illuminant (`optics.illuminant` in specimen.json, usually D65) in
 them: a perfect white matt surface would read that illuminant's white, over pi. So give emitters as plain relative numbers, the same in all channels: 1 is light of that
@@ -59,7 +59,10 @@ if mi.variant() is None:
 if dr.thread_count() < 2:
     dr.set_thread_count(2)
 
-from ._bsdf import Diffraction  # noqa: E402  (needs the variant)
+if mi.variant().startswith("scalar"):
+    from ._scalar import ScalarDiffraction as Diffraction
+else:
+    from ._bsdf import Diffraction
 
 mi.register_bsdf("diffraction", Diffraction)
 

@@ -1,16 +1,11 @@
 """The plugin "diffraction"; its parameters are told at the top of the package `diffraction_atlas.mitsuba`."""
 
-import math
-from pathlib import Path
-
 import drjit as dr
 import mitsuba as mi
-import numpy as np
 
-from .. import _atlas
 from .._colour import SRGB_FROM_XYZ
-from .._specimen import Specimen
 from . import _tables
+from ._parameters import FLAGS, Parameters
 from ._sampler import Sampler
 
 
@@ -19,32 +14,17 @@ class Diffraction(mi.BSDF):
 
     def __init__(self, props):
         mi.BSDF.__init__(self, props)
-        if mi.is_polarized or not dr.is_jit_v(mi.Float):
-            raise ValueError(
-                f'diffraction: the variant "{mi.variant()}" will not do: the tables hold sums over polarisations, and a plugin in Python reads tables and '
-                'draws directions for arrays of rays. Use "llvm_ad_rgb", "llvm_ad_mono", "llvm_ad_spectral", or the same of cuda'
-            )
-        specimen = open_specimen(str(props["atlas"]), str(props.get("specimen", "")))
-        self.folder = specimen.folder
-        self.scale, self.turn_deg = props.get_texture("scale", 1.0), props.get_texture("turn_deg", 0.0)
-        self.mirror = {"none": 0, "v": 1, "flipped_v": -1}[choice(props, "mirror_with", ("none", "v", "flipped_v"))]
-        cubic = choice(props, "look_up", ("linear", "cubic")) == "cubic"
-        light_deg = float(props.get("light_deg", 0.0))
-        if not 0 <= light_deg <= 10:
-            raise ValueError(f"diffraction: light_deg = {light_deg}; it may be between 0 and 10")
-        self.as_xyz = choice(props, "colours", ("srgb", "xyz")) == "xyz"
-        limited = bool(props.get("energy_limit", False))
-
+        self.given = given = Parameters(props)
+        specimen, self.scale, self.turn_deg = given.specimen, given.scale, given.turn_deg
         if mi.is_spectral:
-            self.brdf = _tables.Spectral(specimen, cubic, light_deg)
+            self.brdf = _tables.Spectral(specimen, given.cubic, given.light_deg)
         else:
-            self.brdf = _tables.Colours(specimen, cubic, light_deg)
-        self.limit = _tables.Limit(specimen) if limited and specimen.has_energy_limit else None
+            self.brdf = _tables.Colours(specimen, given.cubic, given.light_deg)
+        self.limit = _tables.Limit(specimen) if given.limited and specimen.has_energy_limit else None
         self.is_restricted = specimen._tables.range is not None
         self.sampler = Sampler(specimen._sampler)
-        reflection = mi.BSDFFlags.GlossyReflection | mi.BSDFFlags.FrontSide | mi.BSDFFlags.Anisotropic
-        self.m_components = [reflection]
-        self.m_flags = reflection
+        self.m_components = [FLAGS]
+        self.m_flags = FLAGS
 
     def traverse(self, cb):
         """What can be changed, and differentiated with respect to."""
@@ -63,9 +43,9 @@ class Diffraction(mi.BSDF):
         cos = dr.select(length > 0, along.x / length, 1)
         sin = dr.select(length > 0, along.y / length, 0)
         side = mi.Float(1)
-        if self.mirror:
+        if self.given.mirror:
             across = si.to_local(si.dp_dv)
-            side = dr.select(self.mirror * (cos * across.y - sin * across.x) < 0, -1, mi.Float(1))
+            side = dr.select(self.given.mirror * (cos * across.y - sin * across.x) < 0, -1, mi.Float(1))
         turn_sin, turn_cos = dr.sincos(dr.deg2rad(self.turn_deg.eval_1(si)))
         # The turn goes from x towards y, wherever y is.
         turn_sin *= side
@@ -85,7 +65,7 @@ class Diffraction(mi.BSDF):
             return value
         if mi.is_monochromatic:
             return mi.Color1f(value.y)
-        if self.as_xyz:
+        if self.given.as_xyz:
             return mi.Color3f(value)
         return mi.Color3f(*(sum(factor * value[k] for k, factor in enumerate(row)) for row in SRGB_FROM_XYZ.tolist()))
 
@@ -137,32 +117,7 @@ class Diffraction(mi.BSDF):
         return mi.Bool(active) & ctx.is_enabled(mi.BSDFFlags.GlossyReflection) & (wi.z > 0) & (wo.z > 0)
 
     def to_string(self):
-        return f"Diffraction[\n  folder = {self.folder},\n  scale = {self.scale},\n  turn_deg = {self.turn_deg}\n]"
-
-
-def open_specimen(atlas, specimen) -> Specimen:
-    """The specimen that the plugin's parameters name; a ValueError that says what is there instead."""
-    folder = Path(atlas)
-    if not folder.exists():
-        folder = Path(str(mi.file_resolver().resolve(atlas)))
-    if (folder / "specimen.json").is_file():
-        if specimen not in ("", folder.name):
-            raise ValueError(f'diffraction: "{atlas}" is the folder of "{folder.name}", not of "{specimen}"')
-        return Specimen(folder)
-    opened = _atlas.open(folder)
-    if not specimen and len(opened) == 1:
-        specimen = opened.names[0]
-    if specimen not in opened:
-        raise ValueError(f'diffraction: specimen = "{specimen}"; {opened.folder} has {", ".join(opened.names)}')
-    return opened[specimen]
-
-
-def choice(props, key, allowed):
-    """The string of a parameter, the first of `allowed` where it is not given."""
-    value = str(props.get(key, allowed[0]))
-    if value not in allowed:
-        raise ValueError(f'diffraction: {key} = "{value}"; it may be {" or ".join(allowed)}')
-    return value
+        return self.given.told()
 
 
 def to_structure(frame, v):

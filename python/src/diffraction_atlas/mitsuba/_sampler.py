@@ -13,7 +13,7 @@ from ._lookup import linear
 def totals(mass, first, last, at):
     """Sum of `mass(k)` from first to last, and the mass at one of them."""
     k, total, here = mi.Int32(first), mi.Float(0), mi.Float(0)
-    while k <= last:
+    while dr.hint(k <= last, mode="symbolic"):
         value = mass(k)
         total += value
         here = dr.select(k == at, value, here)
@@ -26,7 +26,7 @@ def search(mass, first, last, target):
     """The k at which the running sum of `mass(k)` passes `target`, its mass, and the sum before it; the last that has any where none does."""
     k, below, done = mi.Int32(first), mi.Float(0), mi.Bool(False)
     found, here, before = mi.Int32(first), mi.Float(0), mi.Float(0)
-    while (k <= last) & ~done:
+    while dr.hint((k <= last) & ~done, mode="symbolic"):
         value = mass(k)
         some = value > 0
         found, here, before = dr.select(some, k, found), dr.select(some, value, here), dr.select(some, below, before)
@@ -104,7 +104,7 @@ class LobeDensity:
         k, total, here = mi.Int32(0), mi.Float(0), mi.Float(0)
         found, part, before, passed = mi.Int32(0), mi.Float(0), mi.Float(0), mi.Bool(False)
         last = self.shape(sin_o, cos_o, h, y, first)
-        while k < CELLS:
+        while dr.hint(k < CELLS, mode="symbolic"):
             after = self.shape(sin_o, cos_o, h, y, dr.fma(mi.Float(k + 1), step, first))
             cell = dr.maximum(last, after)
             here = dr.select(k == at, cell, here)

@@ -243,11 +243,6 @@ class Spectral:
     """The tables of single wavelengths."""
 
     def __init__(self, specimen, cubic, light_deg):
-        if not specimen.has_spectral:
-            raise ValueError(
-                f'diffraction: the variant "{mi.variant()}" wants spectral tables, and {specimen.folder} has none: make the atlas with "spectral" '
-                "in tables.hold, or use a variant of rgb"
-            )
         tables = specimen._spectral_tables
         self.optics, self.cubic = Optics(tables.optics), cubic
         self.disc = Disc(light_deg) if light_deg else None
