@@ -59,7 +59,8 @@ export class Engine {
     this.clock = new GpuClock(gl);
     this.renderer = new WebGLRenderer({ canvas, context: gl });
     this.renderer.autoClear = true;
-    this.renderer.setClearColor(0x000000, 0);
+    // The fourth channel of a picture: -1 where there is no surface.
+    this.renderer.setClearColor(0x000000, -1);
     this.floats = gl.getExtension('EXT_color_buffer_float') !== null;
     if (!this.floats && gl.getExtension('EXT_color_buffer_half_float') === null) {
       throw new GraphicsError('This page sums light in floating-point numbers, which this graphics driver cannot draw to.');
@@ -356,7 +357,7 @@ export class Engine {
     return this.other;
   }
 
-  /** The picture as shown: 8-bit sRGB, four channels, top row first. */
+  /** The picture on black: 8-bit sRGB, four channels, top row first. */
   pixels(): { width: number; height: number; data: Uint8Array } {
     const { width, height } = this.size;
     const target = byteTarget(width, height);
@@ -368,7 +369,7 @@ export class Engine {
     return { width, height, data: flipped(data, width, height) };
   }
 
-  /** The picture's XYZ and the share of directions without an answer, four channels, top row first. */
+  /** The picture's XYZ, and 1 where directions have no answer or -1 beside the surface; four channels, top row first. */
   values(): { width: number; height: number; data: Float32Array } {
     return { ...this.size, data: this.picture.values() };
   }
