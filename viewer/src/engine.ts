@@ -59,6 +59,9 @@ export class Engine {
     this.clock = new GpuClock(gl);
     this.renderer = new WebGLRenderer({ canvas, context: gl });
     this.renderer.autoClear = true;
+    this.renderer.debug.onShaderError = (context, program) => {
+      throw new GraphicsError(`The graphics driver refuses the shader: ${context.getProgramInfoLog(program) ?? 'it does not say why'}.`);
+    };
     // The fourth channel of a picture: -1 where there is no surface.
     this.renderer.setClearColor(0x000000, -1);
     this.floats = gl.getExtension('EXT_color_buffer_float') !== null;
@@ -66,7 +69,7 @@ export class Engine {
       throw new GraphicsError('This page sums light in floating-point numbers, which this graphics driver cannot draw to.');
     }
     // An address cannot hold the files that these ask for.
-    if (this.state.shape === 'model') this.state.shape = 'ball';
+    if (this.state.shape === 'model') this.state.shape = 'snake';
     if (this.state.environment === 'own') this.state.environment = 'none';
     this.picture = new Picture(this.renderer, this.floats ? FloatType : HalfFloatType);
     if (matchMedia('(color-gamut: p3)').matches && 'drawingBufferColorSpace' in gl) {
@@ -161,8 +164,19 @@ export class Engine {
     return this.state.illuminant !== 'tables' || this.state.scale !== 1;
   }
 
+  /** What the state asks for and the specimen cannot give; empty where there is nothing. */
+  lacking(): string {
+    const { loaded, state } = this;
+    if (!loaded || !this.wantsSpectral()) return '';
+    if (!loaded.specimen.spectral) return 'no spectral tables: shown under the light of the tables';
+    if (!loaded.spectral) return 'reading the spectral tables';
+    if (loaded.specimen.pigment && state.pigment) return 'without the pigment, which is known for the tables’ light alone';
+    return '';
+  }
+
   /** The light of the state's picture; null for that of the tables of XYZ. */
   light(): Illuminant | null {
+    if (this.loaded && !this.loaded.specimen.spectral) return null;
     const { illuminant: name, laser_nm, sun_deg, scale } = this.state;
     if (name === 'tables') return scale === 1 ? null : illuminant('D65', laser_nm, sun_deg);
     return illuminant(name, laser_nm, sun_deg);
@@ -222,7 +236,7 @@ export class Engine {
       const width = found.nm.length;
       const data = new Float32Array(8 * width);
       found.nm.forEach((nm, i) => {
-        data.set([nm, ...found.weights[i]], 4 * i);
+        data.set([nm, ...(asks[i].known ? found.weights[i] : [0, 0, 0])], 4 * i);
         data.set([asks[i].index_n, asks[i].index_k, asks[i].material, 0], 4 * (width + i));
       });
       const texture = new DataTexture(data, width, 2, RGBAFormat, FloatType);
@@ -244,7 +258,7 @@ export class Engine {
     const specimen = this.loaded?.specimen;
     return nm.map((at) => {
       const index = specimen ? materialAt(specimen, at) : null;
-      return { nm: at, material: index?.material ?? 0, index_n: index?.index_n ?? 1, index_k: index?.index_k ?? 0 };
+      return { nm: at, material: index?.material ?? 0, index_n: index?.index_n ?? 1, index_k: index?.index_k ?? 0, known: index !== null };
     });
   }
 
