@@ -90,7 +90,10 @@ export class Engine {
 
   async open(): Promise<void> {
     this.index = await readIndex(this.files);
+    const shown = (await this.viewerFile())?.specimens;
+    if (shown) this.index.specimens = this.index.specimens.filter(({ name }) => shown.includes(name));
     if (!this.index.specimens?.length) throw new AtlasError('The atlas holds no specimen.');
+    this.files.expect(this.index.files ?? []);
   }
 
   private viewer: Promise<ViewerFile | null> | null = null;
