@@ -18,7 +18,7 @@ import { readEnvironment } from './scene/environment';
 import { readModel } from './scene/model';
 import { chooseFile, dropTarget } from './ui/drop';
 import { h, shown } from './ui/dom';
-import type { Answer } from './ui/views';
+import { planeOfIncidence, type Answer } from './ui/views';
 
 const VIEWS_EVERY_MS = 70;
 const ADDRESS_EVERY_MS = 400;
@@ -261,7 +261,8 @@ export class App {
     const found = this.measured ? directionsOf(this.measured) : engine.directions();
     if (!found || !evaluated) return null;
     const pair = { wi: found.wi, wo: this.asked ?? found.wo };
-    const [xyz] = engine.probe.brdf(evaluated, [pair]);
+    const inPlane = planeOfIncidence(pair.wi).map((wo) => ({ wi: pair.wi, wo }));
+    const [xyz, ...plane] = engine.probe.brdf(evaluated, [pair, ...inPlane]);
     const light = engine.light() ?? illuminant('D65', 633, 45);
     const white = whiteOf(light);
     const spectral = engine.spectralEvaluated();
@@ -273,14 +274,14 @@ export class App {
       const measured = nm.map((one) => this.measured?.values[at.indexOf(one)] ?? null);
       spectrum = { nm, values: engine.probe.spectrum(spectral, pair, engine.asks(nm)), measured };
     }
-    return { ...pair, chosen: this.measured !== null, xyz, white, dominant: xyz ? dominantWavelength(xyz, white) : null, spectrum };
+    return { ...pair, chosen: this.measured !== null, xyz, plane, white, dominant: xyz ? dominantWavelength(xyz, white) : null, spectrum };
   }
 
   private updateBadge(answer: Answer | null): void {
     const { badge } = this.page;
     const usable = this.engine.loaded?.specimen.tables.usable_radius ?? 2;
     const radius = answer ? Math.hypot(answer.wi[0] + answer.wo[0], answer.wi[1] + answer.wo[1]) : 0;
-    const words = answer && !answer.xyz ? 'the tables do not cover the spot' : radius > usable ? 'the spot lies beyond the scan’s sampling' : '';
+    const words = this.engine.lacking() || (answer && !answer.xyz ? 'the tables do not cover the spot' : radius > usable ? 'the spot lies beyond the scan’s sampling' : '');
     badge.textContent = words;
     badge.hidden = words === '';
   }
@@ -375,7 +376,7 @@ export class App {
       exposure: () => engine.exposure(),
       brdfXyz: async (...angles: [number, number, number, number]): Promise<Xyz | null> => {
         await settled();
-        const evaluated = engine.evaluated();
+        const evaluated = engine.evaluated(false, false);
         return evaluated ? engine.probe.brdf(evaluated, [pair(...angles)])[0] : null;
       },
       spectrumAt: async (theta_i: number, phi_i: number, theta_r: number, phi_r: number, wavelengths_nm?: number[]) => {

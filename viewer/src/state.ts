@@ -65,7 +65,7 @@ export interface State {
 
 export const DEFAULTS: State = {
   specimen: '',
-  shape: 'ball',
+  shape: 'snake',
   lights: [{ direction: [0.3, 0.2, 1], diameter_deg: 0.53, irradiance: 1 }],
   active: 0,
   view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 },

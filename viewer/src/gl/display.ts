@@ -34,6 +34,7 @@ uniform sampler2D u_xyz;
 uniform sampler2D u_other;
 uniform float u_exposure;
 uniform int u_mode;
+uniform float u_backdrop;
 layout(location = 0) out highp vec4 out_value;
 
 // The display's primaries: those of sRGB, or the wider ones of display-P3.
@@ -118,6 +119,10 @@ void main() {
   // Directions that the tables do not cover: a grey hatch.
   float hatch = step(3.0, mod(gl_FragCoord.x + gl_FragCoord.y, 6.0));
   shown = mix(shown, vec3(0.35 + 0.15 * hatch), clamp(value.a, 0.0, 1.0));
-  out_value = vec4(shown, 1.0);
+  // Beside the surface: a dim backdrop, so that dark surfaces stand out.
+  vec2 size = vec2(textureSize(u_xyz, 0));
+  float away = length((gl_FragCoord.xy - 0.5 * size) / max(size.x, size.y));
+  vec3 backdrop = u_backdrop * mix(vec3(0.115, 0.12, 0.135), vec3(0.035, 0.038, 0.046), smoothstep(0.1, 0.75, away));
+  out_value = vec4(mix(shown, backdrop, clamp(-value.a, 0.0, 1.0)), 1.0);
 }
 `;

@@ -72,6 +72,7 @@ export const displayPass = (): Pass =>
       u_other: { value: null },
       u_exposure: { value: 1 },
       u_mode: { value: 0 },
+      u_backdrop: { value: 0 },
       ...primaryUniforms(SRGB),
     }),
   );

@@ -153,6 +153,7 @@ export class Picture {
     uniforms.u_xyz.value = this.sums[0].texture;
     uniforms.u_other.value = other?.sums[0].texture ?? this.sums[0].texture;
     uniforms.u_exposure.value = exposure;
+    uniforms.u_backdrop.value = target ? 0 : 1;
     // Targets are read back as sRGB; the canvas may be wider.
     Object.assign(uniforms, primaryUniforms(target ? SRGB : this.primaries));
     uniforms.u_mode.value = other ? 2 : tone === 'clip' ? 1 : 0;
