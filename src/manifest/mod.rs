@@ -103,7 +103,12 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
     optics.factor = optics::factor(top.get("optics").as_ref(), tables.basis)?;
     let specimens = top.require("specimen", "[[specimen]]")?;
     let written_nm = optics::written_range(top.get("optics").as_ref())?;
-    let specimens = specimen::read_all(&specimens, specimen::Common { optics: &optics, written_nm, base })?;
+    let is_material_given = match top.get("optics") {
+        Some(item) => item.section(&keys::OPTICS, "[optics]")?.has("material"),
+        None => false,
+    };
+    let common = specimen::Common { optics: &optics, written_nm, is_material_given, base };
+    let specimens = specimen::read_all(&specimens, common)?;
     if let (Some(item), Basis::Taylor) = (top.get("tables"), tables.basis) {
         tables::refuse_sources(&item, &specimens)?;
     }

@@ -63,6 +63,8 @@ pub struct SpecimenConfig {
     pub prepare: PrepareConfig,
     /// The optics.
     pub optics: OpticsConfig,
+    /// Whether the manifest says what it is made of; an ideal reflector is assumed otherwise.
+    pub is_material_given: bool,
     /// Albedo of a pigment below the structure, linear sRGB.
     pub albedo: Option<[f64; 3]>,
     /// Measured reflectance to compare with.

@@ -46,6 +46,9 @@ pub enum Stage {
     /// The model as the instrument sees it, and what was measured.
     #[serde(rename = "compare with measured reflectance")]
     CompareMeasured,
+    /// Maps, strips and spectra over the angles of light and detector.
+    #[serde(rename = "look from all sides")]
+    LookAround,
     /// Pictures and `specimen.json` to files.
     #[serde(rename = "write pictures")]
     WritePictures,
@@ -86,6 +89,7 @@ impl Stage {
             Self::EvaluateReference => "evaluate the reference",
             Self::MeasureErrors => "measure errors",
             Self::CompareMeasured => "compare with measured reflectance",
+            Self::LookAround => "look from all sides",
             Self::WritePictures => "write pictures",
             Self::BuildSpectral => "build spectral tables",
             Self::StoreSpectral => "store spectral tables",
@@ -124,6 +128,7 @@ mod tests {
             EvaluateReference,
             MeasureErrors,
             CompareMeasured,
+            LookAround,
             WritePictures,
             BuildSpectral,
             StoreSpectral,

@@ -15,3 +15,4 @@ mod sets;
 mod shader_export;
 mod shader_layout;
 mod spectral;
+mod viewer_shaders;

@@ -15,6 +15,7 @@ use crate::stages::archive::specimen_file::{self, SpecimenFile};
 use crate::stages::cache::store::CacheUse;
 use crate::stages::config::SpecimenConfig;
 use crate::stages::coverage::savings;
+use crate::stages::goniometry::goniometry;
 use crate::stages::pictures::covered::covered_picture;
 use crate::stages::pictures::preview::write_preview;
 use crate::stages::pictures::scenes;
@@ -33,6 +34,10 @@ use diffraction_build::tables::forecast::forecast_of;
 use diffraction_build::tables::model::Basis;
 use diffraction_render::render::png_image::write_png;
 use diffraction_render::scene::model::Scene;
+
+/// What is said where the manifest names no material.
+const NO_MATERIAL: &str = "no material is given, so all light is reflected and brightness means nothing yet: say what it is made of, such \
+                           as material = { n = 1.56 } for keratin, or material = \"ideal\" if that is meant";
 
 /// What a finished specimen leaves besides its files.
 pub(super) struct Described {
@@ -61,13 +66,20 @@ pub(super) fn describe(
     spectral: Option<Spectral>,
     clock: &mut Clock,
 ) -> Step<Described> {
-    let warnings = warnings(ingested, planned, &measured);
+    let mut warnings = warnings(ingested, planned, &measured);
+    if !job.specimen.is_material_given {
+        warnings.push(NO_MATERIAL.into());
+    }
     let pictures = std::mem::take(&mut measured.pictures);
     let (shares, own): (Vec<_>, Vec<_>) = pictures.into_iter().partition(|(work, _)| work.is_share());
     let shares = shares.into_iter().map(|(work, reference)| {
         let expected = reference.map(|reference| work.expected(&reference));
         shared_scenes::share(work, expected)
     });
+    let goniometry = clock.stage(Stage::LookAround, || {
+        let tables = spectral.as_ref().map(|spectral| &spectral.tables);
+        goniometry(measured.stored.surface(), tables, &ingested.scans.optics, &job.folder, &job.specimen.name)
+    })?;
     let (shares, pictures) = clock.stage(Stage::WritePictures, || {
         let shares: Vec<Share> = shares.collect();
         let scenes =
@@ -89,6 +101,7 @@ pub(super) fn describe(
     Ok(Described {
         result: SpecimenResult {
             spectral: spectral.map(|spectral| spectral.result),
+            goniometry,
             ..result(job, ingested, planned, measured, pictures, budget, warnings)
         },
         inputs: inputs(job, ingested),
@@ -215,6 +228,7 @@ fn result(
         power_sums: measured.reflected.power_sums,
         albedo: measured.reflected.albedo,
         measured: measured.measured,
+        goniometry: None,
         scenes: pictures.scenes,
         height_map,
         spectrum,
@@ -270,6 +284,7 @@ pub(super) fn failed_result(specimen: &SpecimenConfig, error: &Error) -> Specime
         power_sums: Vec::new(),
         albedo: Vec::new(),
         measured: None,
+        goniometry: None,
         scenes: Vec::new(),
         height_map: None,
         spectrum: None,

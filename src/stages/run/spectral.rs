@@ -30,6 +30,8 @@ pub(super) struct Spectral {
     pub(super) files: StoredSpectral,
     /// What the report says of them.
     pub(super) result: SpectralResult,
+    /// The tables as a reader gets them.
+    pub(super) tables: SpectralTables,
 }
 
 /// Builds, stores and measures them, where the run asks for them.
@@ -72,7 +74,7 @@ pub(super) fn spectral(job: &Job, planned: &Planned, clock: &mut Clock) -> Step<
         errors,
     };
     let files = StoredSpectral { check_values: check_values(&tables), ..stored };
-    Ok(Some(Spectral { files, result }))
+    Ok(Some(Spectral { files, result, tables }))
 }
 
 /// Directions of every region with values at some wavelengths.
