@@ -139,11 +139,10 @@ fn scans(item: &Item, base: &Path) -> Result<Vec<PathBuf>> {
             .map_err(|error| item.error(format!("\"{pattern}\" cannot be looked up: {error}")))?;
         if found.is_empty() {
             let place = base.join(pattern);
-            let place = place.display();
             return Err(item.error(if files::has_wildcard(pattern) {
-                format!("matches no file: {place}")
+                format!("matches no file: {}", place.display())
             } else {
-                format!("names a file that does not exist: {place}")
+                files::no_file(&place)
             }));
         }
         scans.extend(found);
@@ -180,7 +179,7 @@ fn measured(item: &Item, base: &Path) -> Result<MeasuredConfig> {
 fn existing(item: &Item, base: &Path) -> Result<PathBuf> {
     let path = base.join(item.text_not_empty()?);
     if !path.is_file() {
-        return Err(item.error(format!("names a file that does not exist: {}", path.display())));
+        return Err(item.error(files::no_file(&path)));
     }
     Ok(path)
 }

@@ -8,6 +8,7 @@ use crate::report::svg::{escape, printable};
 use crate::report::{budget_facts, frames, goniometry, gpu_facts, measured, numbers, plots};
 use crate::stages::cache::store::CacheUse;
 use crate::stages::results::{RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
+use crate::stages::viewer::page::REPORT_WITHOUT;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::accuracy::directions::Group;
 use diffraction_build::accuracy::rows::{Cause, ErrorRow};
@@ -55,6 +56,7 @@ fn render_within(
         version => results.version.clone().unwrap_or_default(),
         started => results.started.replace('T', " ").replace('Z', " UTC"),
         program_version => &results.program_version,
+        viewer => safe(REPORT_WITHOUT.to_owned()),
         total_time => numbers::seconds(results.total_wall_s),
         threads => plural(results.threads, "thread"),
         cpus => plural(results.cpu_count, "processor"),

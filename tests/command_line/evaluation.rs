@@ -3,7 +3,7 @@
 use diffraction_brdf::direction::from_angles_deg;
 use serde_json::Value;
 
-use crate::place::{HEAD, LASERS, Place, ROUGH, WAVE, usual};
+use crate::place::{HEAD, LASERS, Place, ROUGH, WAVE, program, usual};
 
 pub const COLUMNS: &str = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg";
 
@@ -219,6 +219,39 @@ fn polarised_values_add_up_to_the_unpolarised_ones() {
         let called = place.call(&format!("eval --directions d.csv --specimen wave --polarised {line}")).ended(1);
         assert!(called.stdout.is_empty() && called.stderr.contains("ideal reflector, which has no refractive index"));
     }
+}
+
+#[test]
+fn directions_come_from_standard_input_and_values_as_json() {
+    let place = Place::with_scans();
+    place.publish(&[HEAD, LASERS, ROUGH].concat());
+    let csv = format!("{COLUMNS}\n10,20,30.5,200\n0,0,12,-7\n");
+    place.write("d.csv", &csv);
+    let line = "--atlas out/small --specimen rough --wavelengths-nm 450,633";
+    let plain = place.call(&format!("eval --directions d.csv {line}")).ended(0);
+    let piped = |line: &str, input: &str| {
+        let words = format!("eval --directions - {line}");
+        program(place.folder()).args(words.split(' ')).write_stdin(input).output().unwrap()
+    };
+    assert_eq!(String::from_utf8(piped(line, &csv).stdout).unwrap(), plain.stdout);
+    let spoilt = piped(line, &csv.replace("12", "twelve"));
+    let said = String::from_utf8(spoilt.stderr).unwrap();
+    assert!(spoilt.status.code() == Some(1) && said.contains("standard input: line 3: `twelve`"), "{said}");
+
+    let json = place.call(&format!("eval --directions d.csv {line} --json")).ended(0).json();
+    let rows = values(&plain.stdout);
+    assert_eq!(json.as_array().unwrap().len(), rows.len());
+    for (object, row) in json.as_array().unwrap().iter().zip(rows) {
+        let names: Vec<&String> = object.as_object().unwrap().keys().collect();
+        assert_eq!(names, ["theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg", "f_450_nm", "f_633_nm"]);
+        for (name, expected) in names.iter().zip(row) {
+            // CSV holds ten digits.
+            let found = object[name.as_str()].as_f64().unwrap();
+            assert!((found - expected).abs() <= 1e-9 * expected.abs(), "{name}: {found} for {expected}");
+        }
+    }
+    place.call(&format!("eval --directions d.csv {line} --json --out d.json")).ended(0);
+    assert_eq!(place.json("d.json"), json);
 }
 
 #[test]

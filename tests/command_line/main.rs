@@ -33,3 +33,4 @@ mod restricted;
 mod scans;
 mod settings;
 mod versions;
+mod viewing;

@@ -2,6 +2,7 @@
 
 import { fromAngles } from './angles';
 import type { AtlasFiles } from './atlas/files';
+import { measuredSpectra, type MeasuredSpectrum } from './atlas/measured';
 import { Engine } from './engine';
 import { dominantWavelength } from './light/colour';
 import { illuminant, quadrature, type Xyz } from './light/illuminants';
@@ -9,7 +10,7 @@ import type { Vec3 } from './light/samples';
 import { fromFragment, toFragment, type State } from './state';
 import { aboutVertical } from './gl/camera';
 import { download, recordWebm } from './ui/capture';
-import { buildPage, meteredBy, type Page } from './ui/page';
+import { buildPage, type Page } from './ui/page';
 import { plotWavelengths } from './ui/spectrum';
 import { specimenCards } from './ui/specimens';
 import { switchTheme } from './ui/theme';
@@ -17,7 +18,7 @@ import { readEnvironment } from './scene/environment';
 import { readModel } from './scene/model';
 import { chooseFile, dropTarget } from './ui/drop';
 import { h, shown } from './ui/dom';
-import type { Answer } from './ui/views';
+import { planeOfIncidence, type Answer } from './ui/views';
 
 const VIEWS_EVERY_MS = 70;
 const ADDRESS_EVERY_MS = 400;
@@ -30,7 +31,11 @@ export class App {
   readonly engine: Engine;
   readonly page: Page;
   private pending: Promise<void> = Promise.resolve();
+  /** A viewing direction that is asked in place of the spot's. */
   private asked: Vec3 | null = null;
+  /** A measured spectrum whose directions are asked. */
+  private measured: MeasuredSpectrum | null = null;
+  private offeredFor = '';
   private stale = { picture: true, views: true, controls: true, address: false };
   private last = { views: 0, address: 0, tick: 0 };
   private frameMs = 0;
@@ -39,6 +44,7 @@ export class App {
   private moved = 0;
   private tickMs = 16;
   private drew = false;
+  private recording = false;
   private opened = false;
 
   constructor(
@@ -56,16 +62,21 @@ export class App {
         switchTheme();
         this.stale.views = true;
       },
+      exposure: () => (this.opened ? this.engine.exposure() : Math.PI),
+      tables: () => this.engine?.tableCount() ?? 1,
       remeter: () => {
         this.engine.remeter();
         this.stale.picture = this.stale.controls = true;
       },
     });
     this.engine = new Engine(this.page.stage.canvas, files, fromFragment(location.hash));
-    meteredBy(this.engine);
     mount.replaceChildren(this.page.element);
     this.page.map.onAsk = (wo) => {
       this.asked = wo;
+      this.stale.views = true;
+    };
+    this.page.spectrum.onChoose = (measured) => {
+      this.measured = measured;
       this.stale.views = true;
     };
     const { canvas } = this.page.stage;
@@ -132,7 +143,7 @@ export class App {
     }
     if (this.engine.set(change)) this.moved = performance.now();
     const after = this.engine.state;
-    if (change.pointer) this.asked = null;
+    if (change.pointer || change.specimen) this.asked = this.measured = null;
     this.stale = { picture: true, views: true, controls: true, address: true };
     if (before.size_px !== after.size_px) this.fit();
     if (!this.opened) return;
@@ -158,6 +169,11 @@ export class App {
       if (!this.opened) throw error;
     }
     this.stale = { picture: true, views: true, controls: true, address: true };
+    const name = engine.loaded?.specimen.name ?? '';
+    if (this.offeredFor !== name) {
+      this.offeredFor = name;
+      page.spectrum.offer(await measuredSpectra(engine, name));
+    }
   }
 
   private fit(): void {
@@ -182,6 +198,7 @@ export class App {
       page.stage.update(engine.state);
       page.facts.textContent = this.specimenFacts();
     }
+    if (this.recording) stale.picture = true;
     this.chooseDetail(now);
     if (stale.picture) {
       const started = performance.now();
@@ -204,7 +221,7 @@ export class App {
   /** Fewer pixels while something moves and the GPU is slow; all of them once it stands still. */
   private chooseDetail(now: number): void {
     const { detail, stale } = this;
-    const moving = now - this.moved < STILL_AFTER_MS;
+    const moving = this.recording || now - this.moved < STILL_AFTER_MS;
     if (moving && this.drew && detail.now === detail.moving) {
       const took = Math.min(1000, this.tickMs);
       if (took > 1.4 * MOVING_MS) detail.moving = Math.max(COARSEST, detail.moving * Math.max(0.5, Math.sqrt(MOVING_MS / took)));
@@ -240,28 +257,31 @@ export class App {
 
   private answer(): Answer | null {
     const { engine } = this;
-    const found = engine.directions();
     const evaluated = engine.evaluated();
+    const found = this.measured ? directionsOf(this.measured) : engine.directions();
     if (!found || !evaluated) return null;
     const pair = { wi: found.wi, wo: this.asked ?? found.wo };
-    const [xyz] = engine.probe.brdf(evaluated, [pair]);
+    const inPlane = planeOfIncidence(pair.wi).map((wo) => ({ wi: pair.wi, wo }));
+    const [xyz, ...plane] = engine.probe.brdf(evaluated, [pair, ...inPlane]);
     const light = engine.light() ?? illuminant('D65', 633, 45);
     const white = whiteOf(light);
     const spectral = engine.spectralEvaluated();
     const stored = engine.loaded?.specimen.spectral;
     let spectrum: Answer['spectrum'] = null;
     if (spectral && stored) {
-      const nm = plotWavelengths(stored.shortest_nm, stored.longest_nm);
-      spectrum = { nm, values: engine.probe.spectrum(spectral, pair, engine.asks(nm)) };
+      const at = this.measured?.nm ?? [];
+      const nm = [...new Set([...plotWavelengths(stored.shortest_nm, stored.longest_nm), ...at])].sort((a, b) => a - b);
+      const measured = nm.map((one) => this.measured?.values[at.indexOf(one)] ?? null);
+      spectrum = { nm, values: engine.probe.spectrum(spectral, pair, engine.asks(nm)), measured };
     }
-    return { ...pair, xyz, white, dominant: xyz ? dominantWavelength(xyz, white) : null, spectrum };
+    return { ...pair, chosen: this.measured !== null, xyz, plane, white, dominant: xyz ? dominantWavelength(xyz, white) : null, spectrum };
   }
 
   private updateBadge(answer: Answer | null): void {
     const { badge } = this.page;
     const usable = this.engine.loaded?.specimen.tables.usable_radius ?? 2;
     const radius = answer ? Math.hypot(answer.wi[0] + answer.wo[0], answer.wi[1] + answer.wo[1]) : 0;
-    const words = answer && !answer.xyz ? 'the tables do not cover the spot' : radius > usable ? 'the spot lies beyond the scan’s sampling' : '';
+    const words = this.engine.lacking() || (answer && !answer.xyz ? 'the tables do not cover the spot' : radius > usable ? 'the spot lies beyond the scan’s sampling' : '');
     badge.textContent = words;
     badge.hidden = words === '';
   }
@@ -313,9 +333,12 @@ export class App {
   private async record(): Promise<void> {
     const { state } = this.engine;
     if (state.motion === 'none') this.set({ motion: 'light' });
+    this.recording = true;
     const blob = await recordWebm(this.page.stage.canvas, 5);
+    this.recording = false;
     if (state.motion === 'none') this.set({ motion: 'none' });
-    if (blob) download(blob, `${state.specimen}.${state.shape}.webm`);
+    if (!blob) this.notice('This browser records no WebM.');
+    else download(blob, `${state.specimen}.${state.shape}.webm`);
   }
 
   private async copyLink(): Promise<void> {
@@ -353,7 +376,7 @@ export class App {
       exposure: () => engine.exposure(),
       brdfXyz: async (...angles: [number, number, number, number]): Promise<Xyz | null> => {
         await settled();
-        const evaluated = engine.evaluated();
+        const evaluated = engine.evaluated(false, false);
         return evaluated ? engine.probe.brdf(evaluated, [pair(...angles)])[0] : null;
       },
       spectrumAt: async (theta_i: number, phi_i: number, theta_r: number, phi_r: number, wavelengths_nm?: number[]) => {
@@ -369,6 +392,8 @@ export class App {
     };
   }
 }
+
+const directionsOf = ({ angles_deg: [ti, pi, tr, pr] }: MeasuredSpectrum) => ({ wi: fromAngles(ti, pi), wo: fromAngles(tr, pr) });
 
 /** A direction turned about the line of sight. */
 function aboutView([x, y, z]: Vec3, angle_deg: number): Vec3 {

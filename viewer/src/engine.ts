@@ -7,6 +7,7 @@ import { packSpectral, packTables, type PackedSpectral, type PackedTables, type 
 import { readIndex, readSpecimen, type AtlasIndex, type Specimen, type ViewerFile } from './atlas/specimen';
 import { Picture, byteTarget, flipped, type Evaluated } from './gl/picture';
 import { automaticExposure, Probe, type Ask, type Pair } from './gl/probe';
+import { P3 } from './gl/display';
 import { GpuClock } from './gl/clock';
 import { BINDING } from './gl/library';
 import { upload, type Uploaded } from './gl/upload';
@@ -58,15 +59,23 @@ export class Engine {
     this.clock = new GpuClock(gl);
     this.renderer = new WebGLRenderer({ canvas, context: gl });
     this.renderer.autoClear = true;
-    this.renderer.setClearColor(0x000000, 0);
+    this.renderer.debug.onShaderError = (context, program) => {
+      throw new GraphicsError(`The graphics driver refuses the shader: ${context.getProgramInfoLog(program) ?? 'it does not say why'}.`);
+    };
+    // The fourth channel of a picture: -1 where there is no surface.
+    this.renderer.setClearColor(0x000000, -1);
     this.floats = gl.getExtension('EXT_color_buffer_float') !== null;
     if (!this.floats && gl.getExtension('EXT_color_buffer_half_float') === null) {
       throw new GraphicsError('This page sums light in floating-point numbers, which this graphics driver cannot draw to.');
     }
     // An address cannot hold the files that these ask for.
-    if (this.state.shape === 'model') this.state.shape = 'ball';
+    if (this.state.shape === 'model') this.state.shape = 'snake';
     if (this.state.environment === 'own') this.state.environment = 'none';
     this.picture = new Picture(this.renderer, this.floats ? FloatType : HalfFloatType);
+    if (matchMedia('(color-gamut: p3)').matches && 'drawingBufferColorSpace' in gl) {
+      gl.drawingBufferColorSpace = 'display-p3';
+      if (gl.drawingBufferColorSpace === 'display-p3') this.picture.primaries = P3;
+    }
     this.probe = new Probe(this.renderer);
   }
 
@@ -81,7 +90,10 @@ export class Engine {
 
   async open(): Promise<void> {
     this.index = await readIndex(this.files);
+    const shown = (await this.viewerFile())?.specimens;
+    if (shown) this.index.specimens = this.index.specimens.filter(({ name }) => shown.includes(name));
     if (!this.index.specimens?.length) throw new AtlasError('The atlas holds no specimen.');
+    this.files.expect(this.index.files ?? []);
   }
 
   private viewer: Promise<ViewerFile | null> | null = null;
@@ -155,15 +167,29 @@ export class Engine {
     return this.state.illuminant !== 'tables' || this.state.scale !== 1;
   }
 
+  /** What the state asks for and the specimen cannot give; empty where there is nothing. */
+  lacking(): string {
+    const { loaded, state } = this;
+    if (!loaded || !this.wantsSpectral()) return '';
+    if (!loaded.specimen.spectral) return 'no spectral tables: shown under the light of the tables';
+    if (!loaded.spectral) return 'reading the spectral tables';
+    if (loaded.specimen.pigment && state.pigment) return 'without the pigment, which is known for the tables’ light alone';
+    return '';
+  }
+
   /** The light of the state's picture; null for that of the tables of XYZ. */
   light(): Illuminant | null {
+    if (this.loaded && !this.loaded.specimen.spectral) return null;
     const { illuminant: name, laser_nm, sun_deg, scale } = this.state;
     if (name === 'tables') return scale === 1 ? null : illuminant('D65', laser_nm, sun_deg);
     return illuminant(name, laser_nm, sun_deg);
   }
 
-  /** What pictures and numbers are made from: the tables of XYZ, or spectral ones under the state's light. */
-  evaluated(all = false): Evaluated | null {
+  /**
+   * What pictures and numbers are made from: the tables of XYZ, or spectral ones under the state's light. With all tables, or as
+   * many as the state says; with the pigment below the structure, or without.
+   */
+  evaluated(all = false, pigment = this.state.pigment): Evaluated | null {
     const loaded = this.loaded;
     if (!loaded) return null;
     const count = all ? null : this.state.tables;
@@ -172,7 +198,7 @@ export class Engine {
     if (light && loaded.spectral) {
       return { interpolation, source: 'spectral', uniforms: { ...this.limited(loaded.spectral.uploaded, count, false), ...this.quadratureFor(light) } };
     }
-    return { interpolation, source: 'tables', uniforms: this.limited(loaded.tables, count, this.state.pigment) };
+    return { interpolation, source: 'tables', uniforms: this.limited(loaded.tables, count, pigment) };
   }
 
   /** The spectral tables under any light, where they are loaded. */
@@ -213,7 +239,7 @@ export class Engine {
       const width = found.nm.length;
       const data = new Float32Array(8 * width);
       found.nm.forEach((nm, i) => {
-        data.set([nm, ...found.weights[i]], 4 * i);
+        data.set([nm, ...(asks[i].known ? found.weights[i] : [0, 0, 0])], 4 * i);
         data.set([asks[i].index_n, asks[i].index_k, asks[i].material, 0], 4 * (width + i));
       });
       const texture = new DataTexture(data, width, 2, RGBAFormat, FloatType);
@@ -235,8 +261,15 @@ export class Engine {
     const specimen = this.loaded?.specimen;
     return nm.map((at) => {
       const index = specimen ? materialAt(specimen, at) : null;
-      return { nm: at, material: index?.material ?? 0, index_n: index?.index_n ?? 1, index_k: index?.index_k ?? 0 };
+      return { nm: at, material: index?.material ?? 0, index_n: index?.index_n ?? 1, index_k: index?.index_k ?? 0, known: index !== null };
     });
+  }
+
+  /** Tables of the specimen that the picture is made from. */
+  tableCount(): number {
+    const { loaded } = this;
+    if (!loaded) return 1;
+    return this.light() && loaded.spectral ? (loaded.specimen.spectral?.tables ?? 1) : loaded.packed.params.table_count;
   }
 
   /** Look-ups in tables for one direction of one light. */
@@ -341,7 +374,7 @@ export class Engine {
     return this.other;
   }
 
-  /** The picture as shown: 8-bit sRGB, four channels, top row first. */
+  /** The picture on black: 8-bit sRGB, four channels, top row first. */
   pixels(): { width: number; height: number; data: Uint8Array } {
     const { width, height } = this.size;
     const target = byteTarget(width, height);
@@ -353,7 +386,7 @@ export class Engine {
     return { width, height, data: flipped(data, width, height) };
   }
 
-  /** The picture's XYZ and the share of directions without an answer, four channels, top row first. */
+  /** The picture's XYZ, and 1 where directions have no answer or -1 beside the surface; four channels, top row first. */
   values(): { width: number; height: number; data: Float32Array } {
     return { ...this.size, data: this.picture.values() };
   }

@@ -38,7 +38,7 @@ export interface State {
   turn_deg: number;
   /** Turns the object about the vertical; lights and camera stay. */
   spin_deg: number;
-  /** Enlarges the structure; needs spectral tables. */
+  /** Shrinks the structure; needs spectral tables. */
   scale: number;
   /** How many tables are used; null for all. */
   tables: number | null;
@@ -65,7 +65,7 @@ export interface State {
 
 export const DEFAULTS: State = {
   specimen: '',
-  shape: 'ball',
+  shape: 'snake',
   lights: [{ direction: [0.3, 0.2, 1], diameter_deg: 0.53, irradiance: 1 }],
   active: 0,
   view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 },
@@ -130,7 +130,7 @@ const RANGES: Partial<Record<keyof State, readonly [number, number]>> = {
   sun_deg: [1, 90],
   turn_deg: [-360, 360],
   spin_deg: [-3600, 3600],
-  scale: [0.25, 4],
+  scale: [0.25, 1],
   tables: [1, 256],
   light_samples: [1, 1024],
   pixel_samples: [1, 1024],

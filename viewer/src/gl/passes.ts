@@ -3,7 +3,7 @@
 import { BufferAttribute, BufferGeometry, Camera, GLSL3, Mesh, RawShaderMaterial, Scene, type WebGLRenderTarget, type WebGLRenderer } from 'three';
 import type { Uniforms } from './upload';
 import { FILL_VERTEX } from './shade';
-import { DISPLAY } from './display';
+import { DISPLAY, SRGB, type Primaries } from './display';
 
 /** One triangle over the whole target. */
 export function wholeTarget(): BufferGeometry {
@@ -72,5 +72,11 @@ export const displayPass = (): Pass =>
       u_other: { value: null },
       u_exposure: { value: 1 },
       u_mode: { value: 0 },
+      u_backdrop: { value: 0 },
+      ...primaryUniforms(SRGB),
     }),
   );
+
+/** A display's primaries as uniforms. */
+export const primaryUniforms = (primaries: Primaries): Uniforms =>
+  Object.fromEntries(Object.entries(primaries).map(([name, value]) => [`u_${name}`, { value }]));

@@ -10,7 +10,8 @@ import type { Body } from '../scene/body';
 import type { State } from '../state';
 import { aboutVertical, centredOn, extent, toClip } from './camera';
 import { evaluation, type Interpolation, type Source } from './library';
-import { displayPass, material, meanPass, Pass } from './passes';
+import { SRGB, type Primaries } from './display';
+import { displayPass, material, meanPass, Pass, primaryUniforms } from './passes';
 import { FILL_VERTEX, LIGHTS_MAX, SHADE } from './shade';
 import type { Uniforms } from './upload';
 
@@ -92,6 +93,8 @@ export class Picture {
   private taken = 0;
   /** Light from all around, besides the lights. */
   sky: SkyTextures | null = null;
+  /** Of the canvas. */
+  primaries: Primaries = SRGB;
   width = 1;
   height = 1;
 
@@ -150,6 +153,9 @@ export class Picture {
     uniforms.u_xyz.value = this.sums[0].texture;
     uniforms.u_other.value = other?.sums[0].texture ?? this.sums[0].texture;
     uniforms.u_exposure.value = exposure;
+    uniforms.u_backdrop.value = target ? 0 : 1;
+    // Targets are read back as sRGB; the canvas may be wider.
+    Object.assign(uniforms, primaryUniforms(target ? SRGB : this.primaries));
     uniforms.u_mode.value = other ? 2 : tone === 'clip' ? 1 : 0;
     this.display.draw(this.renderer, target);
   }

@@ -20,6 +20,8 @@ export interface Ask {
   material: number;
   index_n: number;
   index_k: number;
+  /** False outside of the material's table: there is no answer then. */
+  known: boolean;
 }
 
 const OUT = 'layout(location = 0) out highp vec4 out_value;\nuniform highp sampler2D u_list;\n';
@@ -91,7 +93,7 @@ export class Probe {
     this.own.u_wo.value.set(...wo);
     const row = asks.flatMap(({ nm, index_n, index_k, material: kind }) => [nm, index_n, index_k, kind]);
     const out = this.list(evaluated, 'spectrum', SPECTRUM, [row], asks.length);
-    return Float64Array.from(asks, (_, i) => (out[4 * i + 1] > 0.5 ? out[4 * i] : NaN));
+    return Float64Array.from(asks, ({ known }, i) => (known && out[4 * i + 1] > 0.5 ? out[4 * i] : NaN));
   }
 
   /** The map of the BRDF as 8-bit colours, top row first, with the exposure that shows it; and its brightest luminance. */
@@ -162,9 +164,10 @@ const QUANTILE = 0.995;
 
 /** The exposure that brings the quantile of the lit pixels' luminance to white; RGBA pixels of XYZ. */
 export function automaticExposure(values: Float32Array): number {
-  const lit: number[] = [];
-  for (let i = 1; i < values.length; i += 4) if (values[i] > 0 && Number.isFinite(values[i])) lit.push(values[i]);
-  if (!lit.length) return 1;
-  lit.sort((a, b) => a - b);
-  return 1 / lit[Math.ceil(QUANTILE * lit.length) - 1];
+  const room = new Float32Array(values.length / 4);
+  let count = 0;
+  for (let i = 1; i < values.length; i += 4) if (values[i] > 0 && Number.isFinite(values[i])) room[count++] = values[i];
+  if (!count) return 1;
+  const lit = room.subarray(0, count).sort();
+  return 1 / lit[Math.ceil(QUANTILE * count) - 1];
 }

@@ -100,7 +100,7 @@ void add_sky(vec3 t, vec3 b, vec3 n, vec3 wo) {
 /**
  * Follows the evaluation. \`add\` collects one light; \`shade\` does so for all lights on a point of a surface.
  *
- * Output 0 is XYZ, with the share of unanswered directions in the fourth channel; output 1 the two directions of the chosen
+ * Output 0 is XYZ, with 1 in the fourth channel where directions are unanswered and -1 where there is no surface; output 1 the two directions of the chosen
  * light: x, y of wi and of wo, 9 where there is none.
  */
 export const SHADE = `
@@ -119,6 +119,8 @@ struct Point {
 
 vec3 sum = vec3(0.0);
 vec4 directions = vec4(9.0);
+// Whether there is anything here to be seen, lit or not.
+bool seen = false;
 
 float lit(int light);
 
@@ -132,11 +134,12 @@ void add(int light, vec3 wi, vec3 wo, float weight) {
 }
 
 void finish() {
-  out_value = u_output == 1 ? directions : vec4(sum, answered ? 0.0 : 1.0);
+  out_value = u_output == 1 ? directions : vec4(sum, !seen ? -1.0 : answered ? 0.0 : 1.0);
 }
 
 ${SKY}
 void shade(Point p) {
+  seen = true;
   vec3 t = u_turn.x * p.tangent + u_turn.y * p.bitangent;
   vec3 b = u_turn.x * p.bitangent - u_turn.y * p.tangent;
   vec3 wo = vec3(dot(t, p.to_viewer), dot(b, p.to_viewer), dot(p.normal, p.to_viewer));

@@ -16,7 +16,10 @@ uniform vec3 u_wi;
 void main() {
   vec2 at = picture_place();
   float cos2 = 1.0 - dot(at, at);
-  if (cos2 > 0.0) add(0, u_wi, vec3(at, sqrt(cos2)), 1.0);
+  if (cos2 > 0.0) {
+    seen = true;
+    add(0, u_wi, vec3(at, sqrt(cos2)), 1.0);
+  }
   finish();
 }
 `;
@@ -33,7 +36,8 @@ uniform vec3 u_beam_wi;
 uniform float u_beam_power;
 void main() {
   vec2 at = picture_place() * u_half_width;
-  if (max(abs(at.x), abs(at.y)) <= u_half_width && length(at) >= u_hole_radius) {
+  seen = max(abs(at.x), abs(at.y)) <= u_half_width;
+  if (seen && length(at) >= u_hole_radius) {
     vec3 path = vec3(at, u_distance) - u_beam_point;
     float r2 = dot(path, path);
     vec3 to_screen = path / sqrt(r2);

@@ -101,6 +101,7 @@ in vec4 v_tangent;
 uniform mat4 u_from_clip;
 uniform vec2 u_size;
 void main() {
+  seen = true;
   vec3 normal = normalize(v_normal);
   vec2 clip = 2.0 * gl_FragCoord.xy / u_size - 1.0;
   vec4 near = u_from_clip * vec4(clip, -1.0, 1.0);

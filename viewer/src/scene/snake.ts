@@ -169,6 +169,7 @@ in vec2 v_uv;
 uniform mat4 u_from_clip;
 uniform vec2 u_size;
 void main() {
+  seen = true;
   vec3 smooth_normal = normalize(v_normal);
   shadow_place(v_place, smooth_normal);
   vec3 t = normalize(v_tangent - smooth_normal * dot(smooth_normal, v_tangent));

@@ -8,7 +8,8 @@ import type { Answer, View } from './views';
 
 export function aboutView(): View {
   const facts = h('dl', { className: 'facts wide' });
-  const warnings = h('p', { className: 'caption' });
+  const doubts = h('div', { className: 'doubts' });
+  const warnings = h('details', {}, h('summary', {}, 'What to doubt'), doubts);
   const element = h('div', {}, facts, warnings);
   let name = '';
   return {
@@ -18,7 +19,9 @@ export function aboutView(): View {
       if (!specimen || specimen.name === name) return;
       name = specimen.name;
       facts.replaceChildren(...rows(specimen).flatMap(([term, value, title]) => [h('dt', { title }, term), h('dd', {}, value)]));
-      warnings.textContent = (specimen.warnings ?? []).join(' ');
+      const found = specimen.warnings ?? [];
+      warnings.hidden = found.length === 0;
+      doubts.replaceChildren(...found.map((text) => h('p', { className: 'caption' }, `${text[0].toUpperCase()}${text.slice(1)}.`.replace(/\.\.$/, '.'))));
     },
   };
 }

@@ -6,7 +6,6 @@ import { observer } from '../light/illuminants';
 import type { State } from '../state';
 import { h, svg } from './dom';
 import { type Answer, type View } from './views';
-import { planeOfIncidence } from './polar';
 
 const REC709 = [[0.64, 0.33], [0.3, 0.6], [0.15, 0.06]];
 const W = 0.8;
@@ -46,14 +45,14 @@ export function chromaticityView(): View {
   const element = h('div', { className: 'chromaticity', title: 'Chromaticity x, y. The curve holds pure wavelengths, the triangle what an sRGB display shows, the thin line the colours over the plane of incidence.' }, diagram, words);
   return {
     element,
-    update: (_state: State, engine: Engine, answer: Answer | null) => {
+    update: (_state: State, _engine: Engine, answer: Answer | null) => {
       const xy = answer?.xyz ? chromaticity(answer.xyz) : null;
       spot.style.display = xy ? '' : 'none';
       if (xy) spot.setAttribute('transform', `translate(${xy[0]} ${H - xy[1]})`);
       const from = answer ? chromaticity(answer.white) : null;
       white.style.display = from ? '' : 'none';
       if (from) white.setAttribute('transform', `translate(${from[0]} ${H - from[1]})`);
-      trail.setAttribute('d', answer ? path(engine, answer) : '');
+      trail.setAttribute('d', answer ? path(answer) : '');
       words.textContent = xy ? `x ${xy[0].toFixed(3)}, y ${xy[1].toFixed(3)}` : '';
       diagram.setAttribute('aria-label', `Chromaticity diagram; the spot at ${words.textContent || 'no colour'}`);
     },
@@ -61,10 +60,7 @@ export function chromaticityView(): View {
 }
 
 /** Chromaticities over the plane of incidence, as one line. */
-function path(engine: Engine, answer: Answer): string {
-  const evaluated = engine.evaluated();
-  if (!evaluated) return '';
-  const values = engine.probe.brdf(evaluated, planeOfIncidence(answer.wi).map((wo) => ({ wi: answer.wi, wo })));
-  const points = values.map((xyz) => (xyz ? chromaticity(xyz) : null)).filter((xy) => xy !== null);
+function path({ plane }: Answer): string {
+  const points = plane.map((xyz) => (xyz ? chromaticity(xyz) : null)).filter((xy) => xy !== null);
   return points.length ? `M${points.map(([x, y]) => place(x, y)).join('L')}` : '';
 }

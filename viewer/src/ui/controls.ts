@@ -16,7 +16,7 @@ interface SliderOptions {
   unit?: string;
   title: string;
   min: number;
-  max: number;
+  max: number | (() => number);
   step: number;
   get(state: State): number;
   set(value: number, state: State): Partial<State>;
@@ -27,11 +27,12 @@ interface SliderOptions {
 }
 
 export function slider(options: SliderOptions, current: () => State, change: Change): Control {
-  const { label, unit = '', title, min, max, step } = options;
+  const { label, unit = '', title, min, step } = options;
+  const most = () => (typeof options.max === 'number' ? options.max : options.max());
   const id = freshId();
   const output = h('output', { htmlFor: id });
   const input = h('input', {
-    type: 'range', id, min, max, step, title,
+    type: 'range', id, min, max: most(), step, title,
     oninput: () => change(options.set(Number(input.value), current())),
   });
   const element = h('div', { className: 'control', title }, h('label', { htmlFor: id }, label), output, input);
@@ -39,6 +40,8 @@ export function slider(options: SliderOptions, current: () => State, change: Cha
     element,
     update: (state) => {
       const value = options.get(state);
+      const max = most();
+      input.max = String(max);
       input.value = String(value);
       const text = options.text?.(value, state) ?? `${Number(value.toFixed(2))}${unit}`;
       output.textContent = text;

@@ -60,7 +60,7 @@ export function mapView(): MapView {
     const [light, seen] = [toAngles(wi), toAngles(wo)];
     words.textContent = `light θ ${light.theta_deg.toFixed(0)}°, φ ${light.phi_deg.toFixed(0)}° · viewer θ ${seen.theta_deg.toFixed(0)}°, φ ${seen.phi_deg.toFixed(0)}°`;
     canvas.setAttribute('aria-label', `Map of the BRDF over viewing directions; ${words.textContent}`);
-    const key = JSON.stringify([wi, state.specimen, state.illuminant, state.laser_nm, state.sun_deg, state.scale, state.tables, state.pigment, engine.loaded?.spectral !== null]);
+    const key = JSON.stringify([wi, engine.loaded?.specimen.name, state.interpolation, state.illuminant, state.laser_nm, state.sun_deg, state.scale, state.tables, state.pigment, engine.loaded?.spectral !== null]);
     if (key === shownKey) return;
     shownKey = key;
     const { pixels } = engine.probe.map(evaluated, wi, SIDE, null);

@@ -1,6 +1,5 @@
 // The page: the picture in the middle, controls on one side, linked views on the other.
 
-import type { Engine } from '../engine';
 import type { State } from '../state';
 import { aboutView } from './about';
 import { chromaticityView } from './chromaticity';
@@ -11,7 +10,7 @@ import { mapView, type MapView } from './map';
 import { lightPad } from './pad';
 import { polarView } from './polar';
 import { reliefView } from './relief';
-import { spectrumView } from './spectrum';
+import { spectrumView, type SpectrumView } from './spectrum';
 import { stage, withLight, type Grip, type Stage } from './stage';
 import type { View } from './views';
 
@@ -19,6 +18,7 @@ export interface Page {
   element: HTMLElement;
   stage: Stage;
   map: MapView;
+  spectrum: SpectrumView;
   views: View[];
   controls: Control[];
   specimens: HTMLElement;
@@ -36,6 +36,10 @@ export interface Actions {
   copyLink(): void;
   theme(): void;
   remeter(): void;
+  /** The factor that shows the picture now. */
+  exposure(): number;
+  /** How many tables the specimen has. */
+  tables(): number;
 }
 
 export function buildPage(actions: Actions): Page {
@@ -67,7 +71,7 @@ export function buildPage(actions: Actions): Page {
     section('Light', wide, keep(lightPad(current, change)), ...lightControls(current, change).map(keep), lampButtons(current, change)),
     section('Surface', false, ...surfaceControls(current, change).map(keep)),
     section('Picture', wide, ...pictureControls(current, change, actions).map(keep)),
-    section('Trust', false, ...trustControls(current, change).map(keep)),
+    section('Trust', false, ...trustControls(current, change, actions).map(keep)),
   );
   const card = (title: string, view: View) => h('section', { className: 'card' }, h('h2', {}, title), view.element);
   const aside = h(
@@ -102,7 +106,7 @@ export function buildPage(actions: Actions): Page {
     h('main', { className: 'stage' }, picture.element, h('div', { className: 'under' }, gripRow, motion(change, keep))),
     aside,
   );
-  return { element, stage: picture, map, views, controls, specimens, status, badge, loading, facts };
+  return { element, stage: picture, map, spectrum, views, controls, specimens, status, badge, loading, facts };
 }
 
 const iconButton = (icon: () => Node, word: string, title: string, onclick: () => void): HTMLElement =>
@@ -253,7 +257,7 @@ function lampButtons(current: () => State, change: Change): HTMLElement {
 function surfaceControls(current: () => State, change: Change): Control[] {
   return [
     slider({ label: 'Orientation', unit: '°', title: 'Turns the structure on the surface.', min: -90, max: 90, step: 1, get: (s) => s.turn_deg, set: (v) => ({ turn_deg: v }) }, current, change),
-    slider({ label: 'Scale', title: 'Enlarges the structure in all directions, heights too. Needs spectral tables.', min: 0.5, max: 2, step: 0.01, get: (s) => s.scale, set: (v) => ({ scale: v }), text: (v) => `× ${v.toFixed(2)}` }, current, change),
+    slider({ label: 'Scale', title: 'Shrinks the structure in all directions, heights too, and the coherence with it: what it does to a wavelength, the scanned one does to a longer one. Needs spectral tables.', min: 0.4, max: 1, step: 0.01, get: (s) => s.scale, set: (v) => ({ scale: v }), text: (v) => `× ${v.toFixed(2)}` }, current, change),
     toggle({ label: 'pigment below the structure', title: 'Where the specimen has a pigment.', get: (s) => s.pigment, set: (v) => ({ pigment: v }) }, change),
   ];
 }
@@ -263,7 +267,7 @@ function pictureControls(current: () => State, change: Change, actions: Actions)
     change({ exposure: null });
     actions.remeter();
   });
-  const exposure = slider({ label: 'Exposure', title: 'In stops. 0 shows a white wall facing the light as white.', min: -8, max: 14, step: 0.1, get: (s) => s.exposure ?? Math.log2(metered() / Math.PI), set: (v) => ({ exposure: v }), text: (v, s) => `${v >= 0 ? '+' : '−'}${Math.abs(v).toFixed(1)}${s.exposure === null ? ' auto' : ''}` }, current, change);
+  const exposure = slider({ label: 'Exposure', title: 'In stops. 0 shows a white wall facing the light as white.', min: -8, max: 14, step: 0.1, get: (s) => s.exposure ?? Math.log2(actions.exposure() / Math.PI), set: (v) => ({ exposure: v }), text: (v, s) => `${v >= 0 ? '+' : '−'}${Math.abs(v).toFixed(1)}${s.exposure === null ? ' auto' : ''}` }, current, change);
   exposure.element.append(auto);
   return [
     exposure,
@@ -271,16 +275,10 @@ function pictureControls(current: () => State, change: Change, actions: Actions)
   ];
 }
 
-let metered: () => number = () => Math.PI;
-/** Tells the exposure's control what the automatic one is. */
-export function meteredBy(engine: Engine): void {
-  metered = () => engine.exposure();
-}
-
-function trustControls(current: () => State, change: Change): Control[] {
-  let all = 8;
+function trustControls(current: () => State, change: Change, actions: Actions): Control[] {
+  const all = actions.tables;
   return [
-    slider({ label: 'Tables used', title: 'How many tables of the expansion are summed.', min: 1, max: 16, step: 1, get: (s) => s.tables ?? all, set: (v) => ({ tables: v >= all ? null : v }), text: (v, s) => (s.tables === null ? 'all' : `${v}`) }, current, change),
+    slider({ label: 'Tables used', title: 'How many tables of the expansion are summed.', min: 1, max: all, step: 1, get: (s) => s.tables ?? all(), set: (v) => ({ tables: v >= all() ? null : v }), text: (v, s) => (s.tables === null ? 'all' : `${v}`) }, current, change),
     toggle({ label: 'show the difference', title: 'The difference of luminance from all tables, ten times enlarged, in place of the picture.', get: (s) => s.difference, set: (v) => ({ difference: v }), when: (s) => s.tables !== null }, change),
     segments<State['interpolation']>({ label: 'Between texels', title: 'Bilinear look-ups are the hardware’s; cubic ones are closest to the scan.', choices: [{ value: 'bilinear', label: 'bilinear' }, { value: 'cubic', label: 'cubic' }], get: (s) => s.interpolation, set: (interpolation) => ({ interpolation }) }, change),
   ];

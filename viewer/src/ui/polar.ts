@@ -1,15 +1,11 @@
 // The BRDF in the plane of incidence: one wedge for each viewing angle, in its own colour.
 
-import type { Engine } from '../engine';
 import { patchCss } from '../light/colour';
 import type { Xyz } from '../light/illuminants';
-import type { Vec3 } from '../light/samples';
 import type { State } from '../state';
 import { h, shown } from './dom';
-import { degrees, type Answer, type View } from './views';
+import { degrees, PLANE_DEG, type Answer, type View } from './views';
 
-/** Viewing angles from the normal in degrees; positive ones lie on the side of the mirror direction. */
-const ANGLES = Array.from({ length: 357 }, (_, i) => (i - 178) / 2);
 /** Decades of the logarithmic plot. */
 const DECADES = 5;
 
@@ -26,25 +22,14 @@ export function polarView(change: (change: Partial<State>) => void): View {
   );
   return {
     element,
-    update: (state, engine, answer) => {
+    update: (state, _engine, answer) => {
       log.checked = state.polar_log;
-      draw(canvas, words, state, engine, answer);
+      draw(canvas, words, state, answer);
     },
   };
 }
 
-/** Directions of the plot for a light: in the plane of the normal and the light. */
-export function planeOfIncidence(wi: Vec3): Vec3[] {
-  const side = Math.hypot(wi[0], wi[1]);
-  const [x, y] = side > 1e-6 ? [-wi[0] / side, -wi[1] / side] : [1, 0];
-  return ANGLES.map((angle) => {
-    const [sin, cos] = [Math.sin(angle * degrees), Math.cos(angle * degrees)];
-    return [sin * x, sin * y, cos];
-  });
-}
-
-function draw(canvas: HTMLCanvasElement, words: HTMLElement, state: State, engine: Engine, answer: Answer | null): void {
-  const evaluated = engine.evaluated();
+function draw(canvas: HTMLCanvasElement, words: HTMLElement, state: State, answer: Answer | null): void {
   const dpr = Math.min(2, devicePixelRatio || 1);
   const width = canvas.clientWidth || 340;
   const height = Math.round(width * 0.54);
@@ -55,27 +40,28 @@ function draw(canvas: HTMLCanvasElement, words: HTMLElement, state: State, engin
   context.setTransform(dpr, 0, 0, dpr, 0, 0);
   context.clearRect(0, 0, width, height);
   const style = getComputedStyle(canvas);
-  const [line, text, accent] = ['--line', '--muted', '--accent'].map((name) => style.getPropertyValue(name).trim());
-  const [cx, cy, radius] = [width / 2, height - 16, Math.min(width / 2 - 8, height - 26)];
+  const text = style.getPropertyValue('--muted').trim();
+  const [line, accent] = ['#ffffff2b', '#8cc4ff'];
+  const [cx, cy, radius] = [width / 2, height - 16, Math.min(width / 2 - 30, height - 26)];
   frame(context, { cx, cy, radius, line, text });
-  if (!answer || !evaluated) {
+  if (!answer) {
     words.textContent = '';
     return;
   }
-  const values = engine.probe.brdf(evaluated, planeOfIncidence(answer.wi).map((wo) => ({ wi: answer.wi, wo })));
+  const values = answer.plane;
   const peak = Math.max(...values.map((xyz) => xyz?.[1] ?? 0), 1e-30);
   const reach = (xyz: Xyz | null) => {
     const share = Math.max(0, xyz?.[1] ?? 0) / peak;
     return radius * (state.polar_log ? Math.max(0, 1 + Math.log10(Math.max(share, 1e-30)) / DECADES) : share);
   };
-  ANGLES.forEach((angle, i) => {
+  PLANE_DEG.forEach((angle, i) => {
     const xyz = values[i];
     const r = reach(xyz);
     if (!xyz || !(r > 0)) return;
     context.fillStyle = patchCss(xyz);
     context.beginPath();
     context.moveTo(cx, cy);
-    context.arc(cx, cy, r, (angle - 90.3) * degrees, (angle - 89.7) * degrees);
+    context.arc(cx, cy, r, (angle - 90.4) * degrees, (angle - 89.6) * degrees);
     context.fill();
   });
   const theta = Math.atan2(Math.hypot(answer.wi[0], answer.wi[1]), answer.wi[2]) / degrees;
@@ -92,6 +78,11 @@ interface Frame {
 }
 
 function frame(context: CanvasRenderingContext2D, { cx, cy, radius, line, text }: Frame & { line: string; text: string }): void {
+  // Dark in every theme: wedges have the colours of light.
+  context.fillStyle = '#0b0d11';
+  context.beginPath();
+  context.arc(cx, cy, radius, Math.PI, 2 * Math.PI);
+  context.fill();
   context.strokeStyle = line;
   context.lineWidth = 1;
   for (let ring = 1; ring <= DECADES; ring++) {
@@ -105,7 +96,7 @@ function frame(context: CanvasRenderingContext2D, { cx, cy, radius, line, text }
   for (const angle of [-60, -30, 0, 30, 60]) {
     ray(context, { cx, cy, radius }, angle, line, []);
     const [sin, cos] = [Math.sin(angle * degrees), Math.cos(angle * degrees)];
-    context.fillText(`${Math.abs(angle)}°`, cx + (radius + 9) * sin, cy - (radius + 4) * cos + 3);
+    context.fillText(`${Math.abs(angle)}°`, cx + (radius + 13) * sin, cy - (radius + 6) * cos + 3);
   }
   context.beginPath();
   context.moveTo(cx - radius, cy);

@@ -1,6 +1,7 @@
 // The spectrum at the spot: f by wavelength, with its colour.
 
 import uPlot from 'uplot';
+import type { MeasuredSpectrum } from '../atlas/measured';
 import type { Engine } from '../engine';
 import { chromaticity, patchCss, wavelengthCss } from '../light/colour';
 import type { State } from '../state';
@@ -12,18 +13,28 @@ export function plotWavelengths(shortest: number, longest: number): number[] {
   return Array.from({ length: 201 }, (_, i) => shortest + (i / 200) * (longest - shortest));
 }
 
-export function spectrumView(): View {
+export interface SpectrumView extends View {
+  /** Offers measured spectra; none hides the choice. */
+  offer(measured: MeasuredSpectrum[]): void;
+  /** Called with the spectrum that was chosen, or null for the spot. */
+  onChoose: (measured: MeasuredSpectrum | null) => void;
+}
+
+export function spectrumView(): SpectrumView {
   const plotBox = h('div', { className: 'plot', role: 'img' });
   const patch = h('div', { className: 'patch' });
   const facts = h('dl', { className: 'facts' });
   const words = h('p', { className: 'caption' });
-  const element = h('div', { className: 'spectrum' }, plotBox, h('div', { className: 'colour' }, patch, facts), words);
+  const choice = h('select', { 'aria-label': 'Measured spectra', title: 'Measured spectra of the specimen: the page then asks the directions that they were measured at.' });
+  choice.hidden = true;
+  let offered: MeasuredSpectrum[] = [];
+  const element = h('div', { className: 'spectrum' }, choice, plotBox, h('div', { className: 'colour' }, patch, facts), words);
   let plot: uPlot | null = null;
   let theme = '';
 
   const makePlot = (): uPlot => {
     const style = getComputedStyle(element);
-    const [text, line, accent] = ['--muted', '--line', '--accent'].map((name) => style.getPropertyValue(name).trim());
+    const [text, line, accent, strong] = ['--muted', '--line', '--accent', '--text'].map((name) => style.getPropertyValue(name).trim());
     const axis = { stroke: text, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1 }, font: '11px system-ui, sans-serif' };
     return new uPlot(
       {
@@ -36,17 +47,27 @@ export function spectrumView(): View {
           { ...axis, size: 34, values: (_, ticks) => ticks.map((tick) => `${tick}`), label: 'wavelength, nm', labelSize: 16, labelFont: '11px system-ui, sans-serif' },
           { ...axis, size: 52, values: (_, ticks) => ticks.map((tick) => shown(tick, 2)) },
         ],
-        series: [{}, { stroke: accent, width: 1.5, fill: rainbow, points: { show: false } }],
-        hooks: { drawClear: [] },
+        series: [
+          {},
+          { stroke: accent, width: 1.5, fill: rainbow, points: { show: false } },
+          { width: 0, points: { show: true, size: 6, width: 1.5, stroke: strong, fill: 'transparent' } },
+        ],
       },
-      [[], []],
+      [[], [], []],
       plotBox,
     );
   };
   new ResizeObserver(() => plot?.setSize({ width: plotBox.clientWidth, height: plotBox.clientHeight })).observe(plotBox);
 
-  return {
+  const view: SpectrumView = {
     element,
+    onChoose: () => undefined,
+    offer: (measured) => {
+      offered = measured;
+      choice.hidden = measured.length === 0;
+      const words = ({ angles_deg: [ti, pi, tr, pr] }: MeasuredSpectrum) => `measured: light ${ti}°, ${pi}° · viewer ${tr}°, ${pr}°`;
+      choice.replaceChildren(h('option', { value: '' }, 'at the spot'), ...measured.map((one, i) => h('option', { value: String(i) }, words(one))));
+    },
     update: (state: State, engine: Engine, answer: Answer | null) => {
       const now = document.documentElement.dataset.theme ?? '';
       if (plot && now !== theme) {
@@ -57,7 +78,8 @@ export function spectrumView(): View {
       plot ??= makePlot();
       const spectrum = answer?.spectrum;
       plotBox.hidden = !spectrum;
-      if (spectrum) plot.setData([spectrum.nm, Array.from(spectrum.values, (v) => (Number.isNaN(v) ? null : v))] as uPlot.AlignedData);
+      if (spectrum) plot.setData([spectrum.nm, Array.from(spectrum.values, (v) => (Number.isNaN(v) ? null : v)), spectrum.measured] as uPlot.AlignedData);
+      if (answer && !answer.chosen) choice.value = '';
       words.textContent = reason(state, engine, answer);
       words.hidden = words.textContent === '';
       patch.style.background = answer?.xyz ? patchCss(answer.xyz) : 'transparent';
@@ -65,6 +87,8 @@ export function spectrumView(): View {
       plotBox.setAttribute('aria-label', `Spectrum at the spot. ${facts.textContent ?? ''}`);
     },
   };
+  choice.addEventListener('change', () => view.onChoose(choice.value === '' ? null : offered[Number(choice.value)]));
+  return view;
 }
 
 function reason(state: State, engine: Engine, answer: Answer | null): string {
