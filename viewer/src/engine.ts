@@ -28,7 +28,7 @@ interface Loaded {
   spectral: { packed: PackedSpectral; uploaded: Uploaded } | null;
 }
 
-const METER_SIDE = 192;
+const METER_SIDE = 128;
 
 export class Engine {
   readonly renderer: WebGLRenderer;
@@ -329,7 +329,7 @@ export class Engine {
     this.meter.resize(METER_SIDE, METER_SIDE);
     this.meter.restart();
     this.meter.sky = this.sky();
-    const still: State = { ...this.state, environment_samples: 16, view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 }, light_samples: 4, pixel_samples: 1 };
+    const still: State = { ...this.state, environment_samples: 16, view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 }, light_samples: 1, pixel_samples: 1 };
     for (let i = 0; i < Picture.samplesOf(still); i++) this.meter.step(still, evaluated, this.body());
     this.metered = { key, exposure: automaticExposure(this.meter.values()) };
     return this.metered.exposure;
