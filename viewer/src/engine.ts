@@ -126,7 +126,7 @@ export class Engine {
       if (!packed) return false;
       if (this.loaded !== loaded) return false;
       loaded.spectral = { packed, uploaded: upload(packed) };
-      this.restart();
+      if (this.wantsSpectral()) this.restart();
     }
     return true;
   }
