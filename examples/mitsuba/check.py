@@ -35,7 +35,7 @@ SAMPLES = 1 << 17
 # Angle from the mirror direction, in radians, below which cells of the test are about even in it, and above which in its logarithm.
 LOBE_ANGLE = 0.02
 # Specimens whose densities and powers are tested; at grazing angles the lobe is cut by the horizon.
-DENSITIES, THETAS_DEG = 3, (0, 35, 70, 85, 89)
+DENSITIES, THETAS_DEG = slice(0, 3, 2), (0, 35, 70, 85, 89)
 # Derivatives against differences over this many radians, of pictures: norm. A look-up's kinks between texels lie within them.
 STEP_RADIANS, GRADIENT_TOLERANCE = 1e-3, 0.02
 # The power sums of the report are sums over a grid of 256 steps; the mean of samples has a known standard error.
@@ -307,10 +307,12 @@ def half_a_texel(bsdf):
     bsdf.brdf.first = column + 0.5, row
     return bsdf
 
-def more_tables(bsdf):
-    """States a tenth more of the tables' density than is drawn."""
-    bsdf.sampler.shares = bsdf.sampler.shares * mi.Float([1, 1, 1.1] * (dr.width(bsdf.sampler.shares) // 3))
+def more_of(bsdf, lobe, tables):
+    """States more of the lobe's or the tables' density than is drawn."""
+    shares = bsdf.sampler.shares
+    bsdf.sampler.shares = shares * mi.Float([1, lobe, tables] * (dr.width(shares) // 3))
     return bsdf
+
 
 def without_scale(bsdf, scales):
     def change(texels):
@@ -357,9 +359,9 @@ def mistakes(version, name, about, power_sums, scene, picture, _):
     yield "half a texel beside: values", values_error(half_a_texel(load(version, name)), checks)
     yield "sRGB left as XYZ: colours", colour_error(load(version, name), load(version, name), checks)
     yield "turn left out: frame", frame_error(load(version, name), load(version, name))
-    for theta_deg in (35, 89):
-        wrong = more_tables(load(version, name))
-        yield f"a tenth more of the tables at {theta_deg} deg: density", density_error(load(version, name), wrong, theta_deg)
+    for what, theta_deg, lobe, tables in (("tables", 35, 1, 1.1), ("lobe", 89, 1.1, 1)):
+        wrong = more_of(load(version, name), lobe, tables)
+        yield f"a tenth more of the {what} at {theta_deg} deg: density", density_error(load(version, name), wrong, theta_deg)
     yield "factor of 1.02: power", power_error(load(version, name, scale=1.02), power_sums)
     if about.get("energy_limit"):
         yield "energy limit left off: limit", limit_error(load(version, name))
@@ -368,12 +370,12 @@ def mistakes(version, name, about, power_sums, scene, picture, _):
         yield "y downwards: picture", picture_error(upside_down(), scene, picture)
         yield "turned by a degree: picture", picture_error(load(version, name, turn_deg=1), scene, picture)
         yield "mirrored coordinates left alone: mirror", mirror_error(bsdf := load(version, name), bsdf)
-        yield "light a hundredth of its step further: derivative", gradient_error(load(version, name, look_up="cubic"), 1.05)
+        yield "differences too large by a twentieth: derivative", gradient_error(load(version, name, look_up="cubic"), 1.05)
         yield "half as large a light: light's size", filtered_error(version, name, 2.0, 1.0)
 
 def material(version, report, entry):
     """What a specimen is checked with."""
-    has_densities = entry in report["specimens"][:DENSITIES]
+    has_densities = entry in report["specimens"][DENSITIES]
     name = entry["name"]
     about = json.loads((version / name / "specimen.json").read_text())
     scene = ball_scene(report, name)

@@ -203,6 +203,11 @@ class Interface(unittest.TestCase):
         sum_of_both = self.specimen.eval_filtered(wi, wo, footprint=one + two)
         self.assertLess(largest_difference(self.specimen.eval_filtered(wi, wo, angular_diameter_deg=1, footprint=two), sum_of_both), 1e-12)
 
+    def test_grazing_lights_in_single_precision_have_a_size_too(self):
+        wi = da.from_angles_deg(89.9999, np.arange(0.0, 360, 0.5)).astype(np.float32)
+        self.assertTrue((np.linalg.norm(wi.astype(float), axis=1) > 1).any())
+        self.assertEqual(self.specimen.eval_filtered(wi, wi[0], angular_diameter_deg=0.5).dtype, np.float32)
+
     def test_a_mean_is_that_of_many_points(self):
         # On the lobe's flank.
         wi, wo, diameter = da.from_angles_deg(35, 20), da.from_angles_deg(36, 200.5), np.radians(2.0)

@@ -7,6 +7,8 @@ mod skip;
 mod agreement;
 mod corruption;
 mod exported;
+mod filtered;
+mod filtered_time;
 mod frame;
 mod published;
 mod sets;

@@ -28,7 +28,7 @@ interface Loaded {
   spectral: { packed: PackedSpectral; uploaded: Uploaded } | null;
 }
 
-const METER_SIDE = 192;
+const METER_SIDE = 128;
 
 export class Engine {
   readonly renderer: WebGLRenderer;
@@ -90,7 +90,10 @@ export class Engine {
 
   async open(): Promise<void> {
     this.index = await readIndex(this.files);
+    const shown = (await this.viewerFile())?.specimens;
+    if (shown) this.index.specimens = this.index.specimens.filter(({ name }) => shown.includes(name));
     if (!this.index.specimens?.length) throw new AtlasError('The atlas holds no specimen.');
+    this.files.expect(this.index.files ?? []);
   }
 
   private viewer: Promise<ViewerFile | null> | null = null;
@@ -123,7 +126,7 @@ export class Engine {
       if (!packed) return false;
       if (this.loaded !== loaded) return false;
       loaded.spectral = { packed, uploaded: upload(packed) };
-      this.restart();
+      if (this.wantsSpectral()) this.restart();
     }
     return true;
   }
@@ -326,7 +329,7 @@ export class Engine {
     this.meter.resize(METER_SIDE, METER_SIDE);
     this.meter.restart();
     this.meter.sky = this.sky();
-    const still: State = { ...this.state, environment_samples: 16, view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 }, light_samples: 4, pixel_samples: 1 };
+    const still: State = { ...this.state, environment_samples: 16, view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 }, light_samples: 1, pixel_samples: 1 };
     for (let i = 0; i < Picture.samplesOf(still); i++) this.meter.step(still, evaluated, this.body());
     this.metered = { key, exposure: automaticExposure(this.meter.values()) };
     return this.metered.exposure;

@@ -30,7 +30,9 @@ class Footprint:
         diameter = np.asarray(angular_diameter_deg, float)
         if not np.all((diameter >= 0) & (diameter <= 180)):
             raise ValueError(f"a light's angular diameter lies between 0 and 180 degrees, not at {angular_diameter_deg}")
-        x, y, _ = np.moveaxis(as_directions("wi", wi).astype(float), -1, 0)
+        wi = as_directions("wi", wi).astype(float)
+        # In single precision a grazing direction may be longer than 1.
+        x, y, _ = np.moveaxis(wi / np.linalg.norm(wi, axis=-1, keepdims=True), -1, 0)
         # Seen along the normal the disc is an ellipse: sin(radius) across the plane of incidence, times the cosine along it.
         variance = 0.25 * np.sin(np.radians(diameter) / 2) ** 2
         return cls(variance * (1 - x * x), -variance * x * y, variance * (1 - y * y))

@@ -68,7 +68,7 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
     let specimens = specimens.collect::<Result<Vec<_>>>()?;
     if args.form == Form::Shaders {
         fresh_folder(&args.out)?;
-        export_shaders(&args.out, ShaderSource::Tables, README)?;
+        export_shaders(&args.out, [ShaderSource::Tables, ShaderSource::TablesFiltered], "README.md", README)?;
     }
     for (name, from) in &specimens {
         let to = args.out.join(name);
@@ -81,7 +81,8 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
                 write_shader_data(&to, Surface { tables: &tables, pigment: file.pigment.as_ref() })?;
                 if let Some(stored) = &file.spectral {
                     write_spectral_data(&to, &read_spectral(from, stored, tables.front_factor)?)?;
-                    export_shaders(&args.out, ShaderSource::Spectral, SPECTRAL_README)?;
+                    let sources = [ShaderSource::Spectral, ShaderSource::SpectralFiltered];
+                    export_shaders(&args.out, sources, "README_spectral.md", SPECTRAL_README)?;
                 }
             }
         }
@@ -107,15 +108,13 @@ fn fresh_folder(folder: &Path) -> error::Result<()> {
     files::create_folder(folder)
 }
 
-/// The shader in every language, with what an engine needs to know of it.
-fn export_shaders(out: &Path, source: ShaderSource, readme: &str) -> Result<()> {
-    for language in ShaderLanguage::ALL {
-        files::replace(&out.join(source.file_name(language)), &shader(source, language)?)?;
+/// Shaders in every language, with what an engine needs to know of them.
+fn export_shaders(out: &Path, sources: [ShaderSource; 2], name: &str, readme: &str) -> Result<()> {
+    for source in sources {
+        for language in ShaderLanguage::ALL {
+            files::replace(&out.join(source.file_name(language)), &shader(source, language)?)?;
+        }
     }
-    let name = match source {
-        ShaderSource::Tables => "README.md",
-        ShaderSource::Spectral => "README_spectral.md",
-    };
     Ok(files::replace(&out.join(name), readme.as_bytes())?)
 }
 

@@ -4,6 +4,8 @@
 export class AtlasError extends Error {}
 
 export interface AtlasFiles {
+  /** Tells what the files must be: from now on those that differ are refused, where the browser can tell. */
+  expect(digests: { path: string; sha256?: string }[]): void;
   /** The bytes of a file of the atlas, by its path within the version's folder. */
   bytes(path: string): Promise<Uint8Array>;
   /** The same as JSON. */
@@ -21,9 +23,15 @@ export function atlasFiles(page: Document): AtlasFiles {
   const element = page.getElementById('atlas-files');
   const inside = element?.textContent ? (JSON.parse(element.textContent) as Record<string, string>) : null;
   const get = inside ? insidePage(inside) : besidePage;
+  const digests = new Map<string, string>();
   const bytes = async (path: string): Promise<Uint8Array> => {
     const found = await get(path);
     if (!found) throw new AtlasError(`The atlas's file ${path} is missing. Copy the atlas again, or make it anew.`);
+    const wanted = digests.get(path);
+    const digest = wanted ? await sha256(found) : null;
+    if (digest && digest !== wanted) {
+      throw new AtlasError(`The atlas's file ${path} is damaged: it is not what atlas.json says. Copy the atlas again, or make it anew.`);
+    }
     return found;
   };
   const parse = <T>(path: string, data: Uint8Array): T => {
@@ -35,6 +43,7 @@ export function atlasFiles(page: Document): AtlasFiles {
   };
   return {
     bytes,
+    expect: (files) => files.forEach(({ path, sha256: digest }) => digest && digests.set(path, digest)),
     json: async <T>(path: string) => parse<T>(path, await bytes(path)),
     optionalJson: async <T>(path: string) => {
       const found = await get(path);
@@ -47,6 +56,13 @@ export function atlasFiles(page: Document): AtlasFiles {
         : `atlas/${path}`;
     },
   };
+}
+
+/** The digest in hexadecimal; null where the browser computes none, as on pages that came over plain http. */
+async function sha256(bytes: Uint8Array): Promise<string | null> {
+  if (!globalThis.crypto?.subtle) return null;
+  const digest = await crypto.subtle.digest('SHA-256', bytes as Uint8Array<ArrayBuffer>);
+  return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
 function insidePage(files: Record<string, string>) {

@@ -6,7 +6,7 @@ export interface AtlasIndex {
   name: string;
   program_version: string;
   specimens: { name: string; species?: string }[];
-  files: { path: string }[];
+  files: { path: string; sha256?: string }[];
 }
 
 export interface StoredArray {
@@ -104,8 +104,9 @@ export interface Specimen {
 /** What lies in the atlas only for this page. */
 export interface ViewerFile {
   schema: 1;
-  specimens: string[];
-  heights?: Record<string, string>;
+  /** Those that the page shows. */
+  specimens?: string[];
+  heights?: Record<string, string | null>;
 }
 
 export const readIndex = (files: AtlasFiles): Promise<AtlasIndex> => files.json<AtlasIndex>('atlas.json');
