@@ -54,6 +54,7 @@ export class Engine {
     readonly files: AtlasFiles,
     public state: State,
   ) {
+    if (typeof DecompressionStream === 'undefined') throw new GraphicsError('This browser cannot unpack the tables; those of 2023 and later can.');
     const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, powerPreference: 'high-performance' });
     if (!gl) throw new GraphicsError('This page draws with WebGL 2, which this browser does not offer or has switched off.');
     this.clock = new GpuClock(gl);
