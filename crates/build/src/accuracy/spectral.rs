@@ -74,6 +74,7 @@ impl Places {
                 counts: [above.len(), below.len()],
                 share_above: shown.iter().filter(|shown| **shown > floor).count() as f64 / shown.len() as f64,
                 floor_per_sr: floor,
+                left_out_per_sr: None,
             });
             found.places.extend(above.into_iter().chain(below));
         }
