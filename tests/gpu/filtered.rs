@@ -59,8 +59,7 @@ fn snake() -> &'static Specimen {
         let tables = tables_config(1e-3, Some(601));
         let input = BuildInput::new(&fields, &optics, &tables);
         let of_wavelengths = SpectralInput::new(&optics, &tables);
-        let grey = build_spectral(&input, &of_wavelengths, &|_| ()).unwrap();
-        let spectral = grey.packed(&grey.grey, &input, &of_wavelengths);
+        let spectral = build_spectral(&input, &of_wavelengths, &|_| ()).unwrap().tables;
         Specimen { brdf: Brdf::new(build(&input, &|_| ()).unwrap().0).unwrap(), spectral }
     })
 }
