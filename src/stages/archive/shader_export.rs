@@ -202,7 +202,6 @@ fn to_msl(module: &naga::Module, info: &ModuleInfo, entry: &str) -> Result<Vec<u
             buffer: (slot == 0).then_some(0),
             texture: match slot {
                 1..=3 => Some(slot - 1),
-                4 => None,
                 5 => Some(3),
                 _ => None,
             },
