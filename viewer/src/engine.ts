@@ -28,7 +28,7 @@ interface Loaded {
   spectral: { packed: PackedSpectral; uploaded: Uploaded } | null;
 }
 
-const METER_SIDE = 192;
+const METER_SIDE = 128;
 
 export class Engine {
   readonly renderer: WebGLRenderer;
@@ -54,6 +54,7 @@ export class Engine {
     readonly files: AtlasFiles,
     public state: State,
   ) {
+    if (typeof DecompressionStream === 'undefined') throw new GraphicsError('This browser cannot unpack the tables; those of 2023 and later can.');
     const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, powerPreference: 'high-performance' });
     if (!gl) throw new GraphicsError('This page draws with WebGL 2, which this browser does not offer or has switched off.');
     this.clock = new GpuClock(gl);
@@ -126,7 +127,7 @@ export class Engine {
       if (!packed) return false;
       if (this.loaded !== loaded) return false;
       loaded.spectral = { packed, uploaded: upload(packed) };
-      this.restart();
+      if (this.wantsSpectral()) this.restart();
     }
     return true;
   }
@@ -329,7 +330,7 @@ export class Engine {
     this.meter.resize(METER_SIDE, METER_SIDE);
     this.meter.restart();
     this.meter.sky = this.sky();
-    const still: State = { ...this.state, environment_samples: 16, view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 }, light_samples: 4, pixel_samples: 1 };
+    const still: State = { ...this.state, environment_samples: 16, view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 }, light_samples: 1, pixel_samples: 1 };
     for (let i = 0; i < Picture.samplesOf(still); i++) this.meter.step(still, evaluated, this.body());
     this.metered = { key, exposure: automaticExposure(this.meter.values()) };
     return this.metered.exposure;

@@ -42,6 +42,8 @@ export interface TableParams {
   first_column: number;
   first_row: number;
   factor: number;
+  /** Columns of the lobe's image that hold its profile. */
+  lobe_columns: number;
   permittivity: [number, number];
   pigment: [number, number, number, number];
   table_scales: Float32Array;
@@ -69,6 +71,7 @@ export interface SpectralParams {
   shortest_nm: number;
   lobe_sigma_nm: number;
   cross_radius: number;
+  of_source: number;
   table_scales: Float32Array;
   cross_scales: Float32Array;
 }
@@ -231,6 +234,7 @@ export async function packTables(files: AtlasFiles, specimen: Specimen, progress
   const { tables: stored, optics, pigment } = specimen;
   const { lobe, served } = stored;
   const folder = specimen.name;
+  if (stored.tables.length === 0) throw new Error(`${folder} holds spectral tables alone, and this page draws those of X, Y, Z`);
   const steps = stored.tables.length + (lobe ? 1 + (lobe.cross?.patches.length ?? 0) : 0);
   let finished = 0;
   const done = () => progress(++finished / steps);
@@ -264,6 +268,7 @@ export async function packTables(files: AtlasFiles, specimen: Specimen, progress
     first_column: served?.first[1] ?? 0,
     first_row: served?.first[0] ?? 0,
     factor: factorField(optics.factor),
+    lobe_columns: coherent.width,
     pigment: pigment ? [...pigment.xyz_per_sr, 1] : [0, 0, 0, 0],
     table_scales: tables.scales,
     cross_scales: cross.scales,
@@ -303,6 +308,7 @@ export async function packSpectral(files: AtlasFiles, specimen: Specimen, progre
     shortest_nm: spectral.shortest_nm,
     lobe_sigma_nm: spectral.lobe?.sigma_nm ?? 0,
     cross_radius: cross ? cross.xi_per_nm.last * spectral.shortest_nm : 0,
+    of_source: spectral.lobe?.sigma_grows ? 1 : 0,
     table_scales: tables.scales,
     cross_scales: patches.scales,
   };

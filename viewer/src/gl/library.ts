@@ -83,13 +83,16 @@ vec4 cubic_lookup(highp sampler2DArray layers, vec3 at, float lod) {
 `;
 
 /** The evaluation with look-ups in tables of the given kind; a range of t is always looked up bilinearly. */
-function withLookups(functions: string, interpolation: Interpolation): string {
+export function withLookups(functions: string, interpolation: Interpolation): string {
   if (interpolation === 'bilinear') return functions;
-  const start = functions.search(/(vec3|float) expansion\(/);
-  if (start < 0) throw new Error('the translated shader has no sum over tables');
-  const end = functions.indexOf('\n}\n', start);
-  const sum = functions.slice(start, end).replace('textureLod(', 'cubic_lookup(');
-  return functions.slice(0, start) + CUBIC_LOOKUP + sum + functions.slice(end);
+  const lookup = `textureLod(${BINDING[1]},`;
+  const range = functions.indexOf('float share_of_range(');
+  const ends = range < 0 ? -1 : functions.indexOf('\n}\n', range);
+  const cubic = (text: string) => text.replaceAll(lookup, `cubic_lookup(${BINDING[1]},`);
+  const changed = cubic(functions.slice(0, Math.max(range, 0))) + functions.slice(Math.max(range, 0), Math.max(ends, 0)) + cubic(functions.slice(Math.max(ends, 0)));
+  if (!changed.includes('cubic_lookup(')) throw new Error('the translated shader looks nothing up in tables');
+  const first = 'precision highp int;\n';
+  return changed.replace(first, first + CUBIC_LOOKUP);
 }
 
 const FUNCTIONS: Record<Source, string> = { tables: functionsOf(tables), spectral: functionsOf(spectral) };

@@ -70,6 +70,8 @@ export function lightPad(current: () => State, change: Change): Control {
   return {
     element,
     update: (state) => {
+      // The screen's beam comes along the line of sight.
+      element.hidden = state.shape === 'screen';
       marks.replaceChildren(
         ...state.lights.map((light, i) => {
           const [x, y] = toDisc(light.direction);

@@ -195,8 +195,8 @@ function lightControls(current: () => State, change: Change): Control[] {
     return [Math.sin(t) * Math.cos(p), Math.sin(t) * Math.sin(p), Math.cos(t)];
   };
   return [
-    slider({ label: 'Angle', unit: '°', title: 'Angle of the light from the line of sight at rest.', min: 0, max: 175, step: 0.5, get: (s) => angles(s).theta, set: (v, s) => withLight(s, { direction: pointed(Math.max(v, 0.01), angles(s).phi) }), text: (v) => `${v.toFixed(1)}°` }, current, change),
-    slider({ label: 'Azimuth', unit: '°', title: 'Where the light stands around the line of sight; 0 is to the right.', min: -180, max: 180, step: 1, get: (s) => angles(s).phi, set: (v, s) => withLight(s, { direction: pointed(angles(s).theta, v) }), text: (v) => `${v.toFixed(0)}°` }, current, change),
+    slider({ label: 'Angle', unit: '°', title: 'Angle of the light from the line of sight at rest.', min: 0, max: 175, step: 0.5, get: (s) => angles(s).theta, set: (v, s) => withLight(s, { direction: pointed(Math.max(v, 0.01), angles(s).phi) }), text: (v) => `${v.toFixed(1)}°`, when: (s) => s.shape !== 'screen' }, current, change),
+    slider({ label: 'Azimuth', unit: '°', title: 'Where the light stands around the line of sight; 0 is to the right.', min: -180, max: 180, step: 1, get: (s) => angles(s).phi, set: (v, s) => withLight(s, { direction: pointed(angles(s).theta, v) }), text: (v) => `${v.toFixed(0)}°`, when: (s) => s.shape !== 'screen' }, current, change),
     slider({ label: 'Size', unit: '°', title: 'Full angle of the light’s disc: 0 is a point, 0.53° the sun.', min: 0, max: 30, step: 0.01, get: (s) => light(s).diameter_deg, set: (v, s) => withLight(s, { diameter_deg: v }) }, current, change),
     slider({ label: 'Strength', title: 'Irradiance on a surface that faces the light; 0 switches it off.', min: 0, max: 4, step: 0.05, get: (s) => light(s).irradiance, set: (v, s) => withLight(s, { irradiance: v }) }, current, change),
     list<State['illuminant']>(
