@@ -21,8 +21,8 @@ pub struct RunConfig {
     pub tables: TablesConfig,
     /// Which directions the tables answer for.
     pub cover: Cover,
-    /// Whether specimens get spectral tables beside those of X, Y, Z.
-    pub spectral: bool,
+    /// Which kinds of tables are stored.
+    pub hold: Hold,
     /// The specimens, in order.
     pub specimens: Vec<SpecimenConfig>,
     /// The pictures, in order.
@@ -46,6 +46,15 @@ impl RunConfig {
     pub(crate) fn relative_name(&self, path: &Path) -> String {
         path.strip_prefix(&self.base).unwrap_or(path).display().to_string()
     }
+}
+
+/// Which kinds of tables an atlas holds: `tables.hold` of a manifest. One of them at least.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct Hold {
+    /// Those of X, Y, Z. Where they are not stored, pictures, checks and readers have them derived from the spectral ones.
+    pub xyz: bool,
+    /// Those of single wavelengths.
+    pub spectral: bool,
 }
 
 /// One specimen.

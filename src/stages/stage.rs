@@ -58,6 +58,9 @@ pub enum Stage {
     /// Spectral tables to files, and back.
     #[serde(rename = "store spectral tables")]
     StoreSpectral,
+    /// Tables of X, Y, Z from the spectral ones, where these alone are stored.
+    #[serde(rename = "derive tables of X, Y, Z")]
+    DeriveTables,
     /// Errors of the spectral tables at single wavelengths.
     #[serde(rename = "measure spectral errors")]
     MeasureSpectral,
@@ -93,6 +96,7 @@ impl Stage {
             Self::WritePictures => "write pictures",
             Self::BuildSpectral => "build spectral tables",
             Self::StoreSpectral => "store spectral tables",
+            Self::DeriveTables => "derive tables of X, Y, Z",
             Self::MeasureSpectral => "measure spectral errors",
             Self::AccountSavings => "account for what is left out",
             Self::CheckOnGpu => "check on the GPU",

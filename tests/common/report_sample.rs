@@ -8,7 +8,7 @@ use diffraction_atlas::report::pictures::height_map;
 use diffraction_atlas::report::spectrum_picture::{spectrum_half_range_per_um, spectrum_picture};
 use diffraction_atlas::stages::goniometry::{BrightDirection, Goniometry, Plane, ReflectionMap, SetUp, Strip};
 use diffraction_atlas::stages::gpu::check::{CpuPictures, compare, compare_with_reference};
-use diffraction_atlas::stages::gpu::results::{FrameComparison, MethodFrame};
+use diffraction_atlas::stages::gpu::results::{FrameComparison, GpuSpectralRow, MethodFrame};
 use diffraction_atlas::stages::results::*;
 use diffraction_atlas::stages::stage::Stage;
 use diffraction_brdf::spectrum::Illuminant;
@@ -484,7 +484,18 @@ fn gpu_result() -> GpuResult {
         copy_gb_per_s: 11.3,
     };
     let rows = [("corn_snake_like", 3.1e-6, None), ("blazed_2500nm", 3e-1, Some("corn_snake_like/preview.png"))];
-    GpuResult::Checked { gpu: Box::new(gpu), rows: rows.map(gpu_row).into(), frames: Some(Box::new(frames)) }
+    GpuResult::Checked {
+        gpu: Box::new(gpu),
+        rows: rows.map(gpu_row).into(),
+        spectral: vec![GpuSpectralRow {
+            specimen: "grating".into(),
+            values: 768,
+            not_finite: 0,
+            beyond: 0,
+            worst_of_tolerance: 0.31,
+        }],
+        frames: Some(Box::new(frames)),
+    }
 }
 
 /// A scene on which the GPU adds `added` where 1e-3 of white are allowed.

@@ -57,6 +57,7 @@ pub mod atlas;
 mod brdf;
 pub mod chebyshev;
 mod cie_data;
+pub mod derived;
 pub mod direction;
 pub mod dispersion;
 mod dispersion_data;
@@ -86,6 +87,7 @@ mod spectral_light;
 pub mod spectral_storage;
 pub mod spectrum;
 pub mod storage;
+mod stored_image;
 pub mod table_set;
 
 pub use brdf::{Brdf, Sample};

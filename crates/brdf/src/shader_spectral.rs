@@ -23,9 +23,10 @@
 //! | 24, 28 | f32 | `index_n`, `index_k` | refractive index n + ik at the wavelength that is asked for |
 //! | 32 | vec2 f32 | `permittivity` | `(n + ik)²` |
 //! | 40 | f32 | `shortest_nm` | wavelength of the tables |
-//! | 44 | f32 | `lobe_sigma_nm` | coherence of the light; 0 without a lobe |
+//! | 44 | f32 | `lobe_sigma_nm` | coherence of the light at the shortest wavelength; 0 without a lobe |
 //! | 48 | f32 | `cross_radius` | half the side of the patches; 0 without any |
-//! | 52 | u32 | `unused` | 0, three times |
+//! | 52 | u32 | `of_source` | 1 where that coherence grows in proportion to the wavelength |
+//! | 56 | u32 | `unused` | 0, twice |
 //! | 64 | 64 x vec4 f32 | `table_scales` | value = texel times scale, a layer's four tables to a vector |
 //! | 1088 | 64 x vec4 f32 | `cross_scales` | likewise |
 //!
@@ -88,12 +89,14 @@ pub struct SpectralParams {
     pub permittivity: [f32; 2],
     /// Shortest wavelength in nm.
     pub shortest_nm: f32,
-    /// Standard deviation in nm of the light's coherence window.
+    /// Standard deviation in nm of the light's coherence window at the shortest wavelength.
     pub lobe_sigma_nm: f32,
     /// Half the side of the patches in (u', v').
     pub cross_radius: f32,
+    /// 1 where `lobe_sigma_nm` grows in proportion to the wavelength, as under a source of fixed size.
+    pub of_source: u32,
     /// Fills what follows to its alignment.
-    pub unused: [u32; 3],
+    pub unused: [u32; 2],
     /// Scale of each table, a layer's four to a vector.
     pub table_scales: [[f32; 4]; LAYERS_MAX / 4],
     /// Scale of each patch.
@@ -145,6 +148,7 @@ pub fn spectral_image(tables: &SpectralTables) -> Result<SpectralImage> {
         shadowing: u32::from(tables.front_factor.shadowing),
         shortest_nm: tables.shortest_nm as f32,
         lobe_sigma_nm: lobe.map_or(0.0, |lobe| lobe.sigma_nm as f32),
+        of_source: u32::from(lobe.is_some_and(|lobe| lobe.is_of_source)),
         cross_radius: cross.map_or(0.0, |cross| cross.radius_max as f32),
         table_scales: packed(&images.scales),
         cross_scales: packed(&patches.scales),

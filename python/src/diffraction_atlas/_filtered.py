@@ -133,13 +133,14 @@ class FilteredSpectral:
         axes = axes_of(*((r * r * part[:, None]).ravel() for part in covariance.T))
         value = r**4 * diffuse_factor * self._diffuse(*scaled, axes, cubic).reshape(shape)
         if tables.power is not None:
-            width = nm / (2 * np.pi * tables.lobe_sigma_nm)
+            share, lobe_nm = tables.lobe_at(nm)
+            width = lobe_nm / (2 * np.pi * tables.lobe_sigma_nm)
             ellipses = [LobeEllipses.direct(u, v, axes_of(*covariance.T))]
             if tables.optics.vector:
                 ellipses.append(LobeEllipses.image(wi, wo, tuple(covariance.T)))
             which = np.repeat(np.arange(shape[0]), shape[1])
             form = sum(of.subset(which).gaussian_mean(width.ravel()) for of in ellipses).reshape(shape)
-            value += r * r * coherent_factor * tables.power_at(scaled[2]).reshape(shape) * form
+            value += share * coherent_factor * tables.power_at(scaled[2]).reshape(shape) * form
         return value
 
     def _diffuse(self, u: NDArray, v: NDArray, w: NDArray, axes: Axes, cubic: bool) -> NDArray:

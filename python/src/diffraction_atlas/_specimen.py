@@ -19,7 +19,7 @@ from ._light import Illuminant, UnderLight
 from ._optics import Vector, read_optics
 from ._sampling import Sampler
 from ._spectral import SpectralTables
-from ._tables import Tables
+from ._tables import SpectralAlone, Tables
 
 #: Layouts of specimen.json that are read.
 SCHEMAS = (1, 2, 3)
@@ -59,7 +59,8 @@ class Specimen:
         self.about = read_about(self.folder) if about is None else about
         try:
             self._optics = read_optics(self.about["optics"])
-            self._tables = Tables(self.folder, self.about["tables"], self._optics)
+            stored = self.about["tables"]
+            self._tables = SpectralAlone(self.folder) if stored.get("derived_under") else Tables(self.folder, stored, self._optics)
             limit = self.about.get("energy_limit")
             self._limit = EnergyLimit(limit) if limit else None
         except KeyError as error:

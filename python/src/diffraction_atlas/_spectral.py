@@ -76,6 +76,8 @@ class SpectralTables:
         if lobe:
             self.power = read_image(folder, lobe["power"])[0, :, 0]
             self.lobe_sigma_nm = float(lobe["sigma_nm"])
+            #: Whether it grows in proportion to the wavelength, as under a source of fixed size.
+            self.sigma_grows = bool(lobe.get("sigma_grows", False))
             cross = lobe.get("cross")
             if cross:
                 self.cross = unpacked(folder, cross["images"], cross["patches"])
@@ -119,8 +121,15 @@ class SpectralTables:
         value = self.diffuse(u, v, w, cubic).reshape(shape)
         value *= r**4 * diffuse_factor
         if self.power is not None:
-            value += r * r * coherent_factor * self.power_at(w).reshape(shape) * self.shape(wi, wo, q, nm)
+            share, nm = self.lobe_at(nm)
+            value += share.astype(dtype) * coherent_factor * self.power_at(w).reshape(shape) * self.shape(wi, wo, q, nm)
         return value
+
+    def lobe_at(self, nm: NDArray) -> tuple[NDArray, NDArray]:
+        """What the lobe's power counts at wavelengths, and those at which its form has the width that it has there with `lobe_sigma_nm`."""
+        if self.sigma_grows:
+            return np.ones_like(nm), np.full_like(nm, self.shortest_nm)
+        return np.minimum(self.shortest_nm / nm, 1) ** 2, nm
 
     def shape(self, wi: Vector, wo: Vector, q: list[NDArray], nm: NDArray) -> NDArray:
         """The lobe's form: Gaussians around the mirror direction and, with the vector factor, its image in the horizon."""

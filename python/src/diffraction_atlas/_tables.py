@@ -47,6 +47,18 @@ class Lobe:
         return value
 
 
+class SpectralAlone:
+    """Stands where an atlas of spectral tables alone has no tables of X, Y, Z."""
+
+    def __init__(self, folder: Path):
+        self._folder = folder
+
+    def __getattr__(self, name: str):
+        raise AtlasError(
+            f"{self._folder} holds spectral tables alone: ask for wavelengths, or for X, Y, Z under a light of your choice"
+        )
+
+
 class Tables:
     """The tables of a specimen."""
 

@@ -26,20 +26,25 @@ pub(crate) fn write_format(specimen_folder: &Path, version_folder: &Path) -> Res
         (Some(_), Some(c)) => [c.theta_i_deg, c.phi_i_deg, c.theta_r_deg, c.phi_r_deg],
         _ => WORKED_DEG,
     };
-    let text = format_md(&file, &work_number(&set, angles));
+    let worked = file.tables.derived_under.is_none().then(|| work_number(&set, angles));
+    let text = format_md(&file, worked.as_ref());
     files::replace(&version_folder.join("FORMAT.md"), text.as_bytes())
 }
 
-/// The page, with `example`'s own sizes and `worked` as its number.
-pub fn format_md(example: &SpecimenFile, worked: &WorkedNumber) -> String {
+/// The page, with `example`'s own sizes and `worked` as its number; none where spectral tables alone are stored.
+pub fn format_md(example: &SpecimenFile, worked: Option<&WorkedNumber>) -> String {
     let tables = &example.tables;
+    let of_xyz = |section: &dyn Fn() -> String| match tables.derived_under {
+        None => section(),
+        Some(_) => String::new(),
+    };
     let sections = [
         introduction(&example.name),
-        files_and_axes(tables),
-        evaluation(tables),
+        if tables.derived_under.is_some() { spectral_alone() } else { files_and_axes(tables) },
+        of_xyz(&|| evaluation(tables)),
         factors(example),
         use_in_a_renderer(example),
-        worked_number(example, worked),
+        worked.map_or(String::new(), |worked| worked_number(example, worked)),
         spectral_section(example.spectral.as_ref()),
     ];
     sections.iter().filter(|section| !section.is_empty()).map(String::as_str).collect::<Vec<_>>().join("\n")
@@ -105,6 +110,22 @@ fn files_and_axes(tables: &StoredTables) -> String {
         count = tables.tables.len(),
         last = size.saturating_sub(1),
     )
+}
+
+/// What stands in their place where spectral tables alone are stored.
+fn spectral_alone() -> String {
+    "## Files
+
+This atlas holds spectral tables alone, those of the last section. `tables.tables` is empty, `tables.lobe` is `null`, there are no
+`table.NNN.exr` and no `lobe.exr`, and `check_values` is empty: `spectral.check_values` are to be met.
+`tables.derived_under` is the light, `illuminant` from `wavelength_nm[0]` to `wavelength_nm[1]`, under which the pictures and
+`errors` are; X, Y, Z are the sums over its wavelengths that the last section tells. Where the next one speaks of `coherent(r)`,
+read `power exp(-(2 pi sigma r / lambda)^2)`.
+
+Throughout, `(u, v, w) = -wi - wo`; both directions must lie above the surface, otherwise `f = 0`. `T_0 = 1`, `T_1 = x`,
+`T_n = 2 x T_(n-1) - T_(n-2)`. Value = stored number x `scale`; between texel centres interpolate linearly in both axes.
+"
+    .to_owned()
 }
 
 /// The same for tables restricted to scenes.

@@ -14,7 +14,7 @@ use super::warnings::{scan_warnings, table_warnings};
 use crate::stages::archive::specimen_file::{self, SpecimenFile};
 use crate::stages::cache::store::CacheUse;
 use crate::stages::config::SpecimenConfig;
-use crate::stages::coverage::savings;
+use crate::stages::coverage::{asked, savings};
 use crate::stages::goniometry::goniometry;
 use crate::stages::pictures::covered::covered_picture;
 use crate::stages::pictures::preview::write_preview;
@@ -66,7 +66,7 @@ pub(super) fn describe(
     spectral: Option<Spectral>,
     clock: &mut Clock,
 ) -> Step<Described> {
-    let mut warnings = warnings(ingested, planned, &measured);
+    let mut warnings = warnings(job, ingested, planned, &measured);
     if !job.specimen.is_material_given {
         warnings.push(NO_MATERIAL.into());
     }
@@ -111,12 +111,14 @@ pub(super) fn describe(
 }
 
 /// What a user must know: of tables, scans, pictures, errors.
-fn warnings(ingested: &Ingested, planned: &Planned, measured: &Measured) -> Vec<String> {
+fn warnings(job: &Job, ingested: &Ingested, planned: &Planned, measured: &Measured) -> Vec<String> {
     let optics = &ingested.scans.optics;
     let Stored { set, files, .. } = &measured.stored;
     let scenes: Vec<&Scene> = ingested.scenes.iter().collect();
     let mut warnings = table_warnings(set, files, &ingested.tables, planned.plan.texels.grid.texel());
     warnings.extend(scan_warnings(&ingested.scans, optics));
+    // Where it keeps all tables from being made, there is no specimen to warn of.
+    warnings.extend(asked::spectral_obstacle(job.config, optics).ok().flatten());
     warnings.extend(scenes::warnings(&scenes, optics));
     warnings.extend(too_bright(&measured.reflected.albedo, measured.energy_limit.as_ref()));
     warnings.extend(rows::broken_tolerances(&measured.errors, ingested.tables.tolerance));
@@ -176,7 +178,11 @@ fn specimen_json(
         errors: to_value(&measured.errors),
         albedo: measured.reflected.albedo.clone(),
         energy_limit: measured.energy_limit.clone(),
-        check_values: check_values(set, &measured.counted),
+        // Those of derived tables are the spectral ones'.
+        check_values: match files.derived_under {
+            None => check_values(set, &measured.counted),
+            Some(_) => Vec::new(),
+        },
         warnings: warnings.to_vec(),
     }
 }
@@ -243,8 +249,9 @@ fn result(
 
 fn build_result(ingested: &Ingested, planned: &Planned, stored: &Stored) -> BuildResult {
     let Planned { input, plan, .. } = planned;
-    // The published series is built another way, which no forecast knows.
-    let predicted = (input.tables.basis == Basis::Chebyshev).then(|| {
+    // The published series is built another way, which no forecast knows; derived tables are not built at all.
+    let is_predicted = input.tables.basis == Basis::Chebyshev && stored.files.derived_under.is_none();
+    let predicted = is_predicted.then(|| {
         let threads = rayon::current_num_threads();
         Cost::predicted(&forecast_of(input, plan, threads))
     });

@@ -69,6 +69,7 @@ export interface SpectralParams {
   shortest_nm: number;
   lobe_sigma_nm: number;
   cross_radius: number;
+  of_source: number;
   table_scales: Float32Array;
   cross_scales: Float32Array;
 }
@@ -231,6 +232,7 @@ export async function packTables(files: AtlasFiles, specimen: Specimen, progress
   const { tables: stored, optics, pigment } = specimen;
   const { lobe, served } = stored;
   const folder = specimen.name;
+  if (stored.tables.length === 0) throw new Error(`${folder} holds spectral tables alone, and this page draws those of X, Y, Z`);
   const steps = stored.tables.length + (lobe ? 1 + (lobe.cross?.patches.length ?? 0) : 0);
   let finished = 0;
   const done = () => progress(++finished / steps);
@@ -303,6 +305,7 @@ export async function packSpectral(files: AtlasFiles, specimen: Specimen, progre
     shortest_nm: spectral.shortest_nm,
     lobe_sigma_nm: spectral.lobe?.sigma_nm ?? 0,
     cross_radius: cross ? cross.xi_per_nm.last * spectral.shortest_nm : 0,
+    of_source: spectral.lobe?.sigma_grows ? 1 : 0,
     table_scales: tables.scales,
     cross_scales: patches.scales,
   };

@@ -60,7 +60,10 @@ export interface StoredSpectral {
   images: StoredArray[];
   dispersion?: Dispersion | null;
   lobe: {
+    /** At the shortest wavelength. */
     sigma_nm: number;
+    /** Whether it grows in proportion to the wavelength. */
+    sigma_grows?: boolean;
     half_abs_w: Axis;
     power: StoredArray;
     cross?: { patches: number; xi_per_nm: Axis; eta_per_nm: Axis; images: StoredArray[] } | null;

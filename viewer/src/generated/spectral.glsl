@@ -23,6 +23,7 @@ struct SpectralParams {
     float shortest_nm;
     float lobe_sigma_nm;
     float cross_radius;
+    uint of_source;
     vec4 table_scales[64];
     vec4 cross_scales[64];
 };
@@ -410,18 +411,22 @@ float brdf_spectral_with(Front front_5, vec3 wi_10, vec3 wo_10, float wavelength
     if ((_e46 == 0u)) {
         return ((r2_ * r2_) * diffuse);
     }
-    float _e54 = lobe_shape(dot(_e32.xy, _e32.xy), wavelength_nm_2);
-    shape = _e54;
+    uint _e53 = _group_0_binding_0_fs.of_source;
+    bool grows = (_e53 == 1u);
+    float _e58 = _group_0_binding_0_fs.shortest_nm;
+    float lobe_nm = (grows ? _e58 : wavelength_nm_2);
+    float _e63 = lobe_shape(dot(_e32.xy, _e32.xy), lobe_nm);
+    shape = _e63;
     if ((front_5.factor == VECTOR)) {
-        float _e59 = shape;
-        float _e60 = image_radius2_(wi_10, wo_10);
-        float _e61 = lobe_shape(_e60, wavelength_nm_2);
-        shape = (_e59 + _e61);
+        float _e68 = shape;
+        float _e69 = image_radius2_(wi_10, wo_10);
+        float _e70 = lobe_shape(_e69, lobe_nm);
+        shape = (_e68 + _e70);
     }
-    float _e65 = coherent_factor(front_5, wi_10, wo_10);
-    float _e69 = power_at(abs(q_2.z));
-    float _e71 = shape;
-    return (((r2_ * r2_) * diffuse) + (((r2_ * _e65) * _e69) * _e71));
+    float _e76 = coherent_factor(front_5, wi_10, wo_10);
+    float _e80 = power_at(abs(q_2.z));
+    float _e82 = shape;
+    return (((r2_ * r2_) * diffuse) + ((((grows ? 1.0 : r2_) * _e76) * _e80) * _e82));
 }
 
 float brdf_spectral(vec3 wi_11, vec3 wo_11, float wavelength_nm_3) {

@@ -27,10 +27,12 @@ struct SpectralParams {
     permittivity: vec2<f32>,
     // Wavelength in nm that the tables were made for, the shortest that they answer for.
     shortest_nm: f32,
-    // Standard deviation in nm of the light's coherence window, which sets the lobe's width.
+    // Standard deviation in nm of the light's coherence window at the shortest wavelength, which sets the lobe's width.
     lobe_sigma_nm: f32,
     // Half the side of the cross term's patches in (u', v').
     cross_radius: f32,
+    // 1 where lobe_sigma_nm grows in proportion to the wavelength, as under a source of fixed size.
+    of_source: u32,
     // Value of a table = texel times scale: the scales of a layer's four tables to a vector.
     table_scales: array<vec4<f32>, 64>,
     cross_scales: array<vec4<f32>, 64>,
@@ -89,12 +91,15 @@ fn brdf_spectral_with(front: Front, wi: vec3<f32>, wo: vec3<f32>, wavelength_nm:
     if params.lobe_count == 0u {
         return r2 * r2 * diffuse;
     }
+    // A coherence that grows with the wavelength leaves the lobe what it is at the shortest.
+    let grows = params.of_source == 1u;
+    let lobe_nm = select(wavelength_nm, params.shortest_nm, grows);
     // With the vector factor, what would leave below the horizon comes back above it.
-    var shape = lobe_shape(dot(change.xy, change.xy), wavelength_nm);
+    var shape = lobe_shape(dot(change.xy, change.xy), lobe_nm);
     if front.factor == VECTOR {
-        shape = shape + lobe_shape(image_radius2(wi, wo), wavelength_nm);
+        shape = shape + lobe_shape(image_radius2(wi, wo), lobe_nm);
     }
-    return r2 * r2 * diffuse + r2 * coherent_factor(front, wi, wo) * power_at(abs(q.z)) * shape;
+    return r2 * r2 * diffuse + select(r2, 1.0, grows) * coherent_factor(front, wi, wo) * power_at(abs(q.z)) * shape;
 }
 
 // Whether a value is an answer.
