@@ -227,12 +227,12 @@ async function lobeImage(files: AtlasFiles, folder: string, stored: StoredArray,
   return { width: size[0], height: size[1], texels };
 }
 
-/** The tables of XYZ of a specimen, ready for upload. */
-export async function packTables(files: AtlasFiles, specimen: Specimen, progress: Progress): Promise<PackedTables> {
+/** The tables of XYZ of a specimen, ready for upload; null where it has spectral ones alone. */
+export async function packTables(files: AtlasFiles, specimen: Specimen, progress: Progress): Promise<PackedTables | null> {
   const { tables: stored, optics, pigment } = specimen;
   const { lobe, served } = stored;
   const folder = specimen.name;
-  if (stored.tables.length === 0) throw new Error(`${folder} holds spectral tables alone, and this page draws those of X, Y, Z`);
+  if (stored.tables.length === 0) return null;
   const steps = stored.tables.length + (lobe ? 1 + (lobe.cross?.patches.length ?? 0) : 0);
   let finished = 0;
   const done = () => progress(++finished / steps);
