@@ -42,8 +42,6 @@ export interface TableParams {
   first_column: number;
   first_row: number;
   factor: number;
-  /** Columns of the lobe's image that hold its profile. */
-  lobe_columns: number;
   permittivity: [number, number];
   pigment: [number, number, number, number];
   table_scales: Float32Array;
@@ -268,7 +266,6 @@ export async function packTables(files: AtlasFiles, specimen: Specimen, progress
     first_column: served?.first[1] ?? 0,
     first_row: served?.first[0] ?? 0,
     factor: factorField(optics.factor),
-    lobe_columns: coherent.width,
     pigment: pigment ? [...pigment.xyz_per_sr, 1] : [0, 0, 0, 0],
     table_scales: tables.scales,
     cross_scales: cross.scales,
