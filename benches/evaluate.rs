@@ -6,7 +6,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use diffraction_brdf::direction::{Vec3, normalise};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::spectrum::Illuminant;
-use diffraction_brdf::{Brdf, Footprint};
+use diffraction_brdf::{Brdf, Factor, Footprint};
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{Structure, synthesize};
@@ -109,6 +109,43 @@ fn nearby(wi: Vec3, n: usize, count: usize) -> Vec3 {
     normalise([wi[0] + shift * cos, wi[1] + shift * sin, wi[2]])
 }
 
+/// What the vector factor adds to a look-up: the same tables read with either factor, and both factors alone.
+fn front_factors(criterion: &mut Criterion) {
+    let set = build::build(&BuildInput::new(&[surface()], &optics(), &config()), &|_| ()).expect("the build fits").0;
+    for (material_name, material) in
+        [("keratin", Material::Dielectric { n: 1.56 }), ("aluminium", Material::Conductor { n: 0.96, k: 6.7 })]
+    {
+        let mut group = criterion.benchmark_group(format!("front factor, {material_name}"));
+        for region in [Region::Hemisphere, Region::NearSpecular] {
+            let pairs: Vec<(Vec3, Vec3)> = direction_pairs(region, PAIRS);
+            group.throughput(Throughput::Elements(pairs.len() as u64));
+            for (name, factor) in [("scalar", Factor::Scalar), ("vector", Factor::Vector)] {
+                let mut set = set.clone();
+                (set.front_factor.material, set.front_factor.factor) = (material, factor);
+                for (look_up, interpolation) in [("bilinear", Interpolation::Bilinear), ("cubic", Interpolation::Cubic)]
+                {
+                    group.bench_function(format!("{name}, {look_up}, {}", region.name()), |bencher| {
+                        bencher.iter(|| {
+                            let value = |&(wi, wo): &(Vec3, Vec3)| brdf_xyz(black_box(&set), interpolation, wi, wo)[1];
+                            pairs.iter().map(value).sum::<f64>()
+                        });
+                    });
+                }
+                let front = set.front_factor;
+                group.bench_function(format!("{name} alone, {}", region.name()), |bencher| {
+                    bencher.iter(|| {
+                        let value = |&(wi, wo): &(Vec3, Vec3)| {
+                            black_box(front).diffuse(wi, wo) + black_box(front).coherent(wi, wo)
+                        };
+                        pairs.iter().map(value).sum::<f64>()
+                    });
+                });
+            }
+        }
+        group.finish();
+    }
+}
+
 fn from_the_scan(criterion: &mut Criterion) {
     let field = surface();
     let (optics, config) = (optics(), config());
@@ -132,5 +169,5 @@ fn from_the_scan(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, from_tables, light_with_a_size, from_the_scan);
+criterion_group!(benches, from_tables, front_factors, light_with_a_size, from_the_scan);
 criterion_main!(benches);

@@ -7,7 +7,7 @@ use diffraction_brdf::dispersion::Origin;
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::accuracy::power_sums::DirectionalAlbedo;
 use diffraction_build::accuracy::rows::{Cause, ErrorRow};
-use diffraction_build::height::statistics::STEEP_SLOPE;
+use diffraction_build::height::statistics::{STEEP_SLOPE, WAVES_MIN, least_uv_radius};
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::optics::dispersive::Dispersive;
 use diffraction_build::tables::look_ups::LookUp;
@@ -35,10 +35,7 @@ pub(crate) fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
         if !found.dominant_periods.is_empty() {
             facts.push(fact("Periods", periods(&found.dominant_periods)));
         }
-        facts.push(fact(
-            "Good up to",
-            format!("|(u, v)| = {} (2 is the whole hemisphere)", numbers::number(found.usable_uv_radius, 3)),
-        ));
+        facts.push(fact("Good for", good_for(specimen, found)));
     }
     if let Some(optics) = &specimen.optics {
         facts.push(fact("Light", light(optics)));
@@ -76,6 +73,26 @@ pub(crate) fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
         ));
     }
     facts
+}
+
+/// Between which distances from the mirror direction the scan's sampling, its side and the window tell periods.
+fn good_for(specimen: &SpecimenResult, found: &Statistics) -> String {
+    let whole = format!("|(u, v)| up to {} (2 is the whole hemisphere)", numbers::number(found.usable_uv_radius, 3));
+    let sides = specimen.size.into_iter().zip(specimen.extent_um).filter(|(count, _)| *count > 1);
+    let side_nm = sides.map(|(_, side_um)| side_um * 1e3).fold(f64::INFINITY, f64::min);
+    let Some(optics) = specimen.optics.as_ref().filter(|_| side_nm.is_finite()) else { return whole };
+    let [shortest_nm, _] = optics.illuminant.reach_nm(optics.wavelength_nm);
+    let least = least_uv_radius(side_nm, optics.least_sigma_nm(), shortest_nm);
+    let from = if least < 1.0 {
+        format!(" ({}° from the normal under light along it)", numbers::number(least.asin().to_degrees(), 2))
+    } else {
+        String::new()
+    };
+    format!(
+        "{whole}; periods are told from {} on{from} at {shortest_nm:.0} nm: longer ones fit fewer than {WAVES_MIN} times into the \
+         scan, or are one with the mirror’s light under this coherence",
+        numbers::number(least, 2)
+    )
 }
 
 /// Texels from the rim of (u, v) within which look-ups err by more than a thousandth or so: docs/accuracy.md.
@@ -213,9 +230,21 @@ pub(crate) fn counted_directions(rows: &[ErrorRow]) -> String {
     };
     format!(
         "Medians, percentiles and worst ones count directions above the luminance floor, {floor}. Shares of each region that the tables \
-         show above it: {}. {found}{grid}",
-        shares.join("; ")
+         show above it: {}. {found}{}{grid}",
+        shares.join("; "),
+        left_out(rows)
     )
+}
+
+/// What the reference may miss in the dark, where the ends of its kernels are known.
+fn left_out(rows: &[ErrorRow]) -> String {
+    let most = rows.iter().filter_map(|row| row.left_out_per_sr).max_by(f64::total_cmp);
+    most.map_or_else(String::new, |most| {
+        format!(
+            " In the dark the reference may be lower than the surface by up to {}, since its windows end.",
+            numbers::with_unit(most, 2, "/sr")
+        )
+    })
 }
 
 /// The letters of the spectrum's marks and what they stand for.
@@ -506,6 +535,7 @@ pub(super) mod tests {
             share_above: 1.0,
             directions_below: 32,
             missed_directions: 0,
+            left_out_per_sr: None,
             relative_l2: 0.0,
             p50: 0.0,
             p95,
@@ -532,6 +562,9 @@ pub(super) mod tests {
             counted_directions(&[row(Region::NearSpecular, 0), row(Region::Grazing, 3)])
                 .contains(", 3 turned out above it")
         );
+        let bounded = ErrorRow { left_out_per_sr: Some(3e-6), ..row(Region::Grazing, 0) };
+        let text = counted_directions(&[row(Region::NearSpecular, 0), bounded]).replace('\u{a0}', " ");
+        assert!(text.ends_with(" lower than the surface by up to 0.000003 /sr, since its windows end."), "{text}");
     }
 
     #[test]

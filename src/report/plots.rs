@@ -242,6 +242,7 @@ mod tests {
             share_above: 1.0,
             directions_below: 32,
             missed_directions: 0,
+            left_out_per_sr: None,
             relative_l2: errors[0],
             p50: errors[0],
             p95: errors[1],

@@ -305,6 +305,7 @@ fn errors() -> Vec<ErrorRow> {
                 share_above: 1.0,
                 directions_below: 32,
                 missed_directions: 0,
+                left_out_per_sr: Some(2.1e-6),
                 relative_l2: median * factor * 1.4,
                 p50: median * factor * 0.2,
                 p95: median * factor,

@@ -7,7 +7,7 @@ use crate::common::surfaces::{flat, laser, lobe_deviation, outgoing, quantile, s
 use diffraction_brdf::direction::{Vec3, Xyz, from_angles_deg};
 use diffraction_brdf::dispersion::{Dispersion, Origin};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
-use diffraction_brdf::front_factor::image_radius2;
+use diffraction_brdf::front_factor::{FrontFactor, image_radius2};
 use diffraction_brdf::material::{Material, reflectance};
 use diffraction_brdf::spectrum::{Illuminant, Line, uniform_wavelengths};
 use diffraction_build::accuracy::directions::ErrorDirections;
@@ -258,11 +258,49 @@ fn short(errors: [[f64; 3]; 3]) -> String {
     errors.map(|[a, b, c]| format!("{a:.1e} {b:.1e} {c:.1e}")).join(", ")
 }
 
+/// Why aluminium's row stands at 4 % with the vector factor and at 0.1 % with the scalar one: grazing p light. Past the
+/// pseudo-Brewster angle, 79 to 83 degrees between 450 and 700 nm, `|ε cos θ + a|` goes from `|ε| cos θ` to `|n + ik|`, which
+/// for aluminium grows by half over the visible: what is scattered into p or comes from it falls in the blue and rises in the
+/// red. `R` at the half vector, steep for nearly all pairs, knows nothing of it. So the row hangs on how many of the lit
+/// directions graze.
+#[test]
+fn aluminium_errs_where_p_light_grazes() {
+    let table = Dispersion::metal("aluminium").unwrap();
+    let pairs = direction_pairs(Region::Hemisphere, 4_000);
+    let theta_deg: Vec<f64> = pairs.iter().map(|(wi, wo)| wi[2].min(wo[2]).acos().to_degrees()).collect();
+    for nm in [450.0, 650.0] {
+        // What is off once the colour at normal incidence is taken out, as tables take it out.
+        let errors = |factor| -> Vec<f64> {
+            let at = |nm, wi, wo| {
+                let front = FrontFactor { material: table.material_at(nm).unwrap(), shadowing: false, factor };
+                front.diffuse(wi, wo) / normal_reflectance(&table, nm)
+            };
+            pairs.iter().map(|&(wi, wo)| (at(nm, wi, wo) / at(558.0, wi, wo) - 1.0).abs()).collect()
+        };
+        let (vector, scalar) = (errors(Factor::Vector), errors(Factor::Scalar));
+        let within = |low: f64, high: f64, errors: &[f64]| -> Vec<f64> {
+            errors.iter().zip(&theta_deg).filter(|(_, theta)| (low..high).contains(*theta)).map(|(e, _)| *e).collect()
+        };
+        let worst = quantile(&vector, 0.95);
+        let flattest = vector.iter().zip(&theta_deg).filter(|(e, _)| **e > worst).map(|(_, theta)| *theta);
+        let steepest_of_worst = flattest.fold(90.0, f64::min);
+        let [steep, grazing] =
+            [quantile(&within(0.0, 60.0, &vector), 0.95), quantile(&within(80.0, 90.0, &vector), 0.5)];
+        println!(
+            "{nm} nm: worst twentieth beyond {steepest_of_worst:.1} degrees; {steep:.1e} below 60, {grazing:.1e} beyond 80"
+        );
+        assert!(steepest_of_worst > 70.0, "{nm}: {steepest_of_worst}");
+        assert!(steep < 0.03 && grazing > 0.08, "{nm}: {steep} {grazing}");
+        assert!(quantile(&scalar, 0.95) < 5e-3, "the scalar factor knows no p light: {}", quantile(&scalar, 0.95));
+    }
+}
+
 #[test]
 fn tables_of_metals_err_by_what_is_stated() {
     for (name, factor, most) in [
         ("gold", Factor::Vector, 0.1),
         ("gold", Factor::Scalar, 0.1),
+        // Grazing pairs alone: see above.
         ("aluminium", Factor::Vector, 0.05),
         ("aluminium", Factor::Scalar, 0.05),
     ] {

@@ -7,6 +7,7 @@ mod skip;
 mod common;
 
 mod auto_edge;
+mod body_width;
 mod dispersion;
 mod gratings;
 mod mirror;

@@ -9,7 +9,7 @@ use num_complex::Complex;
 use serde::{Deserialize, Serialize};
 
 use crate::direction::{Vec3, geometry_factor, v_cavity_shadowing};
-use crate::material::{Material, cos_half_angle, reflectance};
+use crate::material::{Material, cos_half_angle, reflectance, root};
 
 /// Which model of reflection stands in front of the tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -118,19 +118,20 @@ pub fn polarised_factors(index: Complex<f64>, wi: Vec3, wo: Vec3) -> [f64; 4] {
     let lateral2 = |v: Vec3| v[0] * v[0] + v[1] * v[1];
     let [sin2_i, sin2_o] = [lateral2(wi), lateral2(wo)];
     let (cos_i, cos_o) = (wi[2], wo[2]);
-    let [a, b] = [(eps - sin2_i).sqrt(), (eps - sin2_o).sqrt()];
+    let [a, b] = [root(eps - sin2_i), root(eps - sin2_o)];
     let sines = (sin2_i * sin2_o).sqrt();
     let cos_phi =
         if sin2_i * sin2_o > SINES_MIN { (-(wi[0] * wo[0] + wi[1] * wo[1]) / sines).clamp(-1.0, 1.0) } else { 1.0 };
     let sin2_phi = 1.0 - cos_phi * cos_phi;
-    let [s_i, s_o] = [one / (a + cos_i), one / (b + cos_o)];
-    let [p_i, p_o] = [one / (eps * cos_i + a), one / (eps * cos_o + b)];
+    // Only moduli are asked for: those of the denominators are real, which spares complex divisions.
+    let [s_i, s_o] = [(a + cos_i).norm_sqr(), (b + cos_o).norm_sqr()];
+    let [p_i, p_o] = [(eps * cos_i + a).norm_sqr(), (eps * cos_o + b).norm_sqr()];
     let contrast = (eps - one).norm_sqr();
     [
-        contrast * cos_phi * cos_phi * (s_i * s_o).norm_sqr(),
-        contrast * sin2_phi * (b * s_i * p_o).norm_sqr(),
-        contrast * sin2_phi * (a * p_i * s_o).norm_sqr(),
-        contrast * ((a * b * cos_phi - eps * sines) * p_i * p_o).norm_sqr(),
+        contrast * cos_phi * cos_phi / (s_i * s_o),
+        contrast * sin2_phi * b.norm_sqr() / (s_i * p_o),
+        contrast * sin2_phi * a.norm_sqr() / (p_i * s_o),
+        contrast * (a * b * cos_phi - eps * sines).norm_sqr() / (p_i * p_o),
     ]
 }
 
@@ -151,7 +152,7 @@ pub fn image_radius2(wi: Vec3, wo: Vec3) -> f64 {
 /// The four polarised reflectances of the lobe, in the order of [`polarised_factors`]: a flat surface keeps s and p apart.
 pub(crate) fn polarised_reflectances(index: Complex<f64>, wi: Vec3, wo: Vec3) -> [f64; 4] {
     let cos = cos_half_angle(wi, wo).clamp(0.0, 1.0);
-    let inside = (index * index - (1.0 - cos * cos)).sqrt();
+    let inside = root(index * index - (1.0 - cos * cos));
     let s = (inside - cos) / (inside + cos);
     let p = (index * index * cos - inside) / (index * index * cos + inside);
     [s.norm_sqr(), 0.0, 0.0, p.norm_sqr()]

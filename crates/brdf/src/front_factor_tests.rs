@@ -67,6 +67,15 @@ fn the_ratio_of_the_factors_is_that_of_an_independent_implementation() {
         polarised_factors(index, other(wi, wo), other(wo, wi))
     });
     assert!(exchanged.iter().any(|&worst| worst > 0.02), "{exchanged:?}");
+    // A missing cosine of either direction.
+    for missing in [
+        (|index, wi, wo| polarised_factors(index, wi, wo).map(|q| q / wi[2]))
+            as fn(Complex<f64>, Vec3, Vec3) -> [f64; 4],
+        |index, wi, wo| polarised_factors(index, wi, wo).map(|q| q / wo[2]),
+    ] {
+        let without = worst(missing);
+        assert!(without.iter().all(|&worst| worst > 0.1), "{without:?}");
+    }
 }
 
 #[test]
@@ -124,6 +133,15 @@ fn at_normal_incidence_the_azimuth_does_not_matter() {
             assert!((near / exact - 1.0).abs() < 1e-5, "{tilt_deg} {phi}: {near} {exact}");
         }
     }
+    // The roots a and b exchanged between the two that cross over, which orders in the plane of incidence never show.
+    let exchanged = |phi: f64| {
+        let wi = from_angles_deg(1e-6, phi);
+        let [ss, sp, ps, pp] = polarised_factors(index, wi, wo);
+        let root = |v: Vec3| (index * index - (v[0] * v[0] + v[1] * v[1])).norm();
+        let by = (root(wi) / root(wo)).powi(2);
+        ss + sp * by + ps / by + pp
+    };
+    assert!((exchanged(90.0) / exact - 1.0).abs() > 0.01, "{} {exact}", exchanged(90.0));
 }
 
 /// Scattering across the plane of incidence turns s into p: at φ = 90° nothing of s stays s, and p is left with what the

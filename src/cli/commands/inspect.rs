@@ -12,7 +12,9 @@ use crate::stages::archive::specimen_file;
 use diffraction_brdf::atlas;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::read::{CallerWords, HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
-use diffraction_build::height::statistics::{STEEP_SLOPE, Statistics, is_whole_grating, seam_warning, statistics};
+use diffraction_build::height::statistics::{
+    STEEP_SLOPE, Statistics, WAVES_MIN, is_whole_grating, least_uv_radius, seam_warning, statistics,
+};
 use diffraction_build::height::write::write_scan_tiff;
 use diffraction_build::optics::config::{Factor, Material, TILE_SIGMAS, smallest_side_nm};
 use diffraction_build::optics::validity::doubts;
@@ -72,6 +74,8 @@ const WORDS: CallerWords = CallerWords {
 struct ScanReport {
     /// Largest sigma of the coherence that the scan's size resolves, in µm; `null` where it resolves any.
     resolved_sigma_um: Option<f64>,
+    /// `|(u, v)|` of the longest period that the scan holds often enough to tell it, at the shortest wavelength.
+    least_uv_radius: f64,
     provenance: Provenance,
     extent_um: [f64; 2],
     /// Of the heights with the best plane taken away.
@@ -108,6 +112,7 @@ fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
     let side_um = smallest_side_nm(&levelled) * 1e-3;
     let report = ScanReport {
         resolved_sigma_um: (!is_whole_grating(&levelled) && side_um.is_finite()).then_some(side_um / TILE_SIGMAS),
+        least_uv_radius: least_uv_radius(side_um * 1e3, f64::INFINITY, WAVELENGTH_MIN_NM),
         extent_um: scan.field.extent_nm().map(|nm| nm * 1e-3),
         statistics: found,
         provenance: scan.provenance,
@@ -147,7 +152,11 @@ impl ScanReport {
                 ),
                 None => "coherence     any sigma: the scan holds whole periods of a grating".into(),
             },
-            format!("good up to    |(u, v)| = {:.3} at {WAVELENGTH_MIN_NM} nm", s.usable_uv_radius),
+            format!(
+                "good for      |(u, v)| from {:.3} to {:.3} at {WAVELENGTH_MIN_NM} nm: periods of at least two samples that fit {WAVES_MIN} \
+                 times into the shorter side",
+                self.least_uv_radius, s.usable_uv_radius
+            ),
             format!(
                 "steep         {:.2} % of the surface above {STEEP_SLOPE}; over a quarter of {WAVELENGTH_MIN_NM} nm rms slope {:.3}, \
                  {:.2} % walls",

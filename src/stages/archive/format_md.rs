@@ -75,7 +75,7 @@ specimen stand in its `specimen.json`, and each EXR header repeats what concerns
 - `errors`: measured errors of Y against the reference, by cause (`what`) and region, relative to the value itself: quantiles
   `p50`, `p95`, `p99` and `worst` of the `directions` that are brighter than `floor_per_sr`, and `relative_l2` over all
   directions. `lit_share` is the share of the region that the tables show lit; of `dark_directions` others that were
-  evaluated, `missed_directions` are brighter than the floor. `null` where nothing is lit.
+  evaluated, `missed_directions` are brighter than the floor. `null` where nothing is lit. The reference is too dark by `left_out_per_sr` at most.
 - `albedo`: share of the arriving light of Y that is reflected, for light from the azimuth 0 at each `theta_i_deg`. Above 1, which
   ideal reflectors and the scalar factor can reach, a path tracer has to limit it; left out where tables serve certain scenes alone.
 - `energy_limit`, where something reflects more than arrives: the same, the largest over azimuths, as `albedo` at each of `cos_theta`.

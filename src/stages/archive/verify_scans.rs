@@ -209,6 +209,7 @@ mod tests {
             share_above: 1.0,
             directions_below: 0,
             missed_directions: 0,
+            left_out_per_sr: None,
             relative_l2: 0.0,
             p50,
             p95,

@@ -92,3 +92,28 @@ fn cross_mean(q: vec3<f32>, t: f32, ellipse: Ellipse) -> f32 {
     }
     return sum / abs(q.z);
 }
+
+// Sums of T_n(2t - 1) table_n, and of patches, at a position in [-1, 1]² on a level of the mip chain.
+fn expansion_on(at: vec2<f32>, t: f32, level: f32) -> f32 {
+    let uv = texel_centred(at, textureDimensions(tables));
+    var basis = first_four(2.0 * t - 1.0);
+    var sum = 0.0;
+    for (var layer = 0u; layer < params.table_layers; layer = layer + 1u) {
+        let texel = textureSampleLevel(tables, bilinear, uv, layer, level);
+        sum = sum + dot(basis * params.table_scales[layer], texel);
+        basis = next_four(basis, 2.0 * t - 1.0);
+    }
+    return sum;
+}
+
+fn cross_on(at: vec2<f32>, t: f32, level: f32) -> f32 {
+    let uv = texel_centred(at, textureDimensions(cross_terms));
+    var basis = first_four(2.0 * t - 1.0);
+    var sum = 0.0;
+    for (var layer = 0u; layer < params.cross_layers; layer = layer + 1u) {
+        let texel = textureSampleLevel(cross_terms, bilinear, uv, layer, level);
+        sum = sum + dot(basis * params.cross_scales[layer], texel);
+        basis = next_four(basis, 2.0 * t - 1.0);
+    }
+    return sum;
+}

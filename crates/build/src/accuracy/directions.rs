@@ -158,6 +158,9 @@ pub struct ErrorGroup {
     pub share_above: f64,
     /// Luminance in 1/sr up to which directions do not count pointwise.
     pub floor_per_sr: f64,
+    /// Most of luminance in 1/sr that the reference leaves out in any of them; `None` where that is not bounded, and until it is
+    /// evaluated.
+    pub left_out_per_sr: Option<f64>,
 }
 
 impl ErrorGroup {
@@ -232,7 +235,7 @@ pub(super) fn chosen<P: Copy>(
     let above_count = taken.len();
     taken.extend(below.map(|(candidate, _)| *candidate).take(wanted_below));
     let counts = [above_count, taken.len() - above_count];
-    (ErrorGroup { group, counts, share_above, floor_per_sr }, taken)
+    (ErrorGroup { group, counts, share_above, floor_per_sr, left_out_per_sr: None }, taken)
 }
 
 /// The larger luminance of both look-ups; what is no number shall be seen, and counts as infinite.

@@ -8,6 +8,7 @@ use super::directions::{ErrorDirections, ErrorGroup};
 use crate::height::HeightField;
 use crate::optics::config::OpticsConfig;
 use crate::optics::factors::PairFactors;
+use crate::optics::left_out::left_out_per_sr;
 use crate::optics::reference::{FULL_STEP, PICTURE_STEP, resolving_count};
 use crate::optics::spectra::{self, Spectra};
 use crate::optics::spectral;
@@ -55,7 +56,13 @@ pub fn evaluate(
     pictures: impl IntoIterator<Item = (Vec3, Vec3)>,
 ) -> Result<Reference> {
     let fixed = errors.pairs.len();
-    let ErrorDirections { groups, mut pairs } = errors;
+    let ErrorDirections { mut groups, mut pairs } = errors;
+    let mut first = 0;
+    for group in &mut groups {
+        let end = first + group.len();
+        group.left_out_per_sr = left_out_per_sr(fields, optics, &pairs[first..end])?;
+        first = end;
+    }
     pairs.extend(pictures);
     let counted_as_tables = if optics.dispersion.is_some() { fixed } else { 0 };
     let mut reference = Reference {

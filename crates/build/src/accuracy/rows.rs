@@ -94,6 +94,10 @@ pub struct ErrorRow {
     /// Those of them that the reference has above the floor: light that the tables miss.
     #[serde(default)]
     pub missed_directions: usize,
+    /// Most of luminance in 1/sr that the reference leaves out in any of the group's directions, since its windows' kernels end
+    /// ([`left_out_per_sr`](crate::optics::left_out::left_out_per_sr)); `None` where that is not bounded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub left_out_per_sr: Option<f64>,
     /// Root of the summed squared differences of X, Y and Z over the root of the summed squares, over the whole group: directions
     /// above and below the floor count by the share of it that they stand for.
     #[serde(with = "null_for_nan")]
@@ -219,6 +223,7 @@ pub(super) fn row(cause: Cause, group: &ErrorGroup, reference: &[Xyz], test: &[X
         share_above: group.share_above,
         directions_below: below,
         missed_directions: reference[above..].iter().filter(|xyz| is_above(xyz)).count(),
+        left_out_per_sr: group.left_out_per_sr,
         relative_l2: match is_below(reference) && is_below(test) {
             true => f64::NAN,
             false => metrics::relative_l2(&weighed(reference), &weighed(test)),
@@ -293,6 +298,7 @@ mod tests {
             share_above: 0.5,
             directions_below: 1,
             missed_directions: 0,
+            left_out_per_sr: None,
             relative_l2: 1e-6,
             p50: 1e-7,
             p95: 1e-6,

@@ -120,6 +120,7 @@ mod tests {
             counts: [9, 3],
             share_above: 0.75,
             floor_per_sr: 1e-9,
+            left_out_per_sr: None,
         };
         let xyz = brdf_xyz_batch(fields, &OPTICS, &pairs).unwrap();
         let reference = Reference { groups: vec![group], pairs, xyz, ..Reference::default() };

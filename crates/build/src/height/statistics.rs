@@ -24,6 +24,19 @@ pub(crate) use wave_scale::{wave_slope_max, wavelength_told_nm};
 /// Share of surface that rises too much between samples from which on the reader is warned.
 pub(crate) const AMBIGUOUS_SHARE_WARNED: f64 = 0.01;
 
+/// Fewest waves that make a period: of fewer a scan cannot tell that they repeat.
+pub const WAVES_MIN: f64 = 2.5;
+
+/// Full width at half maximum of an order in (u, v), in wavelengths over the standard deviation of the coherence window.
+const ORDER_WIDTH: f64 = 0.265;
+
+/// `|(u, v)|` from which on a scan tells one order from the next and from the mirror's light: a period of which its shorter side
+/// holds [`WAVES_MIN`] diffracts there, and a window of this standard deviation (infinite for none) keeps it apart by an order's full
+/// width at half maximum. Nearer to the mirror direction there is light, but no period to be read from it.
+pub fn least_uv_radius(shorter_side_nm: f64, sigma_nm: f64, wavelength_nm: f64) -> f64 {
+    (WAVES_MIN / shorter_side_nm).max(ORDER_WIDTH / sigma_nm) * wavelength_nm
+}
+
 /// Statistics of a height field.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Statistics {

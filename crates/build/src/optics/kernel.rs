@@ -13,6 +13,11 @@ pub const SEMICIRCLE_TAPS: usize = 7;
 /// Half width of the Gaussian kernels in their own standard deviations; they fall to 2.7e-7 there.
 const GAUSSIAN_REACH: f64 = 5.5;
 
+/// Share of a Gaussian power kernel's peak beyond which it reads no lines: 2.7e-7.
+pub(super) fn gaussian_end() -> f64 {
+    (-0.5 * GAUSSIAN_REACH * GAUSSIAN_REACH).exp()
+}
+
 /// A kernel in one frequency axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Kernel {

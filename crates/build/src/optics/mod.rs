@@ -5,6 +5,7 @@ pub mod config;
 pub mod dispersive;
 pub mod factors;
 pub mod kernel;
+pub mod left_out;
 pub mod lines;
 pub mod materials;
 pub mod pigment;

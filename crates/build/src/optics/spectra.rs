@@ -79,7 +79,7 @@ pub struct Spectra {
 }
 
 /// Share of its peak at which the lobe ends: where its table does.
-const LOBE_LEAST: f64 = 1e-9;
+pub(super) const LOBE_LEAST: f64 = 1e-9;
 
 /// Half the peak-to-valley range of the heights in nm: the bandwidth in the phase scale, measured from mid-range.
 pub fn half_height_range_nm(field: &HeightField) -> f64 {

@@ -6,6 +6,7 @@ use ndarray::Array2;
 use rustfft::num_complex::Complex;
 use serde::{Deserialize, Serialize};
 
+use super::WAVES_MIN;
 use crate::ground::fft::fft2;
 use crate::height::HeightField;
 
@@ -20,6 +21,10 @@ const POWER_MIN: f64 = 1e-3;
 /// instrument, mostly) do not characterise a surface that is rough all over.
 const FIRST_POWER_MIN: f64 = 0.02;
 
+/// Least power of the strongest peak, relative to the highest line at any frequency: 3e-5 of its amplitude. What is left of a surface that
+/// is one slow wave is rounding, and a Hann window's far side lobes.
+const LEAST_POWER_MIN: f64 = 1e-9;
+
 /// Half width of a peak in lines: of a sinusoid, a Hann window makes a lobe that ends at 2.
 const RANGE_LINES: f64 = 2.5;
 
@@ -27,7 +32,7 @@ const RANGE_LINES: f64 = 2.5;
 const RANGE_SHARE: f64 = 0.05;
 
 /// Lowest frequency of a peak in lines: so many times a period must be seen, and its lobe clears the origin.
-const LINES_MIN: f64 = 2.5;
+const LINES_MIN: f64 = WAVES_MIN;
 
 /// Chance that the highest line of a random surface passes for a period; small, for real surfaces are rougher in
 /// some directions than in others.
@@ -81,13 +86,15 @@ pub(crate) fn dominant(field: &HeightField) -> Vec<Period> {
     let spectrum = spectrum(field);
     let maxima = local_maxima(&spectrum);
     let Some(highest) = maxima.first().map(|&line| spectrum.power(line)) else { return Vec::new() };
+    let slowest_too = spectrum.values.iter().map(|value| value.norm_sqr()).fold(0.0, f64::max);
+    let first_least = (FIRST_POWER_MIN * highest).max(LEAST_POWER_MIN * slowest_too);
     let background = Background::new(&spectrum);
     // Powers of a random surface's lines are distributed exponentially about their mean.
     let threshold = (0.5 * spectrum.values.len() as f64 / FALSE_ALARM).ln();
     let mut peaks: Vec<Peak> = Vec::new();
     for line in maxima {
         let power = spectrum.power(line);
-        let least = peaks.first().map_or(FIRST_POWER_MIN * highest, |first| POWER_MIN * first.power);
+        let least = peaks.first().map_or(first_least, |first| POWER_MIN * first.power);
         if peaks.len() == PERIODS_MAX || power < least {
             break;
         }
@@ -97,7 +104,9 @@ pub(crate) fn dominant(field: &HeightField) -> Vec<Period> {
         }
         if power > threshold * background.around(spectrum.ring(place)) {
             let peak = centred(&spectrum, place, power);
-            if !peaks.iter().any(|other| other.holds(peak.line)) {
+            // A wave between the lines may be longer than its highest one says.
+            let is_told = peak.line[0].hypot(peak.line[1]) >= LINES_MIN;
+            if is_told && !peaks.iter().any(|other| other.holds(peak.line)) {
                 peaks.push(peak);
             }
         }

@@ -3,14 +3,12 @@
 use ndarray::Array2;
 use rustfft::num_complex::Complex;
 
+use super::WAVES_MIN;
 use crate::ground::fft::fft2;
 use crate::height::HeightField;
 
 /// Share of the heights' power that must lie in the harmonics of one line.
 const GRATING_SHARE: f64 = 0.98;
-
-/// Fewest periods that make a grating: of fewer a scan cannot tell that they repeat.
-const PERIODS_MIN: f64 = 2.5;
 
 /// Whether nearly all of a scan's power lies in the harmonics of its strongest line: then repeating the scan continues
 /// the grating that it shows. Power between them would become lines of the repetition.
@@ -27,7 +25,7 @@ pub fn is_whole_grating(field: &HeightField) -> bool {
         |index: usize, count: usize| if 2 * index > count { index as i64 - count as i64 } else { index as i64 };
     let line = [signed(row, rows), signed(column, columns)];
     let waves = (line[0] as f64).hypot(line[1] as f64);
-    waves >= PERIODS_MIN && harmonics(&power, line) >= GRATING_SHARE * total
+    waves >= WAVES_MIN && harmonics(&power, line) >= GRATING_SHARE * total
 }
 
 /// Power of the multiples of a line that the sampling holds, both signs.

@@ -21,7 +21,7 @@ pub fn seam_warning(field: &HeightField) -> Option<String> {
         .filter(|&(seam_nm, ratio, _)| seam_nm > STEP_MIN_NM && ratio > RATIO_WARNED)
         .max_by(|a, b| a.1.total_cmp(&b.1))?;
     Some(format!(
-        "The {edges} edges do not fit each other: where the scan repeats (edge = \"tile\"), its heights jump by {seam_nm:.1} nm \
+        "The {edges} edges do not fit each other: where the scan repeats (edge = \"auto\", \"tile\"), its heights jump by {seam_nm:.1} nm \
          rms, {} times as much as between any neighbouring lines, which shows as a bright cross. `blend_nm` makes the edges \
          fit; edge = \"fade\" does without repeating.",
         if ratio < 1e3 { format!("{ratio:.1}") } else { "over 1000".into() }

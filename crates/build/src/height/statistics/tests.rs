@@ -86,6 +86,36 @@ fn a_rough_surface_has_no_period() {
     }
 }
 
+/// Between the lines of a square scan, a wave of 2.4 periods is highest at the line of 2.8.
+#[test]
+fn a_wave_that_is_seen_fewer_than_two_and_a_half_times_is_no_period() {
+    let side_nm = 100.0 * 50.0;
+    for direction_deg in [0.0, 30.0, 45.0, 60.0] {
+        let of = |waves: f64| {
+            let field = sinusoid([100, 100], [50.0; 2], 40.0, side_nm / waves, direction_deg);
+            statistics(&field, 400.0).dominant_periods
+        };
+        for waves in [0.7, 1.5, 2.0, 2.3, 2.4] {
+            assert_eq!(of(waves), [], "{waves} waves at {direction_deg} degrees");
+        }
+        assert_eq!(of(3.0).len(), 1, "{direction_deg}");
+    }
+}
+
+#[test]
+fn what_a_scan_tells_begins_where_its_side_and_the_window_allow() {
+    // 2.5 waves on 10 µm are a period of 4 µm.
+    assert!((least_uv_radius(10_000.0, f64::INFINITY, 400.0) - 0.1).abs() < 1e-12);
+    assert!(
+        (least_uv_radius(10_000.0, 2_500.0, 400.0) - 0.1).abs() < 1e-12,
+        "a quarter of the side hides nothing more"
+    );
+    assert!((least_uv_radius(10_000.0, 500.0, 400.0) - 0.212).abs() < 1e-12, "a narrow window does");
+    // A lobe of amplitude deviation sigma: exp(-(2πσ ν/λ)²) is a half there, half of the full width away.
+    let half_width = 0.5 * 0.265 / 500.0;
+    assert!(((-(TAU * 500.0 * half_width).powi(2)).exp() - 0.5).abs() < 1e-3);
+}
+
 #[test]
 fn two_gratings_and_a_rough_ground_are_told_apart() {
     let mut field = rough([200, 200], 1);
