@@ -129,6 +129,14 @@ fn study_specimen(
         progress.finish();
         progress.stage(&format!("{}: {what}", specimen.name), steps);
     };
+    if specimen.optics.front_factor().polarised([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]).is_some() {
+        return Err(diffraction_brdf::error::Error::Call(
+            "the methods of a study are compared under the scalar front factor, the only one that the published series has: \
+             set the factor of its optics to scalar"
+                .into(),
+        )
+        .into());
+    }
     let fields = &specimen.fields;
     let optics = study_optics(&specimen.optics, fields, config.size);
     stage("direct sum", sample::count(config.directions));

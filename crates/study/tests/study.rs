@@ -7,7 +7,7 @@ use diffraction_build::ground::colour::auto_exposure;
 use diffraction_build::ground::progress::Silent;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{bundled, synthesize};
-use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::config::{Factor, Material, OpticsConfig};
 use diffraction_study::study::{
     Contender, Measure, MethodRow, SceneSamples, SpecimenStudy, StudyConfig, StudySpecimen, run_study,
 };
@@ -102,6 +102,17 @@ fn methods_rank_as_theory_says() {
     // Six bits less are 64 times the rounding.
     let [coarse, fine] = ["5 bits", "11 bits"].map(|bits| knob("storage", bits).p50);
     assert!((16.0..256.0).contains(&(coarse / fine)), "{coarse:e} {fine:e}");
+}
+
+/// Its tables are read with `R G` alone, so that under another factor they would seem to be off by what the factors differ in.
+#[test]
+fn another_factor_than_that_of_the_published_series_is_refused() {
+    let mut vector = specimen(200.0);
+    vector.optics.material = Material::Dielectric { n: 1.56 };
+    vector.optics.factor = Factor::Vector;
+    let study = run_study(&[vector], &waves::config(), NO_GPU, &Silent);
+    let [refusal] = &study.failures[..] else { panic!("{:?}", study.failures) };
+    assert!(refusal.message.contains("scalar front factor") && study.specimens.is_empty(), "{}", refusal.message);
 }
 
 /// `cargo test --release -p diffraction-study measuring_deeper -- --ignored --nocapture`: how the gap at equal error widens with depth, on the

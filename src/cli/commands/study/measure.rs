@@ -11,6 +11,7 @@ use crate::stages::config::SpecimenConfig;
 use crate::stages::ingest::{Scans, ingest};
 use crate::stages::study::{FrameClock, drawn};
 use diffraction_brdf::error::Error;
+use diffraction_build::optics::config::{Factor, OpticsConfig};
 use diffraction_render::scene::model::Scene;
 use diffraction_study::stability::{StabilityCase, Verdict, run_stability};
 use diffraction_study::study::{GpuClock, SceneSamples, StudyConfig, StudySpecimen, run_study};
@@ -67,7 +68,8 @@ fn specimen(given: &SpecimenConfig, scenes: &[Scene], config: &StudyConfig) -> R
     Ok(StudySpecimen {
         name: given.name.clone(),
         fields,
-        optics,
+        // The published series has no other: its tables hold the lobe with all else.
+        optics: OpticsConfig { factor: Factor::Scalar, ..optics },
         scenes: scenes.iter().filter(shows).map(sampled).collect::<Result<_>>()?,
     })
 }
