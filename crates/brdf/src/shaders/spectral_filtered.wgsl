@@ -31,12 +31,14 @@ fn brdf_spectral_filtered_with(
     if params.lobe_count == 0u {
         return r2 * r2 * diffuse;
     }
-    let width = wavelength_nm / (2.0 * PI * params.lobe_sigma_nm);
+    // A coherence that grows with the wavelength leaves the lobe what it is at the shortest.
+    let grows = params.of_source == 1u;
+    let width = select(wavelength_nm, params.shortest_nm, grows) / (2.0 * PI * params.lobe_sigma_nm);
     var shape = lobe_mean(direct_lobe(change.xy, ellipse_of(footprint)), width);
     if front.factor == VECTOR {
         shape = shape + lobe_mean(image_lobe(wi, wo, footprint), width);
     }
-    return r2 * r2 * diffuse + r2 * coherent_factor(front, wi, wo) * power_at(abs(q.z)) * shape;
+    return r2 * r2 * diffuse + select(r2, 1.0, grows) * coherent_factor(front, wi, wo) * power_at(abs(q.z)) * shape;
 }
 
 fn lobe_mean(place: LobePlace, width: f32) -> f32 {
