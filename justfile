@@ -22,6 +22,14 @@ lint:
     cargo clippy --release --workspace --all-targets -- -D warnings
     RUSTDOCFLAGS=-Dwarnings cargo doc --workspace --no-deps --release
 
+# The page of `view`, built anew and held to the program in a browser; wants npm and Chromium.
+viewer:
+    npm ci --prefix viewer
+    npm run --prefix viewer build
+    npm test --prefix viewer
+    cargo run --release -- run viewer/tests/pictures.toml
+    node --test viewer/tests/page.test.mjs
+
 # Licences, banned crates and sources of what is depended upon.
 deny:
     cargo deny check licenses bans sources

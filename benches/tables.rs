@@ -72,7 +72,7 @@ fn one_ring(criterion: &mut Criterion) {
         let spectra = spectra::transform(&field, placement, &optics, &plan.spectra).expect("the transforms fit");
         let ring = &plan.rings[0];
         let nodes = diffraction_brdf::chebyshev::gauss_nodes(NODES, ring.abs_w[0], ring.abs_w[1]);
-        let mut sums = PowerSums::new(&plan.texels, NODES);
+        let mut sums = PowerSums::new(&plan.texels, 3, NODES);
         let what = RingSum { texels: &plan.texels, ring, filter: plan.filter, quantity: Quantity::Power, share: 1.0 };
         group.bench_function(name, |bencher| {
             bencher.iter(|| add_ring(black_box(&spectra), what, &nodes, &mut sums));

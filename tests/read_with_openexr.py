@@ -238,9 +238,11 @@ class Spectral:
             power = np.interp(scaled_w / 2 * (len(line) - 1), np.arange(len(line)), line)
             to_horizon = [d[2] ** 2 / (1 + np.hypot(d[0], d[1])) for d in (wi, wo)]
             distances = [u * u + v * v] + [u * u + v * v + 4 * to_horizon[0] * to_horizon[1]] * vector
-            width = 2 * np.pi * self.lobe["sigma_nm"] / nm
-            lobe = power * sum(np.exp(-(width**2) * distance) for distance in distances)
-        return r**4 * diffuse * total + r**2 * lobe_factor * lobe
+            # A coherence that grows with the wavelength leaves the lobe what it is at the shortest.
+            grows = self.lobe.get("sigma_grows", False)
+            width = 2 * np.pi * self.lobe["sigma_nm"] / (self.about["shortest_nm"] if grows else nm)
+            lobe = (1.0 if grows else r**2) * power * sum(np.exp(-(width**2) * distance) for distance in distances)
+        return r**4 * diffuse * total + lobe_factor * lobe
 
 
 def main(version):

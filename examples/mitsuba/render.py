@@ -100,7 +100,9 @@ def shape(options, bsdf):
         sys.exit(f"--shape {options.shape}: the mesh has no texture coordinates, which tell how the structure lies")
     low, high = (np.array(corner, float).ravel() for corner in (mesh.bbox().min, mesh.bbox().max))
     fit = transform.scale(float(1.9 / np.linalg.norm(high - low))) @ transform.translate(list(-(low + high) / 2))
-    return {"type": kind, "filename": options.shape, "to_world": tilt @ fit, "bsdf": bsdf}
+    # v as the file has it, and the structure mirrored where the coordinates are.
+    bsdf = {**bsdf, "mirror_with": "v"}
+    return {"type": kind, "filename": options.shape, "flip_tex_coords": False, "to_world": tilt @ fit, "bsdf": bsdf}
 
 
 def camera(distance, sampler, film):
@@ -185,9 +187,11 @@ def display(xyz, exposure):
 def main():
     asked = options()
     mi.set_variant(asked.variant)
-    import diffraction_atlas  # noqa: F401  (registers the plugin; needs the variant)
+    import diffraction_atlas.mitsuba  # registers the plugin; needs the variant
 
-    xyz = np.array(mi.render(scene(asked), spp=asked.spp))[..., :3]
+    made = scene(asked)
+    diffraction_atlas.mitsuba.warn_of_meshes(made)
+    xyz = np.array(mi.render(made, spp=asked.spp))[..., :3]
     unknown = int((~np.isfinite(xyz).all(axis=-1)).sum())
     if unknown:
         print(f"{unknown} pixels look up directions that the tables do not cover: NaN, shown in magenta", file=sys.stderr)

@@ -3,6 +3,8 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use serde_json::Value;
+
 use diffraction_brdf::direction::{Vec3, from_angles_deg};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
@@ -10,6 +12,9 @@ use diffraction_build::ground::csv;
 
 /// The columns of a direction, in degrees.
 pub(crate) const COLUMNS: [&str; 4] = ["theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg"];
+
+/// What stands for standard input in a path's place.
+const STANDARD_INPUT: &str = "-";
 
 const FIX: &str = "The first line names the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg; each other line holds \
                    one number for each, in degrees.";
@@ -35,12 +40,18 @@ impl Row {
 const PHI_MAX_DEG: f64 = 360.0;
 
 /// Reads a list of directions in any of the forms that measured reflectance may have: separated by commas, semicolons or
-/// tabs, with comments. Further columns are ignored.
+/// tabs, with comments. Further columns are ignored. The path `-` is standard input.
 ///
 /// # Errors
 /// An unreadable file, a missing column, or a cell that is no angle above the surface, with its line.
 pub(crate) fn read(path: &Path) -> Result<Vec<Row>> {
-    let text = files::read_text(path)?;
+    let standard_input = path == Path::new(STANDARD_INPUT);
+    let path = if standard_input { Path::new("standard input") } else { path };
+    let text = if standard_input {
+        std::io::read_to_string(std::io::stdin().lock()).map_err(|error| Error::disk(path, "read", error))?
+    } else {
+        files::read_text(path)?
+    };
     let mut lines = csv::lines(&text);
     let header = lines.next().map_or("", |(_, line)| line);
     let table = Table::new(path, header)?;
@@ -110,6 +121,16 @@ pub(crate) fn write(rows: &[Row], columns: &[String], values: &[Vec<f64>]) -> St
         text.push('\n');
     }
     text
+}
+
+/// The same as JSON: an object per pair, its angles and values as numbers under the names of the columns.
+pub(crate) fn to_json(rows: &[Row], columns: &[String], values: &[Vec<f64>]) -> Value {
+    let object = |(row, values): (&Row, &Vec<f64>)| {
+        let names = COLUMNS.iter().map(ToString::to_string).chain(columns.iter().cloned());
+        let numbers = row.angles_deg.iter().chain(values);
+        Value::Object(names.zip(numbers.map(|&number| Value::from(number))).collect())
+    };
+    rows.iter().zip(values).map(object).collect()
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::error::Result;
-use commands::{cache, diff, eval, export, inspect, list, plan, run, study, synthesize, verify};
+use commands::{cache, diff, eval, export, inspect, list, plan, run, study, synthesize, verify, view};
 use diffraction_brdf::error::Error;
 use options::Global;
 use output::Outcome;
@@ -48,6 +48,8 @@ pub(crate) enum Command {
     Eval(eval::EvalArgs),
     /// Check that an atlas is whole and as accurate as it says
     Verify(verify::VerifyArgs),
+    /// Show an atlas in the browser, where it can be turned by hand
+    View(view::ViewArgs),
     /// Say what changed between two versions
     Diff(diff::DiffArgs),
     /// Measure error against run time and memory, and run the stability suite
@@ -86,6 +88,7 @@ fn dispatch(cli: &Cli) -> Result<Outcome> {
         Some(Command::Inspect(args)) => inspect::run(args, global),
         Some(Command::Eval(args)) => eval::run(args, global),
         Some(Command::Verify(args)) => verify::run(args, global),
+        Some(Command::View(args)) => view::run(args, global),
         Some(Command::Diff(args)) => diff::run(args, global),
         Some(Command::Study(args)) => study::run(args, global),
         Some(Command::Cache(args)) => cache::run(args),

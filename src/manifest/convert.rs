@@ -5,13 +5,13 @@ use crate::stages::config::RunConfig;
 
 /// The run that a manifest asks for; `text` is the manifest, word for word.
 pub fn run_config(manifest: Manifest, text: String) -> RunConfig {
-    let Manifest { atlas, tables, cover, spectral, specimens, scenes, gpu, report, cache, base, .. } = manifest;
+    let Manifest { atlas, tables, cover, hold, specimens, scenes, gpu, report, cache, base, .. } = manifest;
     RunConfig {
         atlas_root: atlas.out.join(&atlas.name),
         atlas_name: atlas.name,
         tables,
         cover,
-        spectral,
+        hold,
         specimens,
         scenes,
         gpu: gpu.check,

@@ -76,6 +76,12 @@ fn add_matches(folder: &Path, pattern: &Pattern, found: &mut BTreeSet<PathBuf>) 
     Ok(())
 }
 
+/// What is wrong with a path that should name a file and does not, for a message about its key; a folder is there, but no file.
+pub(crate) fn no_file(place: &Path) -> String {
+    let what = if place.is_dir() { "a folder where a file is expected" } else { "a file that does not exist" };
+    format!("names {what}: {}", place.display())
+}
+
 /// A pattern for one component of a path. A bracket that is not closed is a character like any other, and `**` is `*`.
 fn compiled(pattern: &str) -> Pattern {
     let mut text = pattern.to_owned();

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::defaults;
+use super::files;
 use super::keys;
 use super::reader::{Item, Section};
 use crate::error::Result;
@@ -24,7 +25,7 @@ pub(crate) fn names_a_file(item: &Item) -> bool {
 pub fn read(section: &Section, item: &Item, specimens: &[&str], base: &Path) -> Result<MeshShape> {
     let path = base.join(item.text_not_empty()?);
     if !path.is_file() {
-        return Err(item.error(format!("names a file that does not exist: {}", path.display())));
+        return Err(item.error(files::no_file(&path)));
     }
     let model =
         mesh_file::read(&path).map_err(|error| item.error(format!("names a mesh that cannot be shown: {error}")))?;

@@ -30,7 +30,7 @@ pub use model::{AtlasSection, GpuSection, Manifest};
 
 use crate::error::{self, Result};
 use crate::stages::cache::store::CacheConfig;
-use crate::stages::config::{Cover, FrameTiming, GpuCheck, ReportConfig};
+use crate::stages::config::{Cover, FrameTiming, GpuCheck, Hold, ReportConfig};
 use diffraction_brdf::error::Error;
 use diffraction_build::tables::model::Basis;
 use reader::Section;
@@ -103,7 +103,12 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
     optics.factor = optics::factor(top.get("optics").as_ref(), tables.basis)?;
     let specimens = top.require("specimen", "[[specimen]]")?;
     let written_nm = optics::written_range(top.get("optics").as_ref())?;
-    let specimens = specimen::read_all(&specimens, specimen::Common { optics: &optics, written_nm, base })?;
+    let is_material_given = match top.get("optics") {
+        Some(item) => item.section(&keys::OPTICS, "[optics]")?.has("material"),
+        None => false,
+    };
+    let common = specimen::Common { optics: &optics, written_nm, is_material_given, base };
+    let specimens = specimen::read_all(&specimens, common)?;
     if let (Some(item), Basis::Taylor) = (top.get("tables"), tables.basis) {
         tables::refuse_sources(&item, &specimens)?;
     }
@@ -133,15 +138,15 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
         Some(item) => tables::read_cover(&item, &names)?,
         None => Cover::All,
     };
-    let spectral = match top.get("tables") {
+    let hold = match top.get("tables") {
         Some(item) => tables::read_hold(&item, &cover)?,
-        None => true,
+        None => Hold { xyz: true, spectral: true },
     };
     if let (Some(item), Cover::All) = (top.get("scene"), &cover) {
         scene::refuse_tolerances(&item)?;
     }
     let base = base.to_owned();
-    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, cover, spectral, specimens, scenes, gpu, report, cache, base })
+    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, cover, hold, specimens, scenes, gpu, report, cache, base })
 }
 
 fn syntax_error(source: &Source, error: &toml::de::Error) -> error::Error {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::stages::cache::store::CacheConfig;
-use crate::stages::config::{Cover, FrameTiming, GpuCheck, ReportConfig, SpecimenConfig};
+use crate::stages::config::{Cover, FrameTiming, GpuCheck, Hold, ReportConfig, SpecimenConfig};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::tables::model::TablesConfig;
 use diffraction_render::scene::model::Scene;
@@ -21,8 +21,8 @@ pub struct Manifest {
     pub tables: TablesConfig,
     /// Which directions the tables answer for.
     pub cover: Cover,
-    /// Whether specimens get spectral tables beside those of X, Y, Z.
-    pub spectral: bool,
+    /// Which kinds of tables are stored.
+    pub hold: Hold,
     /// The specimens, at least one, in the manifest's order; names are unique.
     pub specimens: Vec<SpecimenConfig>,
     /// The pictures, in the manifest's order; names are unique.

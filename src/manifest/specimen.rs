@@ -37,6 +37,8 @@ pub(crate) struct Common<'a> {
     pub optics: &'a OpticsConfig,
     /// The range of wavelengths that is written down there.
     pub written_nm: Option<[f64; 2]>,
+    /// Whether a material is given there.
+    pub is_material_given: bool,
     /// Where paths start.
     pub base: &'a Path,
 }
@@ -81,7 +83,7 @@ fn of_section(section: &Section, name: &Item, common: Common) -> Result<Vec<Spec
 }
 
 fn read(section: &Section, name: String, common: Common) -> Result<SpecimenConfig> {
-    let Common { optics, written_nm, base } = common;
+    let Common { optics, written_nm, is_material_given, base } = common;
     let mut optics = optics.clone();
     if let Some(item) = section.get("illuminant") {
         optics::read_illuminant(&item, written_nm, base, &mut optics)?;
@@ -107,6 +109,7 @@ fn read(section: &Section, name: String, common: Common) -> Result<SpecimenConfi
             despike: section.get("despike").map(|item| despike(&item)).transpose()?,
             blend_nm: blend.transpose()?,
         },
+        is_material_given: is_material_given || section.has("material"),
         albedo: section.get("albedo").map(|item| albedo(&item, &optics)).transpose()?,
         optics,
         measured: section.get("measured").map(|item| measured(&item, base)).transpose()?,
@@ -136,11 +139,10 @@ fn scans(item: &Item, base: &Path) -> Result<Vec<PathBuf>> {
             .map_err(|error| item.error(format!("\"{pattern}\" cannot be looked up: {error}")))?;
         if found.is_empty() {
             let place = base.join(pattern);
-            let place = place.display();
             return Err(item.error(if files::has_wildcard(pattern) {
-                format!("matches no file: {place}")
+                format!("matches no file: {}", place.display())
             } else {
-                format!("names a file that does not exist: {place}")
+                files::no_file(&place)
             }));
         }
         scans.extend(found);
@@ -177,7 +179,7 @@ fn measured(item: &Item, base: &Path) -> Result<MeasuredConfig> {
 fn existing(item: &Item, base: &Path) -> Result<PathBuf> {
     let path = base.join(item.text_not_empty()?);
     if !path.is_file() {
-        return Err(item.error(format!("names a file that does not exist: {}", path.display())));
+        return Err(item.error(files::no_file(&path)));
     }
     Ok(path)
 }

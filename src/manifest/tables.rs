@@ -4,7 +4,7 @@ use super::defaults;
 use super::keys;
 use super::reader::Item;
 use crate::error::Result;
-use crate::stages::config::{Cover, SpecimenConfig};
+use crate::stages::config::{Cover, Hold, SpecimenConfig};
 use diffraction_build::tables::model::{Basis, Prefilter, Storage, TablesConfig};
 
 /// Tolerances lie above the first, at which double precision is spent, and up to the second.
@@ -104,21 +104,19 @@ pub(crate) fn read_cover(item: &Item, scenes: &[&str]) -> Result<Cover> {
     Ok(cover)
 }
 
-/// Reads `hold`: whether there are spectral tables beside those of X, Y, Z. Where nothing is said there are, unless tables are
-/// made for scenes or by the published method, which know no single wavelengths.
-pub(crate) fn read_hold(item: &Item, cover: &Cover) -> Result<bool> {
+/// Reads `hold`: which kinds of tables are stored. Where nothing is said both are, unless tables are made for scenes or by the
+/// published method, which know no single wavelengths.
+pub(crate) fn read_hold(item: &Item, cover: &Cover) -> Result<Hold> {
     let section = item.section(&keys::TABLES, "[tables]")?;
     let taylor = section.get("basis").is_some_and(|basis| basis.as_text() == Some("taylor"));
     let Some(item) = section.get("hold") else {
-        return Ok(cover.is_all() && !taylor);
+        return Ok(Hold { xyz: true, spectral: cover.is_all() && !taylor });
     };
     let names = if item.is_list() { item.list()? } else { Vec::new() };
     let held =
         names.iter().map(|name| name.choice(&[("spectral", true), ("xyz", false)])).collect::<Result<Vec<_>>>()?;
-    if !held.contains(&false) {
-        return Err(item.error(
-            "must be [\"xyz\"] or [\"spectral\", \"xyz\"]: pictures, checks and readers of colours take the tables of X, Y, Z",
-        ));
+    if held.is_empty() {
+        return Err(item.error("must be [\"xyz\"], [\"spectral\"] or [\"spectral\", \"xyz\"]"));
     }
     let spectral = held.contains(&true);
     if spectral && taylor {
@@ -130,7 +128,7 @@ pub(crate) fn read_hold(item: &Item, cover: &Cover) -> Result<bool> {
             "\"spectral\" goes with serve = \"all\": one wavelength of a scene looks up what another scene's may not need",
         ));
     }
-    Ok(spectral)
+    Ok(Hold { xyz: held.contains(&false), spectral })
 }
 
 fn size(item: &Item) -> Result<usize> {

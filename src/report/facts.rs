@@ -10,6 +10,7 @@ use diffraction_build::accuracy::rows::{Cause, ErrorRow};
 use diffraction_build::height::statistics::{STEEP_SLOPE, WAVES_MIN, least_uv_radius};
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::optics::dispersive::Dispersive;
+use diffraction_build::tables::look_ups::LookUp;
 use diffraction_build::tables::model::{Basis, Rounding, Storage};
 
 /// A name and what is to be said about it.
@@ -50,6 +51,7 @@ pub(crate) fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
         facts.extend(built.rounding.map(|rounding| fact("Numbers", format_of(built.storage, rounding))));
         facts.push(fact("Texels", texels(built)));
         facts.push(fact("Rim", rim(built)));
+        facts.extend(look_ups(built, &specimen.errors).map(|text| fact("Look-ups", text)));
         facts.push(fact("Made from", made_from(built)));
     }
     facts.extend(specimen.spectral.as_ref().map(|spectral| fact("Spectral tables", spectral_tables(spectral))));
@@ -81,13 +83,8 @@ fn good_for(specimen: &SpecimenResult, found: &Statistics) -> String {
     let Some(optics) = specimen.optics.as_ref().filter(|_| side_nm.is_finite()) else { return whole };
     let [shortest_nm, _] = optics.illuminant.reach_nm(optics.wavelength_nm);
     let least = least_uv_radius(side_nm, optics.least_sigma_nm(), shortest_nm);
-    let from = if least < 1.0 {
-        format!(" ({}° from the normal under light along it)", numbers::number(least.asin().to_degrees(), 2))
-    } else {
-        String::new()
-    };
     format!(
-        "{whole}; periods are told from {} on{from} at {shortest_nm:.0} nm: longer ones fit fewer than {WAVES_MIN} times into the \
+        "{whole}; periods are told from {} on at {shortest_nm:.0} nm: longer ones fit fewer than {WAVES_MIN} times into the \
          scan, or are one with the mirror’s light under this coherence",
         numbers::number(least, 2)
     )
@@ -104,6 +101,29 @@ fn rim(built: &BuildResult) -> String {
         "look-ups err by a thousandth and more where light and viewer are both beyond {}° on one side",
         numbers::round_number(theta_deg, 3)
     )
+}
+
+/// Which look-ups keep the tolerance in total, and how many texels would; nothing where nothing was measured.
+fn look_ups(built: &BuildResult, errors: &[ErrorRow]) -> Option<String> {
+    let worst = |cause: Cause| {
+        let of_groups = errors.iter().filter(|row| row.cause == cause).map(|row| row.p95).filter(|p95| p95.is_finite());
+        of_groups.reduce(f64::max)
+    };
+    let in_words = |(name, look_up, cause): (&str, LookUp, Cause)| {
+        let error = worst(cause)?;
+        let said = numbers::number(error, 2);
+        Some(if error <= built.tolerance {
+            format!("{name} ones keep the tolerance in 95 % of lit directions ({said})")
+        } else {
+            let size = look_up.size_for(built.tolerance, built.size.max(3), error);
+            format!(
+                "{name} ones err by {said} or more in 5 % of lit directions, about {size} × {size} texels would keep the tolerance"
+            )
+        })
+    };
+    let kinds = [("linear", LookUp::Linear, Cause::Total), ("cubic", LookUp::Cubic, Cause::TotalCubic)];
+    let parts: Vec<String> = kinds.into_iter().filter_map(in_words).collect();
+    (!parts.is_empty()).then(|| parts.join("; "))
 }
 
 /// The provenance of one scan: every entry of the JSON object, in its order. Empty entries are left out.

@@ -4,7 +4,7 @@ use minijinja::{Value, context};
 
 use crate::report::embed::Album;
 use crate::report::numbers;
-use crate::stages::gpu::results::{FrameComparison, GpuResult, GpuRow, MethodFrame, ReferenceCheck};
+use crate::stages::gpu::results::{FrameComparison, GpuResult, GpuRow, GpuSpectralRow, MethodFrame, ReferenceCheck};
 use diffraction_brdf::error::Result;
 use diffraction_render::render::gpu::GpuInfo;
 use diffraction_render::render::gpu_frame::Clock;
@@ -13,7 +13,7 @@ use diffraction_render::render::gpu_frame::Clock;
 pub fn section(result: &GpuResult, has_scenes: bool, album: &mut Album) -> Result<Value> {
     let (tone, text) = headline(result, has_scenes);
     let none: Vec<Value> = Vec::new();
-    let GpuResult::Checked { gpu, rows, frames } = result else {
+    let GpuResult::Checked { gpu, rows, spectral, frames } = result else {
         let facts = none.clone();
         return Ok(context! { tone, text, facts, rows => none.clone(), pictures => none, frames => Value::from(()) });
     };
@@ -35,7 +35,7 @@ pub fn section(result: &GpuResult, has_scenes: bool, album: &mut Album) -> Resul
         .map(|(index, row)| comparison(row, index == 0 || rows[index - 1].specimen != row.specimen))
         .collect();
     let frames = frames.as_deref().map(frame_times);
-    Ok(context! { tone, text, facts => facts(gpu), limit, rows, pictures, frames })
+    Ok(context! { tone, text, facts => facts(gpu, spectral), limit, rows, pictures, frames })
 }
 
 fn headline(result: &GpuResult, has_scenes: bool) -> (&'static str, String) {
@@ -43,6 +43,9 @@ fn headline(result: &GpuResult, has_scenes: bool) -> (&'static str, String) {
         GpuResult::Off => ("", "check switched off".into()),
         GpuResult::Skipped { why } => ("amber", format!("skipped: {why}")),
         GpuResult::Unusable { why } => ("red", why.clone()),
+        GpuResult::Checked { gpu, spectral, .. } if spectral.iter().any(|row| !row.passed()) => {
+            ("red", format!("spectral tables beyond limits on {}", gpu.adapter))
+        }
         GpuResult::Checked { gpu, rows, .. } => {
             let (all, beyond) = (rows.len(), rows.iter().filter(|row| !row.passed()).count());
             let scenes = format!("{} scene{}", numbers::count(all as u64), if all == 1 { "" } else { "s" });
@@ -59,7 +62,7 @@ fn headline(result: &GpuResult, has_scenes: bool) -> (&'static str, String) {
     }
 }
 
-fn facts(gpu: &GpuInfo) -> Vec<Value> {
+fn facts(gpu: &GpuInfo, spectral: &[GpuSpectralRow]) -> Vec<Value> {
     let clock = if gpu.timestamps { "on the GPU" } else { "none on the GPU: frames are timed from outside" };
     let limits = format!(
         "textures of {}² in up to {} layers, storage bindings of {}; used are WebGPU's default limits: 8192², 256 layers",
@@ -84,10 +87,27 @@ fn facts(gpu: &GpuInfo) -> Vec<Value> {
         ("Clock", clock.into()),
         ("Pixels", pixels.into()),
         ("Features used", used.into()),
+        ("Spectral tables", spectral_tables(spectral)),
         ("Features offered", gpu.features.join(", ").to_lowercase()),
     ]
     .map(|(name, text)| context! { name, text })
     .into()
+}
+
+/// How the values of spectral tables compare, specimen by specimen.
+fn spectral_tables(rows: &[GpuSpectralRow]) -> String {
+    if rows.is_empty() {
+        return "none compared".into();
+    }
+    let row = |row: &GpuSpectralRow| {
+        let (values, worst) = (numbers::count(row.values as u64), numbers::number(row.worst_of_tolerance, 2));
+        format!(
+            "{}: {} of {values} values within what rounding and filtering allow, the worst at {worst} of it",
+            row.specimen,
+            numbers::count((row.values - row.beyond) as u64)
+        )
+    };
+    rows.iter().map(row).collect::<Vec<_>>().join("; ")
 }
 
 /// A table row; only the first of a specimen names it.
@@ -177,7 +197,7 @@ mod tests {
             storage_binding_max_bytes: 1 << 30,
             features: Vec::new(),
         };
-        GpuResult::Checked { gpu: Box::new(gpu), rows, frames: None }
+        GpuResult::Checked { gpu: Box::new(gpu), rows, spectral: Vec::new(), frames: None }
     }
 
     /// Pictures of ones whose tables are off by `tables` and whose GPU adds `added`, where 0.01 is allowed.

@@ -5,9 +5,10 @@ use minijinja::{Environment, UndefinedBehavior, Value, context, escape_formatter
 use crate::report::embed::{Album, EMBEDDED_MAX_BYTES, Picture, missing};
 use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
-use crate::report::{budget_facts, frames, gpu_facts, measured, numbers, plots};
+use crate::report::{budget_facts, frames, goniometry, gpu_facts, measured, numbers, plots};
 use crate::stages::cache::store::CacheUse;
 use crate::stages::results::{RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
+use crate::stages::viewer::page::REPORT_WITHOUT;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::accuracy::directions::Group;
 use diffraction_build::accuracy::rows::{Cause, ErrorRow};
@@ -55,6 +56,7 @@ fn render_within(
         version => results.version.clone().unwrap_or_default(),
         started => results.started.replace('T', " ").replace('Z', " UTC"),
         program_version => &results.program_version,
+        viewer => safe(REPORT_WITHOUT.to_owned()),
         total_time => numbers::seconds(results.total_wall_s),
         threads => plural(results.threads, "thread"),
         cpus => plural(results.cpu_count, "processor"),
@@ -165,6 +167,7 @@ fn summary_row(number: usize, specimen: &SpecimenResult, preview: Option<&Still>
             0 => String::new(),
             count => plural(count, "warning"),
         },
+        reason => facts::warnings(specimen).first().map(|warning| first_words(warning)).unwrap_or_default(),
         thumb => preview.map_or_else(|| Value::from(dash()), |still| match still {
             Still::Defined { .. } => still.show("thumb", &format!("Preview of {}", specimen.name)),
             Still::Missing { .. } => Value::from(dash()),
@@ -183,6 +186,18 @@ fn summary_row(number: usize, specimen: &SpecimenResult, preview: Option<&Still>
             own => numbers::seconds(own.iter().map(|stage| stage.wall_s).sum()),
         },
     }
+}
+
+/// As much of a warning as an overview has room for: its first clause, or its first words.
+fn first_words(warning: &str) -> String {
+    const ROOM: usize = 90;
+    let line = warning.lines().next().unwrap_or_default();
+    let clause = line.split([';', ':']).next().filter(|clause| clause.len() > ROOM / 4).unwrap_or(line);
+    if clause.chars().count() <= ROOM {
+        return clause.into();
+    }
+    let cut: String = clause.chars().take(ROOM).collect();
+    format!("{} …", cut.rsplit_once(' ').map_or(cut.as_str(), |(start, _)| start))
 }
 
 fn specimen_section(
@@ -219,7 +234,12 @@ fn specimen_section(
     let errors: Vec<(&ErrorRow, bool)> =
         rows.iter().map(|row| (row, tolerance.is_some_and(|tolerance| row.is_over(tolerance)))).collect();
     let over = errors.iter().any(|(_, over)| *over);
+    let goniometry = match &specimen.goniometry {
+        Some(found) => Some(goniometry::view(found, periods, album)?),
+        None => None,
+    };
     Ok(context! {
+        goniometry => goniometry,
         id => anchor(number),
         name => &specimen.name,
         species => specimen.species.clone().unwrap_or_default(),
@@ -294,11 +314,13 @@ fn scene_view(scene: &SceneResult, album: &mut Album) -> Result<Value> {
     Ok(context! {
         name => &scene.name,
         about => format!(
-            "{}, {} × {} pixels, exposure {}",
+            "{}, {}{}{} × {} pixels, exposure {} stops",
             scene.shape,
+            scene.light,
+            if scene.light.is_empty() { "" } else { ", " },
             scene.size_px[0],
             scene.size_px[1],
-            numbers::number(scene.exposure, 3)
+            stops(scene.exposure)
         ),
         table => table,
         side_by_side => side_by_side,
@@ -316,6 +338,16 @@ fn scene_view(scene: &SceneResult, album: &mut Album) -> Result<Value> {
             numbers::seconds(scene.seconds),
         ],
     })
+}
+
+/// An exposure in stops: 0 shows a white diffuser that faces a light of unit irradiance as white.
+fn stops(exposure: f64) -> String {
+    let stops = (exposure / std::f64::consts::PI).log2();
+    if !stops.is_finite() {
+        return numbers::MISSING.into();
+    }
+    let sign = if stops < 0.0 { "−" } else { "+" };
+    format!("{sign}{:.1}", stops.abs())
 }
 
 fn shared_view(shared: &SharedSceneResult, album: &mut Album) -> Result<Value> {

@@ -11,13 +11,16 @@ pub mod study_page;
 mod study_plots;
 
 mod embed;
-mod facts;
+pub(crate) mod facts;
 mod frames;
+mod goniometry;
 mod gpu_facts;
+mod map_frames;
 mod measured;
 mod numbers;
 mod plots;
 pub mod spectrum_picture;
+mod strip_plots;
 mod svg;
 
 pub use html::render_html;

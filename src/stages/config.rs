@@ -21,8 +21,8 @@ pub struct RunConfig {
     pub tables: TablesConfig,
     /// Which directions the tables answer for.
     pub cover: Cover,
-    /// Whether specimens get spectral tables beside those of X, Y, Z.
-    pub spectral: bool,
+    /// Which kinds of tables are stored.
+    pub hold: Hold,
     /// The specimens, in order.
     pub specimens: Vec<SpecimenConfig>,
     /// The pictures, in order.
@@ -48,6 +48,15 @@ impl RunConfig {
     }
 }
 
+/// Which kinds of tables an atlas holds: `tables.hold` of a manifest. One of them at least.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct Hold {
+    /// Those of X, Y, Z. Where they are not stored, pictures, checks and readers have them derived from the spectral ones.
+    pub xyz: bool,
+    /// Those of single wavelengths.
+    pub spectral: bool,
+}
+
 /// One specimen.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpecimenConfig {
@@ -63,6 +72,8 @@ pub struct SpecimenConfig {
     pub prepare: PrepareConfig,
     /// The optics.
     pub optics: OpticsConfig,
+    /// Whether the manifest says what it is made of; an ideal reflector is assumed otherwise.
+    pub is_material_given: bool,
     /// Albedo of a pigment below the structure, linear sRGB.
     pub albedo: Option<[f64; 3]>,
     /// Measured reflectance to compare with.

@@ -6,6 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::cache::store::CacheUse;
+use super::goniometry::Goniometry;
 pub use super::gpu::results::{GpuResult, GpuRow};
 use super::stage::Stage;
 use crate::stages::measured::MeasuredResult;
@@ -126,6 +127,9 @@ pub struct SpecimenResult {
     /// Comparison with measured reflectance, where the manifest names some.
     #[serde(default)]
     pub measured: Option<MeasuredResult>,
+    /// Which colours it shows from which angles; `None` where its tables are restricted to scenes.
+    #[serde(default)]
+    pub goniometry: Option<Goniometry>,
     /// The scenes rendered with the tables.
     pub scenes: Vec<SceneResult>,
     /// Picture of the heights.
@@ -228,6 +232,9 @@ pub struct SceneResult {
     pub size_px: [usize; 2],
     /// Factor applied to the luminance before it is shown.
     pub exposure: f64,
+    /// Where the light comes from, in words.
+    #[serde(default)]
+    pub light: String,
     /// Seconds to render from the tables.
     pub seconds: f64,
     /// Measured difference from the reference, where one was rendered.

@@ -46,6 +46,9 @@ pub enum Stage {
     /// The model as the instrument sees it, and what was measured.
     #[serde(rename = "compare with measured reflectance")]
     CompareMeasured,
+    /// Maps, strips and spectra over the angles of light and detector.
+    #[serde(rename = "look from all sides")]
+    LookAround,
     /// Pictures and `specimen.json` to files.
     #[serde(rename = "write pictures")]
     WritePictures,
@@ -55,6 +58,9 @@ pub enum Stage {
     /// Spectral tables to files, and back.
     #[serde(rename = "store spectral tables")]
     StoreSpectral,
+    /// Tables of X, Y, Z from the spectral ones, where these alone are stored.
+    #[serde(rename = "derive tables of X, Y, Z")]
+    DeriveTables,
     /// Errors of the spectral tables at single wavelengths.
     #[serde(rename = "measure spectral errors")]
     MeasureSpectral,
@@ -86,9 +92,11 @@ impl Stage {
             Self::EvaluateReference => "evaluate the reference",
             Self::MeasureErrors => "measure errors",
             Self::CompareMeasured => "compare with measured reflectance",
+            Self::LookAround => "look from all sides",
             Self::WritePictures => "write pictures",
             Self::BuildSpectral => "build spectral tables",
             Self::StoreSpectral => "store spectral tables",
+            Self::DeriveTables => "derive tables of X, Y, Z",
             Self::MeasureSpectral => "measure spectral errors",
             Self::AccountSavings => "account for what is left out",
             Self::CheckOnGpu => "check on the GPU",
@@ -124,6 +132,7 @@ mod tests {
             EvaluateReference,
             MeasureErrors,
             CompareMeasured,
+            LookAround,
             WritePictures,
             BuildSpectral,
             StoreSpectral,

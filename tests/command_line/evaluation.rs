@@ -3,7 +3,7 @@
 use diffraction_brdf::direction::from_angles_deg;
 use serde_json::Value;
 
-use crate::place::{HEAD, LASERS, Place, ROUGH, WAVE, usual};
+use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, WAVE, contents, program, usual};
 
 pub const COLUMNS: &str = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg";
 
@@ -184,6 +184,60 @@ fn an_atlas_answers_for_other_wavelengths_and_lights() {
     assert_ne!(values(&own), values(&other));
 }
 
+/// Spectral tables alone: no file of X, Y, Z, and everything still answers.
+#[test]
+fn spectral_tables_alone_answer_for_everything() {
+    let place = Place::with_scans();
+    let settings = LASERS.replace("size = 65", "size = 401");
+    place.publish(&[HEAD, &settings, ROUGH, SCENES].concat());
+    let alone = settings.clone() + "hold = [\"spectral\"]\n";
+    let head = HEAD.replace("\"small\"", "\"alone\"");
+    place.write("alone.toml", &[&head, &alone, ROUGH, SCENES].concat());
+    place.call("run alone.toml --quiet").ended(0);
+    let files = contents(&place.path("out/alone/v0001"));
+    let is_xyz = |path: &&String| path.contains("/table.") || path.contains("/lobe.");
+    assert!(
+        !files.keys().any(|path| is_xyz(&path)) && files.contains_key("rough/spectral.000.exr"),
+        "{:?}",
+        files.keys()
+    );
+    assert!(files.contains_key("rough/preview.png") && files.contains_key("rough/scenes/map.exr"));
+    let specimen: serde_json::Value = serde_json::from_slice(&files["rough/specimen.json"]).unwrap();
+    assert_eq!(specimen["tables"]["tables"].as_array().map(Vec::len), Some(0));
+    assert_eq!(specimen["tables"]["derived_under"]["wavelength_nm"].as_array().map(Vec::len), Some(2));
+    assert!(!specimen["spectral"]["check_values"].as_array().unwrap().is_empty());
+    let page = String::from_utf8(files["FORMAT.md"].clone()).unwrap();
+    assert!(page.contains("holds spectral tables alone") && !page.contains("## A worked number"));
+    // Values are those of an atlas with both kinds, whose own tables of X, Y, Z come from the scan.
+    place.write("d.csv", &directions(10));
+    let of = |atlas: &str, more: &str| {
+        let line = format!("eval --directions d.csv --atlas out/{atlas} --specimen rough --interpolation cubic {more}");
+        values(&place.call(&line).ended(0).stdout).concat()
+    };
+    for (more, tolerance) in [("", 2e-3), ("--wavelengths-nm 450,500,780", 1e-12)] {
+        let (found, exact) = (of("alone", more), of("small", more));
+        let largest = exact.iter().copied().fold(0.0, f64::max);
+        let worst = found.iter().zip(&exact).map(|(a, b)| (a - b).abs() / largest).fold(0.0, f64::max);
+        assert!(worst <= tolerance, "{more}: {worst:e}");
+    }
+    place.call("verify out/alone").ended(0);
+    assert!(place.call("inspect out/alone").ended(0).stdout.contains("spectral tables of 401"));
+    assert!(place.call("plan alone.toml").ended(0).stdout.contains("files of X, Y, Z"));
+    place.call("export out/alone --form shaders --out shaders").ended(0);
+    assert!(place.path("shaders/rough/spectral_tables.rgba16f").is_file());
+    // A library user sees no difference either.
+    let brdf = diffraction_brdf::Atlas::open(place.path("out/alone")).unwrap().brdf("rough").unwrap();
+    assert!(brdf.eval([0.0, 0.0, 1.0], [0.0, 0.0, 1.0])[1] > 0.0);
+    // Without the spectral tables' entry there is nothing to derive from.
+    let mut broken = specimen.clone();
+    broken.as_object_mut().unwrap().remove("spectral");
+    let folder = place.path("broken");
+    std::fs::create_dir(&folder).unwrap();
+    std::fs::write(folder.join("specimen.json"), broken.to_string()).unwrap();
+    let error = diffraction_brdf::specimen::load(&folder).unwrap_err().to_string();
+    assert!(error.contains("derived from spectral ones"), "{error}");
+}
+
 #[test]
 fn polarised_values_add_up_to_the_unpolarised_ones() {
     let place = Place::with_scans();
@@ -219,6 +273,39 @@ fn polarised_values_add_up_to_the_unpolarised_ones() {
         let called = place.call(&format!("eval --directions d.csv --specimen wave --polarised {line}")).ended(1);
         assert!(called.stdout.is_empty() && called.stderr.contains("ideal reflector, which has no refractive index"));
     }
+}
+
+#[test]
+fn directions_come_from_standard_input_and_values_as_json() {
+    let place = Place::with_scans();
+    place.publish(&[HEAD, LASERS, ROUGH].concat());
+    let csv = format!("{COLUMNS}\n10,20,30.5,200\n0,0,12,-7\n");
+    place.write("d.csv", &csv);
+    let line = "--atlas out/small --specimen rough --wavelengths-nm 450,633";
+    let plain = place.call(&format!("eval --directions d.csv {line}")).ended(0);
+    let piped = |line: &str, input: &str| {
+        let words = format!("eval --directions - {line}");
+        program(place.folder()).args(words.split(' ')).write_stdin(input).output().unwrap()
+    };
+    assert_eq!(String::from_utf8(piped(line, &csv).stdout).unwrap(), plain.stdout);
+    let spoilt = piped(line, &csv.replace("12", "twelve"));
+    let said = String::from_utf8(spoilt.stderr).unwrap();
+    assert!(spoilt.status.code() == Some(1) && said.contains("standard input: line 3: `twelve`"), "{said}");
+
+    let json = place.call(&format!("eval --directions d.csv {line} --json")).ended(0).json();
+    let rows = values(&plain.stdout);
+    assert_eq!(json.as_array().unwrap().len(), rows.len());
+    for (object, row) in json.as_array().unwrap().iter().zip(rows) {
+        let names: Vec<&String> = object.as_object().unwrap().keys().collect();
+        assert_eq!(names, ["theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg", "f_450_nm", "f_633_nm"]);
+        for (name, expected) in names.iter().zip(row) {
+            // CSV holds ten digits.
+            let found = object[name.as_str()].as_f64().unwrap();
+            assert!((found - expected).abs() <= 1e-9 * expected.abs(), "{name}: {found} for {expected}");
+        }
+    }
+    place.call(&format!("eval --directions d.csv {line} --json --out d.json")).ended(0);
+    assert_eq!(place.json("d.json"), json);
 }
 
 #[test]

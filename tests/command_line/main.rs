@@ -11,6 +11,7 @@ mod manifest_fixture;
 mod scan_files;
 
 mod cache;
+mod colours;
 mod damage;
 mod energy;
 mod evaluation;
@@ -32,3 +33,4 @@ mod restricted;
 mod scans;
 mod settings;
 mod versions;
+mod viewing;

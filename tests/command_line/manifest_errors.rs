@@ -204,6 +204,7 @@ const CASES: &[Case] = &[
     ("\"squamates\"", "\"-rf\"", "4:8", "\"-rf\"", &["`atlas.name`", "letter"]),
     // Files.
     ("scans = [\"snake.tif\"]\npitch", "scans = [\"snake.tif\", \"nowhere.tif\"]\npitch", "20:23", "\"nowhere.tif\"", &["`specimen[0].scans[1]`", "exist", "nowhere.tif"]),
+    ("scans = [\"snake.tif\"]\npitch", "scans = [\".\"]\npitch", "20:10", "\".\"", &["`specimen[0].scans[0]`", "a folder where a file is expected"]),
     ("scans = [\"snake.tif\"]\npitch", "scans = [\"snake_*.tif\"]\npitch", "20:10", "\"snake_*.tif\"", &["file"]),
     ("scans = [\"snake.tif\"]\npitch", "scans = []\npitch", "20:9", "[]", &["file"]),
     ("scans = [\"snake.tif\"]\npitch", "scans = [\"\"]\npitch", "20:10", "\"\"", &["empty"]),

@@ -11,7 +11,8 @@ fn layout(specimens: &[(&str, [usize; 2])], scenes: &[&str]) -> BTreeSet<String>
     let mut files: BTreeSet<String> =
         ["atlas.json", "FORMAT.md", "report.html", "report.json"].map(String::from).into();
     for (specimen, [tables, spectral]) in specimens {
-        for file in ["specimen.json", "lobe.exr", "spectral_lobe.exr", "preview.png", "heights.png", "spectrum.png"] {
+        let pictures = ["preview.png", "heights.png", "spectrum.png", "reflection_00deg.png", "reflection_45deg.png"];
+        for file in ["specimen.json", "lobe.exr", "spectral_lobe.exr"].into_iter().chain(pictures) {
             files.insert(format!("{specimen}/{file}"));
         }
         files.extend((0..*tables).map(|n| format!("{specimen}/table.{n:03}.exr")));

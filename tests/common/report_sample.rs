@@ -6,14 +6,16 @@ use std::sync::LazyLock;
 
 use diffraction_atlas::report::pictures::height_map;
 use diffraction_atlas::report::spectrum_picture::{spectrum_half_range_per_um, spectrum_picture};
+use diffraction_atlas::stages::goniometry::{BrightDirection, Goniometry, Plane, ReflectionMap, SetUp, Strip};
 use diffraction_atlas::stages::gpu::check::{CpuPictures, compare, compare_with_reference};
-use diffraction_atlas::stages::gpu::results::{FrameComparison, MethodFrame};
+use diffraction_atlas::stages::gpu::results::{FrameComparison, GpuSpectralRow, MethodFrame};
 use diffraction_atlas::stages::results::*;
 use diffraction_atlas::stages::stage::Stage;
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::accuracy::directions::Group;
 use diffraction_build::accuracy::power_sums::{DirectionalAlbedo, PowerSum};
 use diffraction_build::accuracy::rows::{Cause, ErrorRow};
+use diffraction_build::ground::hue::Hue;
 use diffraction_build::ground::sampling::Region;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
@@ -133,6 +135,7 @@ fn truncated() -> SpecimenResult {
         power_sums: vec![],
         albedo: vec![],
         measured: None,
+        goniometry: None,
         scenes: vec![],
         height_map: None,
         spectrum: None,
@@ -188,6 +191,7 @@ fn specimen(
         power_sums: power_sums(),
         albedo: albedo(),
         measured: None,
+        goniometry: Some(goniometry(name, pictures)),
         scenes: vec![scene(name, &periods[0], pictures)],
         height_map: Some(height_file(name, field, pictures)),
         spectrum: Some(spectrum_file(name, field, &periods, pictures)),
@@ -206,6 +210,28 @@ fn specimen(
         budget: None,
         warnings: vec![],
         failed: None,
+    }
+}
+
+fn goniometry(name: &str, pictures: &mut BTreeMap<String, Vec<u8>>) -> Goniometry {
+    let png = format!("{name}/reflection_00deg.png");
+    pictures.insert(png.clone(), encode_png(&Array3::from_elem((65, 65, 3), 20)).unwrap());
+    let colour =
+        |angle: i32| [0.2, 0.4, 0.1].map(|c: f32| c * (-0.01 * (f64::from(angle).abs() - 20.0).powi(2)).exp() as f32);
+    let strip = |set_up| Strip { set_up, plane: Plane::Xz, first_deg: -85, xyz: (-85..=85).map(colour).collect() };
+    Goniometry {
+        acceptance_deg: 1.0,
+        sentence: "In light from straight above it looks white from there.".into(),
+        maps: vec![ReflectionMap { png, light_theta_deg: 0.0, white_level: 2.5 }],
+        strips: vec![strip(SetUp::NormalIncidence), strip(SetUp::Mirror)],
+        brightest: vec![BrightDirection {
+            theta_deg: 20.3,
+            phi_deg: 180.0,
+            xyz: [0.2, 0.4, 0.1],
+            hue: Hue::of([0.2, 0.4, 0.1], [0.95, 1.0, 1.09]),
+            wavelength_nm: (0..=80).map(|n| 380.0 + 5.0 * f64::from(n)).collect(),
+            radiance_factor: (0..=80).map(|n| (-0.01 * f64::from(n - 34).powi(2)).exp()).collect(),
+        }],
     }
 }
 
@@ -321,6 +347,7 @@ fn scene(name: &str, period: &Period, pictures: &mut BTreeMap<String, Vec<u8>>) 
     pictures.insert(path(".side_by_side"), encode_png(&pair).unwrap());
     pictures.insert(path(".difference"), encode_png(&difference).unwrap());
     SceneResult {
+        light: "light from 45° at azimuth 0°, 0.53° wide".into(),
         name: "sphere".into(),
         shape: "sphere".into(),
         size_px: [512, 512],
@@ -458,7 +485,18 @@ fn gpu_result() -> GpuResult {
         copy_gb_per_s: 11.3,
     };
     let rows = [("corn_snake_like", 3.1e-6, None), ("blazed_2500nm", 3e-1, Some("corn_snake_like/preview.png"))];
-    GpuResult::Checked { gpu: Box::new(gpu), rows: rows.map(gpu_row).into(), frames: Some(Box::new(frames)) }
+    GpuResult::Checked {
+        gpu: Box::new(gpu),
+        rows: rows.map(gpu_row).into(),
+        spectral: vec![GpuSpectralRow {
+            specimen: "grating".into(),
+            values: 768,
+            not_finite: 0,
+            beyond: 0,
+            worst_of_tolerance: 0.31,
+        }],
+        frames: Some(Box::new(frames)),
+    }
 }
 
 /// A scene on which the GPU adds `added` where 1e-3 of white are allowed.

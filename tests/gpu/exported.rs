@@ -71,6 +71,22 @@ fn spectral_tables_are_exported_with_their_shader() {
         let texels: u64 = (0..3).map(|axis| index[name]["width_height_layers"][axis].as_u64().unwrap()).product();
         assert_eq!(read(index[name]["file"].as_str().unwrap()).len() as u64, texels * texel_bytes, "{name}");
     }
+    for source in ShaderSource::ALL {
+        assert!(exported.join(source.file_name(ShaderLanguage::GlslEs300)).is_file(), "{source:?}");
+    }
+    for index in [&index, &serde_json::from_slice(&read("textures.json")).unwrap()] {
+        let about = &index["tables"];
+        let sizes: Vec<[u64; 2]> = serde_json::from_value(about["coarser"]["width_height"].clone()).unwrap();
+        let mut side = [0, 1].map(|axis| about["width_height_layers"][axis].as_u64().unwrap());
+        assert!(sizes.len() > 1, "{sizes:?}");
+        for size in &sizes {
+            side = side.map(|side| side / 2);
+            assert_eq!(size, &side);
+        }
+        let layers = about["width_height_layers"][2].as_u64().unwrap();
+        let texels: u64 = sizes.iter().map(|[width, height]| layers * width * height).sum();
+        assert_eq!(read(about["coarser"]["file"].as_str().unwrap()).len() as u64, 8 * texels);
+    }
     let atlas = Atlas::open(&published().config.atlas_root).unwrap();
     let brdf = atlas.brdf("wave").unwrap();
     let image = spectral_image(brdf.spectral().unwrap()).unwrap();

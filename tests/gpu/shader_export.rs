@@ -23,13 +23,15 @@ fn accepted(tool: &str, arguments: &[&str], file: &Path) -> Option<bool> {
     Some(output.status.success())
 }
 
-const SOURCES: [ShaderSource; 2] = [ShaderSource::Tables, ShaderSource::Spectral];
+const SOURCES: [ShaderSource; 4] = ShaderSource::ALL;
 
 /// Name of a source's entry point, and a field of its uniform.
 fn names(source: ShaderSource) -> [&'static str; 2] {
     match source {
         ShaderSource::Tables => ["shade_material", "radius_max"],
+        ShaderSource::TablesFiltered => ["shade_material_filtered", "radius_max"],
         ShaderSource::Spectral => ["shade_spectral", "cross_radius"],
+        ShaderSource::SpectralFiltered => ["shade_spectral_filtered", "cross_radius"],
     }
 }
 
@@ -89,7 +91,15 @@ fn spirv_validates() {
 fn msl_holds_the_functions_and_the_bindings() {
     for (source, signatures) in [
         (ShaderSource::Tables, ["fragment shade_materialOutput shade_material(", "metal::float3 brdf_xyz("]),
+        (
+            ShaderSource::TablesFiltered,
+            ["fragment shade_material_filteredOutput shade_material_filtered(", "metal::float3 brdf_xyz_filtered("],
+        ),
         (ShaderSource::Spectral, ["fragment shade_spectralOutput shade_spectral(", "float brdf_spectral("]),
+        (
+            ShaderSource::SpectralFiltered,
+            ["fragment shade_spectral_filteredOutput shade_spectral_filtered(", "float brdf_spectral_filtered("],
+        ),
     ] {
         let text = String::from_utf8(shader(source, ShaderLanguage::Msl).unwrap()).unwrap();
         let slots = ["[[buffer(0)]]", "[[texture(0)]]", "[[texture(1)]]", "[[texture(2)]]", "[[sampler(0)]]"];
@@ -104,9 +114,12 @@ fn msl_holds_the_functions_and_the_bindings() {
 #[test]
 fn every_text_holds_the_evaluation_under_its_own_names() {
     let shared = ["diffuse_factor(", "coherent_factor(", "geometry_factor("];
-    for (source, own) in
-        [(ShaderSource::Tables, ["brdf_xyz(", "lobe_at("]), (ShaderSource::Spectral, ["brdf_spectral(", "power_at("])]
-    {
+    for (source, own) in [
+        (ShaderSource::Tables, ["brdf_xyz(", "lobe_at("]),
+        (ShaderSource::TablesFiltered, ["brdf_xyz_filtered(", "gaussian_mean("]),
+        (ShaderSource::Spectral, ["brdf_spectral(", "power_at("]),
+        (ShaderSource::SpectralFiltered, ["brdf_spectral_filtered(", "gaussian_mean("]),
+    ] {
         for language in ShaderLanguage::ALL.into_iter().filter(|language| *language != ShaderLanguage::Spirv) {
             let text = String::from_utf8(shader(source, language).unwrap()).unwrap();
             for name in own.into_iter().chain(shared) {
@@ -119,7 +132,12 @@ fn every_text_holds_the_evaluation_under_its_own_names() {
 /// The READMEs that go with exported shaders name what is in them.
 #[test]
 fn bindings_are_where_the_readmes_say() {
-    for (source, readme) in [(ShaderSource::Tables, README), (ShaderSource::Spectral, SPECTRAL_README)] {
+    for (source, readme) in [
+        (ShaderSource::Tables, README),
+        (ShaderSource::TablesFiltered, README),
+        (ShaderSource::Spectral, SPECTRAL_README),
+        (ShaderSource::SpectralFiltered, SPECTRAL_README),
+    ] {
         let text = |language| String::from_utf8(shader(source, language).unwrap()).unwrap();
         let columns = [ShaderLanguage::Glsl450, ShaderLanguage::GlslEs300, ShaderLanguage::Hlsl, ShaderLanguage::Msl];
         let mut rows = 0;

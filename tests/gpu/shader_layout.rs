@@ -2,6 +2,7 @@
 
 use diffraction_brdf::shader::{LAYERS_MAX, TABLES_WGSL, TableParams};
 use diffraction_brdf::shader_spectral::{SPECTRAL_WGSL, SpectralParams};
+use diffraction_render::render::gpu_filtered::FilteredQuery;
 use diffraction_render::render::gpu_layout::{FrameLight, FrameParams, Run, ShadingSample};
 use diffraction_render::render::gpu_spectral::SpectralQuery;
 use diffraction_render::render::wgsl;
@@ -50,6 +51,7 @@ fn structs_have_the_same_bytes() {
         first_column,
         first_row,
         factor,
+        lobe_columns,
         permittivity,
         pigment,
         table_scales,
@@ -60,7 +62,7 @@ fn structs_have_the_same_bytes() {
     assert_eq!(layout_in_shader(&check, "Run"), layout_in_rust!(Run { first, count }));
     let params = layout_in_rust!(FrameParams { size_px, light_count, lit_words, exposure });
     assert_eq!(layout_in_shader(&frame, "FrameParams"), params);
-    let light = layout_in_rust!(FrameLight { direction, irradiance, layer });
+    let light = layout_in_rust!(FrameLight { direction, irradiance, layer, angular_radius });
     assert_eq!(layout_in_shader(&frame, "FrameLight"), light);
 }
 
@@ -86,6 +88,10 @@ fn structs_of_spectral_tables_have_the_same_bytes() {
     assert_eq!(layout_in_shader(&check, "SpectralParams"), params);
     let query = layout_in_rust!(SpectralQuery { wi, wavelength_nm, wo, own_index, index });
     assert_eq!(layout_in_shader(&check, "SpectralQuery"), query);
+    let query = layout_in_rust!(FilteredQuery { wi, wavelength_nm, wo, angular_radius, normals, more });
+    for source in [wgsl::filtered_check(), wgsl::filtered_spectral_check()] {
+        assert_eq!(layout_in_shader(&module(&source), "FilteredQuery"), query);
+    }
 }
 
 #[test]

@@ -48,7 +48,7 @@ fn build_tables(field: HeightField, edge: Edge, windows: Windows, front: FrontFa
     let fields = [field];
     let input = BuildInput::new(&fields, &optics, &config);
     let built = build_spectral(&input, &spectral, &|_| ()).expect("the tables build");
-    built.packed(&built.grey, &input, &spectral)
+    built.tables
 }
 
 const DIELECTRIC: FrontFactor =

@@ -242,6 +242,18 @@ impl Told {
     }
 }
 
+/// The 95th percentile of the largest of a direction's three.
+fn largest_p95(told: &Told, found: usize, expected: usize) -> f64 {
+    let of = |xyz: &[Xyz; 4]| {
+        let share = |c: usize| {
+            let whole = if c == 1 { xyz[expected][1] } else { xyz[expected].iter().sum() };
+            (xyz[found][c] - xyz[expected][c]).abs() / whole
+        };
+        share(0).max(share(1)).max(share(2))
+    };
+    quantile(&told.lit.iter().map(of).collect::<Vec<_>>(), 0.95)
+}
+
 fn short(errors: [[f64; 3]; 3]) -> String {
     errors.map(|[a, b, c]| format!("{a:.1e} {b:.1e} {c:.1e}")).join(", ")
 }
@@ -311,8 +323,10 @@ fn tables_of_metals_err_by_what_is_stated() {
         assert!(told.lit.len() > 100, "{}", told.lit.len());
         // The reference is the direct sum; what the row states is how far the tables' factor is from it.
         assert!(of_reference.iter().all(|[_, most, worst]| *most < 1e-5 && *worst < 1e-3), "{name}: {of_reference:?}");
-        assert!((of_factor[1][1] / stated.p95 - 1.0).abs() < 1e-9, "{name}: {of_factor:?} {stated:?}");
-        assert!(stated.p95 < most && stated.p95 > 1e-4, "{name}: {stated:?}");
+        assert!((largest_p95(&told, 2, 1) / stated.p95 - 1.0).abs() < 1e-9, "{name}: {of_factor:?} {stated:?}");
+        // Of Y alone, which hides some of a metal's colour.
+        assert!(of_factor[1][1] < most && of_factor[1][1] > 1e-4, "{name}: {of_factor:?}");
+        assert!(stated.p95 >= of_factor[1][1], "{name}: {of_factor:?} {stated:?}");
         // The rest is what tables err by of whatever material, basis, step and grid a thousandth each: the metal's edge is in their
         // wavelengths' weights.
         assert!(step.p95 < 1e-3, "{name}: {step:?}");

@@ -2,11 +2,14 @@
 
 use crate::common::surfaces::{PLACEMENTS, quantile, random, tables_config};
 use diffraction_brdf::SpectralTables;
+use diffraction_brdf::derived::DerivedLight;
 use diffraction_brdf::direction::Vec3;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::front_factor::Factor;
+use diffraction_brdf::spectral::SpectralLobe;
 use diffraction_brdf::spectral_storage::{StoredSpectral, read_spectral, write_spectral};
 use diffraction_brdf::spectrum::{Illuminant, Line};
+use diffraction_build::ground::metrics::colour_error_quantiles;
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
@@ -14,7 +17,7 @@ use diffraction_build::optics::reference::brdf_spectrum;
 use diffraction_build::tables::build::build;
 use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::model::{Storage, TableSet, TablesConfig};
-use diffraction_build::tables::spectral::{SpectralInput, build_spectral};
+use diffraction_build::tables::spectral::{SpectralInput, build_spectral, obstacle};
 
 const TOLERANCE: f64 = 1e-3;
 
@@ -27,7 +30,7 @@ fn spectral_tables(fields: &[HeightField], optics: &OpticsConfig, tables: &Table
     let spectral = SpectralInput::new(optics, tables);
     let input = BuildInput::new(fields, optics, tables);
     let built = build_spectral(&input, &spectral, &|_| ()).unwrap();
-    built.packed(&built.rounded(&spectral).set, &input, &spectral)
+    built.rounded(&spectral).set
 }
 
 /// Pairs of directions with a wavelength each, over the hemisphere, near the mirror direction, and at grazing angles.
@@ -94,6 +97,83 @@ fn any_light_gives_what_tables_made_for_it_hold() {
         let [count, p95] = [errors.len() as f64, quantile(&errors, 0.95)];
         assert!(count > 100.0 && p95 < 2.0 * TOLERANCE, "{illuminant:?}: {count} {p95:e}");
     }
+}
+
+#[test]
+fn derived_tables_are_those_that_are_built() {
+    let fields = [random([101, 120], [170.0, 150.0], 380.0, 70.0, 7)];
+    let tables = tables_config(TOLERANCE, None);
+    let lines = [450.0, 532.0, 632.8].map(|wavelength_nm| Line { wavelength_nm, power: 1.0 });
+    let lights = [Illuminant::D65, Illuminant::A, Illuminant::Lines(lines.to_vec())];
+    let pairs: Vec<(Vec3, Vec3)> = Region::ALL.into_iter().flat_map(|region| direction_pairs(region, 60)).collect();
+    for (index, (edge, windows)) in PLACEMENTS.into_iter().enumerate() {
+        let made_with = optics(edge, windows, 1_500.0, Factor::Vector);
+        let spectral = spectral_tables(&fields, &made_with, &tables);
+        // Every light for one placement, one light for every other.
+        for illuminant in &lights[..if index == 0 { lights.len() } else { 1 }] {
+            let optics = OpticsConfig { illuminant: illuminant.clone(), ..made_with.clone() };
+            let (built, _) = build(&BuildInput::new(&fields, &optics, &tables), &|_| ()).unwrap();
+            let light = DerivedLight { illuminant: illuminant.clone(), wavelength_nm: optics.wavelength_nm };
+            let derived = spectral.xyz_tables(&light).unwrap();
+            let of = |set: &TableSet| -> Vec<[f64; 3]> {
+                pairs.iter().map(|&(wi, wo)| brdf_xyz(set, Interpolation::Cubic, wi, wo)).collect()
+            };
+            let floor = 0.1 * quantile(&of(&built).iter().map(|xyz| xyz[1]).collect::<Vec<_>>(), 0.5);
+            let found = colour_error_quantiles(&of(&built), &of(&derived), floor);
+            assert!(found.count > 100 && found.p95 < 2.0 * TOLERANCE, "{edge:?} {windows:?} {illuminant:?}: {found:?}");
+            if *illuminant != Illuminant::A {
+                continue;
+            }
+            // Another light is seen.
+            let other = DerivedLight { illuminant: Illuminant::F(2), ..light };
+            let found = colour_error_quantiles(&of(&built), &of(&spectral.xyz_tables(&other).unwrap()), floor);
+            assert!(found.p95 > 10.0 * TOLERANCE, "{found:?}");
+        }
+    }
+}
+
+#[test]
+fn a_source_of_fixed_size_is_held_where_the_scan_limits_the_rest() {
+    // A source of 3 degrees: windows of 3.3 to 6.7 um, of which a scan 8 um wide resolves 2 um.
+    let fields = [random([64, 64], [125.0, 125.0], 300.0, 60.0, 11)];
+    let source = OpticsConfig { source_deg: Some(3.0), ..optics(Edge::Auto, Windows::Grid, 1.0, Factor::Vector) };
+    let made_for = source.for_scans(&fields);
+    assert!(obstacle(&made_for).is_none());
+    let set = spectral_tables(&fields, &made_for, &tables_config(TOLERANCE, None));
+    let lobe = set.lobe.as_ref().unwrap();
+    assert!(lobe.is_of_source && set.sigma_nm == 2_000.0 && (lobe.sigma_nm / 3_267.0 - 1.0).abs() < 1e-3, "{lobe:?}");
+    let within = |a: &(Vec3, Vec3, f64)| (0..2).all(|c| (a.0[c] + a.1[c]).abs() < 1.1);
+    let places: Vec<_> = places(40).into_iter().filter(within).collect();
+    // Within the lobe, half of it the mirror direction itself.
+    let mirror = |(n, (wi, _, nm)): (usize, &(Vec3, Vec3, f64))| {
+        let off = if n % 2 == 0 { 0.0 } else { 0.01 };
+        let [x, y] = [off - wi[0], -wi[1]];
+        (*wi, [x, y, (1.0 - x * x - y * y).max(1e-6).sqrt()], *nm)
+    };
+    let in_lobe: Vec<_> = places.iter().enumerate().map(mirror).collect();
+    for places in [&places, &in_lobe] {
+        let errors = errors(&set, &fields, &made_for, places);
+        let [median, p95] = [0.5, 0.95].map(|share| quantile(&errors, share));
+        assert!(errors.len() > 40 && p95 < TOLERANCE, "{median:e} {p95:e}");
+    }
+    // A lobe of one width at every wavelength is found.
+    let constant = SpectralLobe { is_of_source: false, ..lobe.clone() };
+    let wrong = SpectralTables { lobe: Some(constant), ..set.clone() };
+    assert!(quantile(&errors(&wrong, &fields, &made_for, &in_lobe), 0.5) > 0.1);
+    // Files keep it.
+    let folder = tempfile::tempdir().unwrap();
+    let stored = write_spectral(folder.path(), &set, Storage::Float).unwrap();
+    assert!(stored.formula.contains("C lobe") && !stored.formula.contains("r^2 C lobe"));
+    assert_eq!(read_spectral(folder.path(), &stored, set.front_factor).unwrap(), set);
+    // A scan that tells windows of 3.3 and 6.7 um apart has no such tables, and says why.
+    let large = [random([256, 256], [125.0, 125.0], 300.0, 60.0, 11)];
+    let optics = source.for_scans(&large);
+    let why = obstacle(&optics).unwrap();
+    assert!(why.contains("3.3 and 6.7 um"), "{why}");
+    let tables = tables_config(TOLERANCE, None);
+    let settings = SpectralInput::new(&optics, &tables);
+    let error = build_spectral(&BuildInput::new(&large, &optics, &tables), &settings, &|_| ()).unwrap_err();
+    assert!(error.to_string().contains(&why), "{error}");
 }
 
 #[test]

@@ -234,7 +234,7 @@ fn the_format_page_holds_the_worked_number() {
     let (_, stored) = specimen_file::load(&folder.path().join("one")).unwrap();
     let worked = work_number(&stored, [40.0, 10.0, 40.5, 190.2]);
     assert!(worked.lobe.as_ref().unwrap().lookup.is_some(), "the example shows the lobe");
-    let page = format_md(&file, &worked);
+    let page = format_md(&file, Some(&worked));
     // The page's last line is the number itself, to seven digits.
     let last = page.lines().last().unwrap();
     let numbers = last.split(['(', ')']).nth(1).unwrap().split(", ");

@@ -5,12 +5,16 @@ use std::fmt::Write;
 use std::path::Path;
 
 use crate::common::optics_forms::{front, gaussian};
-use crate::common::surfaces::{PLACEMENTS, flat, laser, lobe_deviation, random, sampled};
+use crate::common::surfaces::{PLACEMENTS, flat, laser, lobe_deviation, random, sampled, tables_config};
 use diffraction_atlas::stages::measured::{self, CurveResult, MeasuredConfig, MeasuredResult};
+use diffraction_brdf::SpectralTables;
 use diffraction_brdf::direction::{from_angles_deg, wave_vector_change};
+use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::optics::reference::brdf_spectrum;
+use diffraction_build::tables::input::BuildInput;
+use diffraction_build::tables::spectral::{SpectralInput, build_spectral};
 
 const PERIOD_NM: f64 = 1_600.0;
 const AMPLITUDE_NM: f64 = 60.0;
@@ -62,7 +66,7 @@ fn file(folder: &Path, kind: &str, value: impl Fn([f64; 4], f64) -> f64) -> Meas
 
 fn compared(field: &HeightField, optics: &OpticsConfig, config: &MeasuredConfig) -> MeasuredResult {
     let measurement = measured::read(config).unwrap();
-    measured::compare(std::slice::from_ref(field), optics, &measurement, "r.csv".into(), MEMORY_BYTES).unwrap()
+    measured::compare(std::slice::from_ref(field), optics, None, &measurement, "r.csv".into(), MEMORY_BYTES).unwrap()
 }
 
 fn along<'a>(result: &'a MeasuredResult, coordinate: &str) -> Vec<&'a CurveResult> {
@@ -83,6 +87,45 @@ fn the_bundled_file_is_the_closed_form() {
         // Seven digits are written.
         assert!((value / expected - 1.0).abs() < 6e-7, "row {row}: {value} {expected}");
     }
+}
+
+/// Spectral tables of a sinusoid, fine enough for a tenth of a percent.
+fn spectral_tables(period_nm: f64, shortest_nm: f64) -> SpectralTables {
+    let optics = OpticsConfig {
+        illuminant: Illuminant::E,
+        wavelength_nm: [shortest_nm, 780.0],
+        ..OpticsConfig::ideal(Illuminant::E, SIGMA_NM, Edge::Tile, Windows::Grid)
+    };
+    let tables = tables_config(1e-3, None);
+    let fields = [sinusoid(period_nm)];
+    let settings = SpectralInput::new(&optics, &tables);
+    build_spectral(&BuildInput::new(&fields, &optics, &tables), &settings, &|_| ()).unwrap().tables
+}
+
+#[test]
+fn spectral_tables_meet_the_closed_form_where_they_answer() {
+    let folder = tempfile::tempdir().unwrap();
+    let (field, optics) = (sinusoid(PERIOD_NM), optics());
+    let config = file(folder.path(), "brdf_per_sr", closed_form);
+    let measurement = measured::read(&config).unwrap();
+    let compared = |tables: Option<&SpectralTables>| {
+        let fields = std::slice::from_ref(&field);
+        measured::compare(fields, &optics, tables, &measurement, "r.csv".into(), MEMORY_BYTES).unwrap()
+    };
+    let by_scan = compared(None);
+    let by_tables = compared(Some(&spectral_tables(PERIOD_NM, 380.0)));
+    assert!(
+        by_tables.notes.is_empty() && by_tables.columns[0].relative_l2 < 1e-3,
+        "{:?}",
+        by_tables.columns[0].relative_l2
+    );
+    // They are another way, and it is theirs that is taken: tables of another surface are seen.
+    assert!(by_tables.columns[0].relative_l2 > 10.0 * by_scan.columns[0].relative_l2);
+    assert!(compared(Some(&spectral_tables(1.05 * PERIOD_NM, 380.0))).columns[0].relative_l2 > 0.5);
+    // Where they begin too late the scan answers, and the figures say so.
+    let late = compared(Some(&spectral_tables(PERIOD_NM, 420.0)));
+    assert_eq!(late.columns, by_scan.columns);
+    assert!(late.notes[0].contains("from the scan") && late.notes[0].contains("begin at 420 nm"), "{:?}", late.notes);
 }
 
 #[test]
@@ -139,7 +182,7 @@ fn a_rough_surface_meets_the_direct_sum_under_every_window() {
         let config = MeasuredConfig { file, acceptance_deg: 0.0, bandwidth_nm: 0.0 };
         let measurement = measured::read(&config).unwrap();
         let against = |optics: &OpticsConfig| {
-            let result = measured::compare(&fields, optics, &measurement, String::new(), MEMORY_BYTES).unwrap();
+            let result = measured::compare(&fields, optics, None, &measurement, String::new(), MEMORY_BYTES).unwrap();
             result.columns[0].relative_l2
         };
         let found = against(&optics);
@@ -208,7 +251,8 @@ fn a_mirrors_cone_catches_the_gaussian_share() {
         let config = MeasuredConfig { file: path.clone(), acceptance_deg, bandwidth_nm: 0.0 };
         let measurement = measured::read(&config).unwrap();
         let model =
-            measured::model::modelled(std::slice::from_ref(&mirror), &optics(), &measurement, MEMORY_BYTES).unwrap();
+            measured::model::modelled(std::slice::from_ref(&mirror), &optics(), None, &measurement, MEMORY_BYTES)
+                .unwrap();
         model.cone_sr * model.scatter_per_sr[0]
     };
     let s = lobe_deviation(SIGMA_NM, 550.0);

@@ -10,12 +10,10 @@ use crate::evaluate::{self, Interpolation};
 use crate::filtered::{Pyramids, brdf_xyz_filtered, spectral_filtered};
 use crate::footprint::Footprint;
 use crate::sampling::Sampler;
-use crate::specimen::{CheckValue, SpecimenRecord};
+use crate::specimen::{self, CheckValue, SpecimenRecord};
 use crate::spectral::SpectralTables;
 use crate::spectral_light::UnderLight;
-use crate::spectral_storage::read_spectral;
 use crate::spectrum::Illuminant;
-use crate::storage;
 use crate::table_set::TableSet;
 
 /// The BRDF that a table set holds. Frame, sign and units: see the [crate's page](crate).
@@ -84,13 +82,13 @@ impl Brdf {
         })
     }
 
-    /// Reads the tables beside `specimen.json`.
+    /// Reads the tables beside `specimen.json`; those of X, Y, Z are derived where spectral ones alone are stored.
     pub(crate) fn read(folder: &Path, record: SpecimenRecord) -> Result<Self> {
-        let tables = storage::read_tables(folder, &record.tables, record.front_factor)?;
-        let spectral = record.spectral.as_ref();
+        let (tables, spectral) =
+            specimen::read_both(folder, &record.tables, record.spectral.as_ref(), record.front_factor)?;
         Ok(Self {
             tables,
-            spectral: spectral.map(|stored| read_spectral(folder, stored, record.front_factor)).transpose()?,
+            spectral,
             interpolation: Interpolation::Bilinear,
             check_values: record.check_values,
             energy_limit: record.energy_limit,

@@ -253,9 +253,9 @@ pub(crate) fn spectral_filtered(
         let (q, scaled) = (q.map(|part| part * r.min(1.0)), footprint.scaled(r.min(1.0)));
         let mean = r.powi(4) * diffuse * spectral_diffuse_mean(tables, pyramids, interpolation, q, scaled);
         let Some(lobe) = &tables.lobe else { return mean };
-        let width = nm / (TAU * lobe.sigma_nm);
+        let (share, width) = lobe.share_and_width(tables.shortest_nm, nm);
         let shape: f64 = ellipses.iter().map(|ellipse| ellipse.gaussian_mean(width)).sum();
-        mean + r * r * coherent * lobe.power_at(q[2].abs()) * shape
+        mean + share * coherent * lobe.power_at(q[2].abs()) * shape
     };
     wavelengths_nm.iter().map(value).collect()
 }

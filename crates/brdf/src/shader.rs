@@ -5,10 +5,12 @@
 //! | binding | variable | what |
 //! |---|---|---|
 //! | 0 | `params` | uniform buffer: [`TableParams`], 2128 bytes, below |
-//! | 1 | `tables` | 2D array texture, RGBA16F: [`TableImage::tables`]; where tables are restricted to scenes, one layer more |
-//! | 2 | `cross_terms` | 2D array texture, RGBA16F: [`TableImage::cross`] |
+//! | 1 | `tables` | 2D array texture, RGBA16F, with a mip chain: [`TableImage::tables`]; where tables are restricted to scenes, one layer more and no chain |
+//! | 2 | `cross_terms` | 2D array texture, RGBA16F, with a mip chain: [`TableImage::cross`] |
 //! | 3 | `lobe` | 2D texture, RGBA32F, not filtered: [`TableImage::coherent`] |
-//! | 4 | `bilinear` | sampler: linear, clamped to the edges |
+//! | 4 | `bilinear` | sampler: linear within a level, clamped to the edges |
+//!
+//! Look-ups at a point read the finest level alone; `brdf_xyz_filtered` reads one level of the chain, never between two.
 //!
 //! The uniform, little-endian, by the rules of WGSL for uniform buffers (std140 gives the same):
 //!
@@ -25,7 +27,7 @@
 //! | 36 | f32 | `grid_last` | texels along u of the whole grid, less one |
 //! | 40, 44 | f32 | `first_column`, `first_row` | where in the whole grid the tables begin |
 //! | 48 | u32 | `factor` | 0 scalar, 1 vector |
-//! | 52 | u32 | `unused` | 0 |
+//! | 52 | u32 | `lobe_columns` | columns of `lobe` that hold its profile; eight more hold factors of Gaussians |
 //! | 56 | vec2 f32 | `permittivity` | `(n + ik)²` |
 //! | 64 | vec4 f32 | `pigment` | X, Y, Z in 1/sr, and 1; zeros for the BRDF alone |
 //! | 80 | 64 x vec4 f32 | `table_scales` | value = texel times scale, four layers to a vector |
@@ -33,16 +35,27 @@
 
 use bytemuck::{Pod, Zeroable};
 use half::f16;
-use ndarray::{Array3, ArrayView1};
+use ndarray::{Array3, ArrayView1, ArrayView3, Axis, concatenate};
 
 use crate::error::{Error, Result};
 use crate::front_factor::Factor;
+use crate::lobe_gaussians::{self, GAUSSIANS};
 use crate::material::Material;
+use crate::mips;
 use crate::storage::half_scale;
 use crate::table_set::{Basis, Restriction, TableSet};
 
-/// WGSL that evaluates tables; declares the bindings of group 0. Entry points are put behind it.
-pub const TABLES_WGSL: &str = concat!(include_str!("shaders/optics.wgsl"), "\n", include_str!("shaders/tables.wgsl"));
+/// WGSL that evaluates tables: `brdf_xyz(wi, wo)` at a point, `brdf_xyz_filtered(wi, wo, footprint)` as the mean over a footprint
+/// made by `footprint_of_light` and `footprint_of_normals`, which add. It declares the bindings of group 0. Entry points are put behind it.
+pub const TABLES_WGSL: &str = concat!(
+    include_str!("shaders/optics.wgsl"),
+    "\n",
+    include_str!("shaders/tables.wgsl"),
+    "\n",
+    include_str!("shaders/filtered.wgsl"),
+    "\n",
+    include_str!("shaders/tables_filtered.wgsl")
+);
 
 /// Most layers of a texture: WebGPU's default limit, and the length of the shader's list of scales.
 pub const LAYERS_MAX: usize = 256;
@@ -78,8 +91,8 @@ pub struct TableParams {
     pub first_row: f32,
     /// 0 for the scalar factor, 1 for the vector one.
     pub factor: u32,
-    /// Fills what follows to its alignment.
-    pub unused: u32,
+    /// Columns of the lobe's texture that hold its profile.
+    pub lobe_columns: u32,
     /// Permittivity `(n + ik)²`, real and imaginary part.
     pub permittivity: [f32; 2],
     /// XYZ of the pigment below in 1/sr, and 1 where there is one.
@@ -97,8 +110,19 @@ pub struct HalfLayers {
     pub size: [usize; 2],
     /// All layers' texels; the range of what is covered, where there is one, comes behind the tables.
     pub texels: Vec<[f16; 4]>,
-    /// Value = texel times scale; one per layer, for spectral tables one per table.
+    /// Value = texel times scale on every level; one per layer, for spectral tables one per table.
     pub scales: Vec<f32>,
+    /// The levels of the mip chain below, from the finer to the coarser; none where ranges are layers, which have no means.
+    pub coarser: Vec<HalfLevel>,
+}
+
+/// A level of a mip chain, `[layer][row][column]` as the finest one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HalfLevel {
+    /// Number of rows and columns: half of the finer level's, rounded down.
+    pub size: [usize; 2],
+    /// All layers' texels.
+    pub texels: Vec<[f16; 4]>,
 }
 
 /// A table set as it is uploaded.
@@ -110,9 +134,9 @@ pub struct TableImage {
     pub tables: HalfLayers,
     /// The patches of the cross term; one black texel where there are none.
     pub cross: HalfLayers,
-    /// Rows (t) and columns (radius) of the coherent lobe.
+    /// Rows (t) and columns of the coherent lobe's texture: the radius, then factors of Gaussians.
     pub coherent_size: [usize; 2],
-    /// The coherent lobe, row by row; one black texel where there is none.
+    /// The coherent lobe, row by row; black texels where there is none.
     pub coherent: Vec<[f32; 4]>,
 }
 
@@ -136,16 +160,18 @@ pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Resu
         tables.texels.extend(range.rows().into_iter().map(texel));
     }
     let (cross, coherent_size, coherent, radius_max, cross_count) = match &set.lobe {
-        None => (black_layer(), [1, 1], vec![[0.0; 4]], 0.0, 0),
+        None => (black_layer(), [1, 1 + GAUSSIANS], vec![[0.0; 4]; 1 + GAUSSIANS], 0.0, 0),
         Some(lobe) => {
             let cross = if lobe.cross.is_empty() { black_layer() } else { half_layers(&lobe.cross, "cross terms", 0)? };
             let (rows, columns, _) = lobe.coherent.dim();
-            check_side(rows.max(columns), "the coherent lobe")?;
+            check_side(rows.max(columns + GAUSSIANS), "the coherent lobe")?;
             check_finite(&lobe.coherent, "the coherent lobe")?;
-            let texels = lobe.coherent.rows().into_iter().map(|xyz| [xyz[0], xyz[1], xyz[2], 0.0]).collect();
-            (cross, [rows, columns], texels, lobe.radius_max as f32, lobe.cross.len() as u32)
+            let whole = concatenate![Axis(1), lobe.coherent, lobe_gaussians::factors(lobe)];
+            let texels = whole.rows().into_iter().map(|xyz| [xyz[0], xyz[1], xyz[2], 0.0]).collect();
+            (cross, [rows, columns + GAUSSIANS], texels, lobe.radius_max as f32, lobe.cross.len() as u32)
         }
     };
+    let lobe_columns = (coherent_size[1] - GAUSSIANS) as u32;
     let params = TableParams {
         basis: match set.basis {
             Basis::Chebyshev => 0,
@@ -163,7 +189,7 @@ pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Resu
         first_column: first[1] as f32,
         first_row: first[0] as f32,
         factor: factor_field(set.front_factor.factor),
-        unused: 0,
+        lobe_columns,
         permittivity,
         pigment: pigment_xyz_per_sr.map_or([0.0; 4], |xyz_per_sr| {
             let [x, y, z] = xyz_per_sr.map(|c| c as f32);
@@ -213,7 +239,7 @@ pub(crate) fn packed(scales: &[f32]) -> [[f32; 4]; LAYERS_MAX / 4] {
 }
 
 pub(crate) fn black_layer() -> HalfLayers {
-    HalfLayers { size: [1, 1], texels: vec![[f16::ZERO; 4]], scales: vec![1.0] }
+    HalfLayers { size: [1, 1], texels: vec![[f16::ZERO; 4]], scales: vec![1.0], coarser: Vec::new() }
 }
 
 /// `spare` layers more will follow.
@@ -227,8 +253,8 @@ fn half_layers(layers: &[Array3<f32>], what: &str, spare: usize) -> Result<HalfL
         ));
     }
     let texels = Vec::with_capacity((layers.len() + spare) * rows * columns);
-    let mut out = HalfLayers { size: [rows, columns], texels, scales: Vec::new() };
-    for layer in layers {
+    let mut out = HalfLayers { size: [rows, columns], texels, scales: Vec::new(), coarser: Vec::new() };
+    for (n, layer) in layers.iter().enumerate() {
         if layer.dim() != (rows, columns, 3) {
             return Err(Error::limit(
                 format!("{what} of the shapes {:?} and {:?} in one set", (rows, columns, 3), layer.dim()),
@@ -237,9 +263,22 @@ fn half_layers(layers: &[Array3<f32>], what: &str, spare: usize) -> Result<HalfL
         }
         check_finite(layer, what)?;
         let scale = half_scale(peak(layer));
-        let half = |value: f32| f16::from_f32(value / scale);
-        out.texels.extend(layer.rows().into_iter().map(|xyz| [half(xyz[0]), half(xyz[1]), half(xyz[2]), f16::ZERO]));
+        let halves = |level: ArrayView3<f32>| -> Vec<[f16; 4]> {
+            let half = |value: f32| f16::from_f32(value / scale);
+            level.rows().into_iter().map(|xyz| [half(xyz[0]), half(xyz[1]), half(xyz[2]), f16::ZERO]).collect()
+        };
+        out.texels.extend(halves(layer.view()));
         out.scales.push(scale);
+        if spare > 0 {
+            continue;
+        }
+        for (index, level) in mips::coarser(layer.view()).iter().enumerate() {
+            if n == 0 {
+                let (rows, columns, _) = level.dim();
+                out.coarser.push(HalfLevel { size: [rows, columns], texels: Vec::new() });
+            }
+            out.coarser[index].texels.extend(halves(level.view()));
+        }
     }
     Ok(out)
 }
@@ -294,7 +333,7 @@ mod tests {
             ($($field:ident)*) => { [$((stringify!($field), offset_of!(TableParams, $field))),*] };
         }
         let fields = offsets!(basis table_count cross_count material shadowing radius_max index_n index_k restricted grid_last
-            first_column first_row factor unused permittivity pigment table_scales cross_scales);
+            first_column first_row factor lobe_columns permittivity pigment table_scales cross_scales);
         let cells = |line: &'static str| Some(line.strip_prefix("//! | ")?.split(" | ").collect::<Vec<_>>());
         let rows = include_str!("shader.rs").lines().filter_map(cells).filter(|cells| cells.len() == 4);
         let stated = rows.skip(1).flat_map(|cells| {

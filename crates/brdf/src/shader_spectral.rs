@@ -5,10 +5,10 @@
 //! | binding | variable | what |
 //! |---|---|---|
 //! | 0 | `params` | uniform buffer: [`SpectralParams`], 2112 bytes, below |
-//! | 1 | `tables` | 2D array texture, RGBA16F: [`SpectralImage::tables`], four tables to a layer |
-//! | 2 | `cross_terms` | 2D array texture, RGBA16F: [`SpectralImage::cross`], likewise |
+//! | 1 | `tables` | 2D array texture, RGBA16F, with a mip chain: [`SpectralImage::tables`], four tables to a layer |
+//! | 2 | `cross_terms` | 2D array texture, RGBA16F, with a mip chain: [`SpectralImage::cross`], likewise |
 //! | 3 | `lobe` | 2D texture, R32F, not filtered: [`SpectralImage::power`] |
-//! | 4 | `bilinear` | sampler: linear, clamped to the edges |
+//! | 4 | `bilinear` | sampler: linear within a level, clamped to the edges |
 //!
 //! The uniform, little-endian, by the rules of WGSL for uniform buffers (std140 gives the same):
 //!
@@ -23,9 +23,10 @@
 //! | 24, 28 | f32 | `index_n`, `index_k` | refractive index n + ik at the wavelength that is asked for |
 //! | 32 | vec2 f32 | `permittivity` | `(n + ik)²` |
 //! | 40 | f32 | `shortest_nm` | wavelength of the tables |
-//! | 44 | f32 | `lobe_sigma_nm` | coherence of the light; 0 without a lobe |
+//! | 44 | f32 | `lobe_sigma_nm` | coherence of the light at the shortest wavelength; 0 without a lobe |
 //! | 48 | f32 | `cross_radius` | half the side of the patches; 0 without any |
-//! | 52 | u32 | `unused` | 0, three times |
+//! | 52 | u32 | `of_source` | 1 where that coherence grows in proportion to the wavelength |
+//! | 56 | u32 | `unused` | 0, twice |
 //! | 64 | 64 x vec4 f32 | `table_scales` | value = texel times scale, a layer's four tables to a vector |
 //! | 1088 | 64 x vec4 f32 | `cross_scales` | likewise |
 //!
@@ -34,21 +35,30 @@
 
 use bytemuck::{Pod, Zeroable};
 use half::f16;
-use ndarray::Array3;
+use ndarray::{Array3, ArrayView3, Axis};
 
 use crate::error::{Error, Result};
 use crate::material::Material;
+use crate::mips;
 use crate::shader::{
-    HalfLayers, LAYERS_MAX, MaterialFields, black_layer, check_finite, check_side, factor_field, material_fields,
-    packed,
+    HalfLayers, HalfLevel, LAYERS_MAX, MaterialFields, black_layer, check_finite, check_side, factor_field,
+    material_fields, packed,
 };
 use crate::spectral::{SpectralTables, TABLES_PER_IMAGE};
 use crate::storage::half_scale;
 
-/// WGSL that evaluates spectral tables: `brdf_spectral(wi, wo, wavelength_nm)`; declares the bindings of group 0. Entry points
+/// WGSL that evaluates spectral tables: `brdf_spectral(wi, wo, wavelength_nm)` at a point,
+/// `brdf_spectral_filtered(wi, wo, wavelength_nm, footprint)` as the mean over a footprint; declares the bindings of group 0. Entry points
 /// are put behind it. It has names in common with [`TABLES_WGSL`](crate::shader::TABLES_WGSL), so a module takes one of them.
-pub const SPECTRAL_WGSL: &str =
-    concat!(include_str!("shaders/optics.wgsl"), "\n", include_str!("shaders/spectral.wgsl"));
+pub const SPECTRAL_WGSL: &str = concat!(
+    include_str!("shaders/optics.wgsl"),
+    "\n",
+    include_str!("shaders/spectral.wgsl"),
+    "\n",
+    include_str!("shaders/filtered.wgsl"),
+    "\n",
+    include_str!("shaders/spectral_filtered.wgsl")
+);
 
 /// Tables in one layer of a texture: its channels.
 pub const TABLES_PER_LAYER: usize = 4;
@@ -79,12 +89,14 @@ pub struct SpectralParams {
     pub permittivity: [f32; 2],
     /// Shortest wavelength in nm.
     pub shortest_nm: f32,
-    /// Standard deviation in nm of the light's coherence window.
+    /// Standard deviation in nm of the light's coherence window at the shortest wavelength.
     pub lobe_sigma_nm: f32,
     /// Half the side of the patches in (u', v').
     pub cross_radius: f32,
+    /// 1 where `lobe_sigma_nm` grows in proportion to the wavelength, as under a source of fixed size.
+    pub of_source: u32,
     /// Fills what follows to its alignment.
-    pub unused: [u32; 3],
+    pub unused: [u32; 2],
     /// Scale of each table, a layer's four to a vector.
     pub table_scales: [[f32; 4]; LAYERS_MAX / 4],
     /// Scale of each patch.
@@ -136,6 +148,7 @@ pub fn spectral_image(tables: &SpectralTables) -> Result<SpectralImage> {
         shadowing: u32::from(tables.front_factor.shadowing),
         shortest_nm: tables.shortest_nm as f32,
         lobe_sigma_nm: lobe.map_or(0.0, |lobe| lobe.sigma_nm as f32),
+        of_source: u32::from(lobe.is_some_and(|lobe| lobe.is_of_source)),
         cross_radius: cross.map_or(0.0, |cross| cross.radius_max as f32),
         table_scales: packed(&images.scales),
         cross_scales: packed(&patches.scales),
@@ -170,20 +183,32 @@ fn four_to_a_layer(images: &[Array3<f32>], count: usize, what: &str) -> Result<H
     for image in images {
         check_finite(image, what)?;
     }
-    let texels = rows * columns;
     let layers = count.div_ceil(TABLES_PER_LAYER);
+    let black = |[rows, columns]: [usize; 2]| vec![[f16::ZERO; 4]; layers * rows * columns];
     let mut out =
-        HalfLayers { size: [rows, columns], texels: vec![[f16::ZERO; 4]; layers * texels], scales: Vec::new() };
+        HalfLayers { size: [rows, columns], texels: black([rows, columns]), scales: Vec::new(), coarser: Vec::new() };
     for n in 0..count {
-        let table = images[n / TABLES_PER_IMAGE].index_axis(ndarray::Axis(2), n % TABLES_PER_IMAGE);
+        let table = images[n / TABLES_PER_IMAGE].index_axis(Axis(2), n % TABLES_PER_IMAGE).insert_axis(Axis(2));
         let scale = half_scale(table.iter().fold(0.0, |peak, value| value.abs().max(peak)));
-        let layer = &mut out.texels[n / TABLES_PER_LAYER * texels..][..texels];
-        for (texel, value) in layer.iter_mut().zip(table) {
-            texel[n % TABLES_PER_LAYER] = f16::from_f32(value / scale);
+        put(&mut out.texels, n, table, scale);
+        for (index, level) in mips::coarser(table).iter().enumerate() {
+            if n == 0 {
+                let (rows, columns, _) = level.dim();
+                out.coarser.push(HalfLevel { size: [rows, columns], texels: black([rows, columns]) });
+            }
+            put(&mut out.coarser[index].texels, n, level.view(), scale);
         }
         out.scales.push(scale);
     }
     Ok(out)
+}
+
+/// Puts a table of one channel where it belongs among layers of four.
+fn put(layers: &mut [[f16; 4]], n: usize, table: ArrayView3<f32>, scale: f32) {
+    let layer = &mut layers[n / TABLES_PER_LAYER * table.len()..][..table.len()];
+    for (texel, value) in layer.iter_mut().zip(table) {
+        texel[n % TABLES_PER_LAYER] = f16::from_f32(value / scale);
+    }
 }
 
 /// The lobe's power in rows that a texture takes.

@@ -55,7 +55,9 @@ fn every_table_lies_in_its_channel_unchanged() {
 #[test]
 fn a_long_lobe_goes_on_in_the_next_row() {
     let power: Vec<f32> = (0..5_000).map(|index| index as f32).collect();
-    let lobe = |power: &[f32]| Some(SpectralLobe { power: power.to_vec(), sigma_nm: 15_000.0, cross: None });
+    let lobe = |power: &[f32]| {
+        Some(SpectralLobe { power: power.to_vec(), sigma_nm: 15_000.0, is_of_source: false, cross: None })
+    };
     let image = spectral_image(&SpectralTables { lobe: lobe(&power), ..tables(2) }).unwrap();
     assert_eq!((image.power_size, image.params.lobe_count), ([2, 4096], 5_000));
     assert_eq!((image.power.len(), image.power[4_999], image.power[5_000]), (8_192, 4_999.0, 0.0));

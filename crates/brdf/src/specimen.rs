@@ -11,7 +11,8 @@ use crate::energy::EnergyLimit;
 use crate::error::{Error, Result};
 use crate::front_factor::FrontFactor;
 use crate::json;
-use crate::spectral_storage::StoredSpectral;
+use crate::spectral::SpectralTables;
+use crate::spectral_storage::{StoredSpectral, read_spectral};
 use crate::storage::{self, StoredTables};
 use crate::table_set::TableSet;
 
@@ -78,14 +79,37 @@ pub fn read<T: DeserializeOwned>(folder: &Path) -> Result<T> {
     serde_json::from_value(value).map_err(|e| Error::bad_file(&path, format!("a field is wrong: {e}"), fix))
 }
 
-/// Reads a specimen with its tables.
+/// Reads a specimen with its tables of X, Y, Z.
 ///
 /// # Errors
 /// As [`read`], and for files of tables that are missing or damaged.
 pub fn load(folder: &Path) -> Result<(SpecimenRecord, TableSet)> {
     let record: SpecimenRecord = read(folder)?;
-    let tables = storage::read_tables(folder, &record.tables, record.front_factor)?;
+    let (tables, _) = read_both(folder, &record.tables, record.spectral.as_ref(), record.front_factor)?;
     Ok((record, tables))
+}
+
+/// Reads tables of X, Y, Z, and the spectral ones where there are any. Where these alone are stored, the others are derived from
+/// them.
+///
+/// # Errors
+/// Files that are missing or damaged.
+pub fn read_both(
+    folder: &Path,
+    stored: &StoredTables,
+    spectral: Option<&StoredSpectral>,
+    front_factor: FrontFactor,
+) -> Result<(TableSet, Option<SpectralTables>)> {
+    let spectral = spectral.map(|stored| read_spectral(folder, stored, front_factor)).transpose()?;
+    let tables = match (&stored.derived_under, &spectral) {
+        (None, _) => storage::read_tables(folder, stored, front_factor)?,
+        (Some(light), Some(spectral)) => spectral.xyz_tables(light)?,
+        (Some(_), None) => {
+            let what = "its tables are to be derived from spectral ones, and it names none";
+            return Err(Error::bad_file(&folder.join(FILE), what, storage::FIX));
+        }
+    };
+    Ok((tables, spectral))
 }
 
 /// Refuses layouts of other versions before any other field is looked at.

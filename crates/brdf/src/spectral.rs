@@ -26,6 +26,8 @@ pub const TABLES_PER_IMAGE: usize = 3;
 /// `f = r⁴ D (Σ table_n(u', v') T_n(2t' - 1) + Σ cross_n(u', v') T_n(2t' - 1) / |w'|)
 ///    + r² C lobe(|w'|/2) (exp(-(2πσ ρ/λ)²) + exp(-(2πσ ρ_h/λ)²))`
 ///
+/// Under a source of fixed size `σ` grows with the wavelength: `r²` and `σ/λ` of the lobe are then 1 and `σ/λ0`.
+///
 /// with `D` and `C` of [`FrontFactor::diffuse`] and [`FrontFactor::coherent`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpectralTables {
@@ -59,8 +61,10 @@ pub struct SpectralTables {
 pub struct SpectralLobe {
     /// Power of the mean phasor over `|w'|/2`, evenly from 0 to 1: `|c|² ∬∬g² / (λ0² A)` in 1/sr.
     pub power: Vec<f32>,
-    /// Standard deviation in nm of the light's coherence window.
+    /// Standard deviation in nm of the light's coherence window, at the shortest wavelength.
     pub sigma_nm: f64,
+    /// Whether it grows in proportion to the wavelength, as under a source of fixed size, or is the same at every one.
+    pub is_of_source: bool,
     /// The cross term; `None` where it vanishes.
     pub cross: Option<SpectralCross>,
 }
@@ -109,9 +113,10 @@ impl SpectralTables {
         let mut diffuse = self.diffuse_at(interpolation, q);
         let Some(lobe) = &self.lobe else { return r.powi(4) * front_diffuse * diffuse };
         diffuse += lobe.cross.as_ref().map_or(0.0, |cross| cross.value(interpolation, q));
-        let shape = |radius: f64| (-(TAU * lobe.sigma_nm * radius / wavelength_nm).powi(2)).exp();
+        let (share, width) = lobe.share_and_width(self.shortest_nm, wavelength_nm);
+        let shape = |radius: f64| (-(radius / width).powi(2)).exp();
         let shape = shape(pair.radius) + pair.image_radius.map_or(0.0, shape);
-        r.powi(4) * front_diffuse * diffuse + r * r * front_coherent * lobe.power_at(q[2].abs()) * shape
+        r.powi(4) * front_diffuse * diffuse + share * front_coherent * lobe.power_at(q[2].abs()) * shape
     }
 
     /// `D` and `C` at a wavelength in nm; `None` where the material is not known.
@@ -132,6 +137,16 @@ impl SpectralTables {
         let size = self.size() as f64 - 1.0;
         let at = [(2.0 - q[1]) / 4.0 * size, (q[0] + 2.0) / 4.0 * size];
         packed_expansion(&self.images, &basis, interpolation, at)
+    }
+
+    /// `|P|² / (λ0² A w²)` at `q = (u, v, w)` and the shortest wavelength in 1/sr: what tables, cross term and lobe hold,
+    /// without what stands in front of them.
+    pub fn window_power(&self, interpolation: Interpolation, q: Vec3) -> f64 {
+        let diffuse = self.diffuse_at(interpolation, q);
+        let Some(lobe) = &self.lobe else { return diffuse };
+        let shape = (-(TAU * lobe.sigma_nm * q[0].hypot(q[1]) / self.shortest_nm).powi(2)).exp();
+        let cross = lobe.cross.as_ref().map_or(0.0, |cross| cross.value(interpolation, q));
+        diffuse + cross + lobe.power_at(q[2].abs()) * shape / q[2].powi(2)
     }
 
     /// What keeps the tables from being evaluated, in words.
@@ -205,6 +220,16 @@ fn check_packed(what: &str, count: usize, images: &[Array3<f32>]) -> std::result
 }
 
 impl SpectralLobe {
+    /// What the lobe's power counts at a wavelength, and the distance in (u, v) at which its form has fallen to `1/e`, from the
+    /// shortest wavelength and this one in nm.
+    pub fn share_and_width(&self, shortest_nm: f64, wavelength_nm: f64) -> (f64, f64) {
+        // The peak is as the square of the window's width, over the square of the wavelength.
+        match self.is_of_source {
+            true => (1.0, shortest_nm / (TAU * self.sigma_nm)),
+            false => ((shortest_nm / wavelength_nm).powi(2), wavelength_nm / (TAU * self.sigma_nm)),
+        }
+    }
+
     /// Power at `|w'|`, linear between entries.
     pub(crate) fn power_at(&self, abs_w: f64) -> f64 {
         let last = self.power.len() - 1;
@@ -271,12 +296,12 @@ impl Pair {
     }
 }
 
-/// Packs tables, one grey image each, three to an image; channels without a table are zero.
+/// Packs tables, an image of one channel each, three to an image; channels without a table are zero.
 pub fn packed(tables: &[Array3<f32>]) -> Vec<Array3<f32>> {
     let pack = |group: &[Array3<f32>]| {
         let (rows, columns, _) = group[0].dim();
         Array3::from_shape_fn((rows, columns, TABLES_PER_IMAGE), |(row, column, c)| {
-            group.get(c).map_or(0.0, |table| table[[row, column, 1]])
+            group.get(c).map_or(0.0, |table| table[[row, column, 0]])
         })
     };
     tables.chunks(TABLES_PER_IMAGE).map(pack).collect()

@@ -1,18 +1,17 @@
 //! Spectral tables under a light: XYZ for any illuminant, integrated when asked for.
 
-use std::f64::consts::{SQRT_2, TAU};
+use std::f64::consts::SQRT_2;
 
 use crate::direction::{Vec3, Xyz, max_abs_w};
 use crate::error::Result;
 use crate::evaluate::Interpolation;
 use crate::spectral::{Pair, SpectralTables};
-use crate::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenumbers, wavenumbers_for_pulses};
+use crate::spectrum::{Illuminant, Lags, SpectralQuadrature, uniform_wavenumbers};
 
-/// Relative error to which 95 % of an order's pulses in `1/λ` are integrated.
+/// Relative error to which 95 % of an order's pulses in `1/λ` are integrated: a tenth of the tolerance that tables have where nothing
+/// is said. Errors add as squares, so that the sum adds half a percent to theirs. Wavelengths grow by a sixth for it (see
+/// [`Lags`]).
 const TOLERANCE: f64 = 1e-4;
-
-/// Fewest wavelengths of a continuous light.
-const WAVELENGTHS_MIN: usize = 24;
 
 /// Below this radius in (u, v) pulses are as wide as there: the relief sets how many wavelengths are needed.
 const RADIUS_MIN: f64 = 0.02;
@@ -37,29 +36,25 @@ impl SpectralTables {
         if let Illuminant::Lines(lines) = illuminant {
             self.check_wavelengths(&lines.iter().map(|line| line.wavelength_nm).collect::<Vec<_>>())?;
         }
+        let range_nm = [self.shortest_nm, self.longest_nm];
+        let with_weights = |(inner, count)| Ok((inner, uniform_wavenumbers(illuminant, range_nm, count)?));
+        let rings = self.ring_counts(illuminant, range_nm).into_iter().map(with_weights).collect::<Result<_>>()?;
+        Ok(UnderLight { tables: self, interpolation, rings })
+    }
+
+    /// From the outside in: inner radius in (u, v) of an annulus, and how many wavelengths resolve the pulses of its directions.
+    pub(crate) fn ring_counts(&self, illuminant: &Illuminant, range_nm: [f64; 2]) -> Vec<(f64, usize)> {
+        let lags = Lags { sigma_nm: self.sigma_nm, half_height_range_nm: self.half_height_range_nm };
         let mut rings = Vec::new();
         let (mut outer, is_line) = (2.0, matches!(illuminant, Illuminant::Lines(_)));
         loop {
             let inner = if outer < RADIUS_MIN || is_line { 0.0 } else { outer / SQRT_2 };
-            rings.push((inner, self.quadrature(illuminant, [inner, outer])?));
+            rings.push((inner, lags.wavelengths(illuminant, range_nm, [outer, max_abs_w(inner)], TOLERANCE)));
             if inner == 0.0 {
-                return Ok(UnderLight { tables: self, interpolation, rings });
+                return rings;
             }
             outer = inner;
         }
-    }
-
-    /// Wavelengths that resolve the pulses of directions within an annulus.
-    ///
-    /// Along a direction the power is a sum over pairs of surface points of waves in `1/λ` at the lag `ρ Δx + |w| Δh`: the
-    /// window limits `Δx`, the relief `Δh`. Their deviations add as squares.
-    fn quadrature(&self, illuminant: &Illuminant, [inner, outer]: [f64; 2]) -> Result<SpectralQuadrature> {
-        let range_nm = [self.shortest_nm, self.longest_nm];
-        let window = SQRT_2 * TAU * self.sigma_nm * outer;
-        let relief = TAU * self.half_height_range_nm * max_abs_w(inner);
-        let deviation = 1.0 / window.hypot(relief);
-        let count = wavenumbers_for_pulses(illuminant, range_nm, deviation, TOLERANCE, WAVELENGTHS_MIN);
-        uniform_wavenumbers(illuminant, range_nm, count)
     }
 }
 

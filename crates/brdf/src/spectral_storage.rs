@@ -12,17 +12,21 @@ use serde_json::json;
 use crate::direction::Vec3;
 use crate::dispersion::Dispersion;
 use crate::error::{Error, Result};
-use crate::exr_image::{self, Precision};
 use crate::front_factor::FrontFactor;
 use crate::parallel;
 use crate::spectral::{SpectralCross, SpectralLobe, SpectralTables, TABLES_PER_IMAGE};
-use crate::storage::{Axis, FIX, StoredArray, read_array, scale_array};
+use crate::stored_image::{Axis, FIX, ImageJob, StoredArray, read_array};
 use crate::table_set::{Rounding, Storage};
 
 /// What a renderer computes from spectral tables.
 const FORMULA: &str = "f = r^4 D (sum_n table_n T_n(2t - 1) + sum_n cross_n T_n(2t - 1) / |w'|) + r^2 C lobe(|w'| / 2) \
 (exp(-(2 pi sigma rho / lambda)^2) + exp(-(2 pi sigma rho_h / lambda)^2)), r = lambda_0 / lambda, (u', v', w') = r (u, v, w), \
 t = |w'| / sqrt(4 - u'^2 - v'^2)";
+
+/// The same under a source of fixed size.
+const SOURCE_FORMULA: &str = "f = r^4 D sum_n table_n T_n(2t - 1) + C lobe(|w'| / 2) \
+(exp(-(2 pi sigma rho / lambda_0)^2) + exp(-(2 pi sigma rho_h / lambda_0)^2)), r = lambda_0 / lambda, \
+(u', v', w') = r (u, v, w), t = |w'| / sqrt(4 - u'^2 - v'^2)";
 
 /// Directions and the BRDF that the stored spectral tables give there at some wavelengths: a test for other programs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -81,8 +85,11 @@ pub struct StoredSpectral {
 /// The lobe's files.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StoredSpectralLobe {
-    /// Standard deviation in nm of the light's coherence window.
+    /// Standard deviation in nm of the light's coherence window, at the shortest wavelength.
     pub sigma_nm: f64,
+    /// Whether it grows in proportion to the wavelength, as under a source of fixed size; absent where it does not.
+    #[serde(default, rename = "sigma_grows", skip_serializing_if = "std::ops::Not::not")]
+    pub is_of_source: bool,
     /// Columns of the lobe's image, which has one row of three equal channels: `|w'| / 2`.
     pub half_abs_w: Axis,
     /// The power of the mean phasor; always 32-bit floats.
@@ -116,18 +123,6 @@ impl StoredSpectral {
     }
 }
 
-/// An image about to be written.
-struct Job<'a> {
-    file: String,
-    kind: &'static str,
-    /// Number of the table in its first channel.
-    order: usize,
-    values: &'a Array3<f32>,
-    storage: Storage,
-    columns: (&'static str, Axis),
-    rows: Option<(&'static str, Axis)>,
-}
-
 /// Writes `spectral.NNN.exr` and, where there is a lobe, `spectral_lobe.exr` and `spectral_cross.NNN.exr` into an existing folder.
 ///
 /// # Errors
@@ -138,26 +133,31 @@ pub fn write_spectral(folder: &Path, tables: &SpectralTables, storage: Storage) 
     packed_jobs(&mut jobs, ["spectral", "spectral table"], &tables.images, storage, [xi, eta]);
     let power = tables.lobe.as_ref().map(power_image);
     if let (Some(lobe), Some(power)) = (&tables.lobe, &power) {
-        jobs.push(Job {
+        jobs.push(ImageJob {
             file: "spectral_lobe.exr".into(),
             kind: "spectral lobe",
             order: 0,
             values: power,
             storage: Storage::Float,
-            columns: ("half_abs_w", power_axis(lobe)),
-            rows: None,
+            axes: vec![("half_abs_w", power_axis(lobe))],
+            place: None,
         });
         if let Some(cross) = &lobe.cross {
             let axes = cross_axes(cross, tables.shortest_nm);
             packed_jobs(&mut jobs, ["spectral_cross", "spectral cross"], &cross.images, storage, axes);
         }
     }
-    let mut stored: Vec<StoredArray> = parallel::map(&jobs, |job| write_image(folder, tables, job))?;
+    let of_set = json!({
+        "basis": "chebyshev", "shortest_nm": tables.shortest_nm, "prefilter_width": tables.prefilter_width,
+        "usable_radius": tables.usable_radius, "channels": "three tables in 1/sr",
+    });
+    let mut stored: Vec<StoredArray> = parallel::map(&jobs, |job| job.write(folder, &of_set))?;
     let mut of_lobe = stored.split_off(tables.images.len());
     let lobe = tables.lobe.as_ref().map(|lobe| {
         let images = of_lobe.split_off(1);
         StoredSpectralLobe {
             sigma_nm: lobe.sigma_nm,
+            is_of_source: lobe.is_of_source,
             half_abs_w: power_axis(lobe),
             power: of_lobe.remove(0),
             cross: lobe.cross.as_ref().map(|cross| {
@@ -166,8 +166,9 @@ pub fn write_spectral(folder: &Path, tables: &SpectralTables, storage: Storage) 
             }),
         }
     });
+    let is_of_source = tables.lobe.as_ref().is_some_and(|lobe| lobe.is_of_source);
     Ok(StoredSpectral {
-        formula: FORMULA.into(),
+        formula: if is_of_source { SOURCE_FORMULA } else { FORMULA }.into(),
         shortest_nm: tables.shortest_nm,
         longest_nm: tables.longest_nm,
         storage,
@@ -189,7 +190,7 @@ pub fn write_spectral(folder: &Path, tables: &SpectralTables, storage: Storage) 
 /// Columns and rows of a square in spatial frequency that reaches so far either way, in 1/nm.
 fn axes(reach_per_nm: f64, samples: usize) -> [Axis; 2] {
     let columns = Axis { first: -reach_per_nm, last: reach_per_nm, samples };
-    [columns, Axis { first: reach_per_nm, last: -reach_per_nm, samples }]
+    [columns, columns.reversed()]
 }
 
 fn cross_axes(cross: &SpectralCross, shortest_nm: f64) -> [Axis; 2] {
@@ -206,40 +207,21 @@ fn power_image(lobe: &SpectralLobe) -> Array3<f32> {
 }
 
 fn packed_jobs<'a>(
-    jobs: &mut Vec<Job<'a>>,
+    jobs: &mut Vec<ImageJob<'a>>,
     [name, kind]: [&'static str; 2],
     images: &'a [Array3<f32>],
     storage: Storage,
     [xi, eta]: [Axis; 2],
 ) {
-    jobs.extend(images.iter().enumerate().map(|(index, values)| Job {
+    jobs.extend(images.iter().enumerate().map(|(index, values)| ImageJob {
         file: format!("{name}.{index:03}.exr"),
         kind,
         order: TABLES_PER_IMAGE * index,
         values,
         storage,
-        columns: ("xi_per_nm", xi),
-        rows: Some(("eta_per_nm", eta)),
+        axes: vec![("xi_per_nm", xi), ("eta_per_nm", eta)],
+        place: None,
     }));
-}
-
-fn write_image(folder: &Path, tables: &SpectralTables, job: &Job) -> Result<StoredArray> {
-    let (scaled, stored) = scale_array(job.values, &job.file, job.storage);
-    let mut attributes = json!({
-        "kind": job.kind, "basis": "chebyshev", "order": job.order, "scale": stored.scale,
-        "shortest_nm": tables.shortest_nm, "prefilter_width": tables.prefilter_width,
-        "usable_radius": tables.usable_radius, "channels": "three tables in 1/sr",
-    });
-    for (name, axis) in std::iter::once(job.columns).chain(job.rows) {
-        attributes[format!("{name}_first")] = json!(axis.first);
-        attributes[format!("{name}_last")] = json!(axis.last);
-    }
-    let precision = match job.storage {
-        Storage::Half => Precision::Half,
-        Storage::Float => Precision::Float,
-    };
-    exr_image::write_rgb(&folder.join(&job.file), scaled.as_ref().unwrap_or(job.values), precision, &attributes)?;
-    Ok(stored)
 }
 
 /// Reads what [`write_spectral`] wrote; `front_factor` is that of their material.
@@ -255,6 +237,7 @@ pub fn read_spectral(folder: &Path, stored: &StoredSpectral, front_factor: Front
         Some(lobe) => Some(SpectralLobe {
             power: read_array(folder, &lobe.power, (1, lobe.half_abs_w.samples))?.iter().step_by(3).copied().collect(),
             sigma_nm: lobe.sigma_nm,
+            is_of_source: lobe.is_of_source,
             cross: match &lobe.cross {
                 None => None,
                 Some(cross) => Some(SpectralCross {

@@ -6,7 +6,7 @@ mod quadrature;
 mod wavenumbers;
 
 pub use illuminant::{Illuminant, Line, observer_2deg};
-pub use pulses::wavenumbers_for_pulses;
+pub use pulses::{Lags, VISIBLE_NM};
 pub use quadrature::{SpectralQuadrature, uniform_wavelengths};
 pub use wavenumbers::{filtered_wavenumbers, uniform_wavenumbers};
 

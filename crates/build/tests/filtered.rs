@@ -56,8 +56,7 @@ fn built(name: &'static str, field: HeightField, factor: Factor) -> Specimen {
     let input = BuildInput::new(&fields, &optics, &tables);
     let brdf = Brdf::new(build(&input, &|_| ()).unwrap().0).unwrap();
     let of_wavelengths = SpectralInput::new(&optics, &tables);
-    let grey = build_spectral(&input, &of_wavelengths, &|_| ()).unwrap();
-    let spectral = grey.packed(&grey.grey, &input, &of_wavelengths);
+    let spectral = build_spectral(&input, &of_wavelengths, &|_| ()).unwrap().tables;
     Specimen { name, brdf, spectral }
 }
 

@@ -18,6 +18,7 @@ use diffraction_brdf::error::{self, Error};
 use diffraction_brdf::evaluate::{Interpolation, answers, brdf_xyz, brdf_xyz_polarised};
 use diffraction_brdf::files;
 use diffraction_brdf::front_factor::{Factor, FrontFactor};
+use diffraction_brdf::json;
 use diffraction_brdf::spectral_storage::read_spectral;
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::optics::reference;
@@ -35,7 +36,7 @@ The CSV has the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, thetas b
 semicolons or tabs; lines that start with # are comments. X, Y, Z in 1/sr are added to them, X, Y, Z under
 another light, or one column for each of the wavelengths asked for; with --polarised X_ss, X_sp, X_ps, X_pp, Y_ss and so on.")]
 pub(crate) struct EvalArgs {
-    /// Directions to the light and to the viewer, in degrees
+    /// Directions to the light and to the viewer, in degrees; `-` reads standard input
     #[arg(long, value_name = "CSV")]
     pub directions: PathBuf,
     /// What is evaluated
@@ -65,8 +66,11 @@ pub(crate) struct EvalArgs {
     #[arg(long, value_enum, default_value_t = Lookup::Cubic)]
     pub interpolation: Lookup,
     /// Write here in place of stdout
-    #[arg(long, value_name = "CSV")]
+    #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+    /// Write JSON in place of CSV: a list of objects with the columns' names
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// What is evaluated.
@@ -132,7 +136,7 @@ impl EvalArgs {
     }
 }
 
-/// Evaluates and writes the CSV.
+/// Evaluates and writes the table.
 ///
 /// # Errors
 /// Wrong directions, an unreadable atlas or manifest, or the reference's.
@@ -144,7 +148,12 @@ pub(crate) fn run(args: &EvalArgs, _global: &Global) -> Result<Outcome> {
         EvalSource::Tables(atlas) => from_tables(atlas, args, &pairs)?,
         EvalSource::Reference(path) => from_reference(path, args, &pairs)?,
     };
-    let text = directions::write(&rows, &table.columns, &table.values);
+    let text = if args.json {
+        json::pretty(&directions::to_json(&rows, &table.columns, &table.values))
+            .map_err(|error| Error::Call(format!("these values have no form in JSON: {error}")))?
+    } else {
+        directions::write(&rows, &table.columns, &table.values)
+    };
     match &args.out {
         Some(path) => files::replace(path, text.as_bytes())?,
         None => output::print(&text)?,

@@ -198,12 +198,13 @@ fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
         output::bytes_in_words(bytes)
     );
     for file in &specimens {
+        let is_derived = file.tables.derived_under.is_some();
         text += &format!(
             "{}: {}, {} {} tables of {}², stored as {}, {} wavelengths at the rim\n",
             file.name,
             if file.species.is_empty() { "no species named" } else { &file.species },
-            file.tables.tables.len(),
-            basis_in_words(file.tables.basis),
+            file.spectral.as_ref().filter(|_| is_derived).map_or(file.tables.tables.len(), |spectral| spectral.tables),
+            if is_derived { "spectral" } else { basis_in_words(file.tables.basis) },
             file.tables.restriction.as_ref().map_or(file.tables.u.samples, |restriction| restriction.size),
             storage_in_words(file.tables.storage),
             file.build.wavelengths_max

@@ -11,6 +11,7 @@ pub(crate) mod run;
 pub(crate) mod study;
 pub(crate) mod synthesize;
 pub(crate) mod verify;
+pub(crate) mod view;
 
 #[cfg(test)]
 mod tests {
@@ -35,6 +36,7 @@ mod tests {
             command::<export::ExportArgs>("export"),
             command::<synthesize::SynthesizeArgs>("synthesize"),
             command::<list::ListArgs>("list"),
+            command::<view::ViewArgs>("view"),
         ]
     }
 

@@ -18,8 +18,10 @@ use crate::stages::run::warnings::scan_warnings;
 use diffraction_build::tables::coverage::budget::{Budget, Cost};
 use diffraction_build::tables::forecast::{Forecast, forecast_of};
 use diffraction_build::tables::input::BuildInput;
+use diffraction_build::tables::look_ups::{LookUp, LookUpForecast};
 use diffraction_build::tables::model::Storage;
 use diffraction_build::tables::plan;
+use diffraction_build::tables::spectral::SpectralInput;
 use diffraction_render::scene::model::Scene;
 use diffraction_render::scene::samples::ShadingSamples;
 
@@ -120,7 +122,14 @@ fn plan_specimen(
             (plan::plan_for(&input, Some(covered))?, Some(budget))
         }
     };
-    let forecast = forecast_of(&input, &plan, threads);
+    let forecast = match config.hold.xyz {
+        true => forecast_of(&input, &plan, threads),
+        false => {
+            let spectral = SpectralInput::new(&ingested.optics, &tables);
+            let input = spectral.of(&input);
+            forecast_of(&input, &plan::plan(&input)?, threads)
+        }
+    };
     let reference = match config.report.reference {
         false => None,
         true => {
@@ -129,7 +138,8 @@ fn plan_specimen(
         }
     };
     let of_first = ingested.statistics.iter().take(1).flat_map(|statistics| statistics.warnings.clone());
-    let warnings = of_first.chain(scan_warnings(&ingested, &ingested.optics)).collect();
+    let obstacle = asked::spectral_obstacle(config, &ingested.optics)?;
+    let warnings = of_first.chain(scan_warnings(&ingested, &ingested.optics)).chain(obstacle).collect();
     Ok(SpecimenPlan {
         name: specimen.name.clone(),
         forecast: Some(forecast),
@@ -160,18 +170,24 @@ impl Pictures {
 }
 
 impl Plan {
-    /// A line for each kind of averaging, with the specimens that it concerns.
+    /// A line for each kind of averaging, and for each kind of look-up between texels, with the specimens that it concerns.
     fn windows_text(&self) -> String {
+        self.shared_lines("windows", &|forecast| windows_in_words(forecast, self.tolerance))
+            + &self.shared_lines("look-ups", &|forecast| look_ups_in_words(forecast, self.tolerance))
+    }
+
+    /// What forecasts have to say, each line once with all specimens that say it.
+    fn shared_lines(&self, what: &str, in_words: &dyn Fn(&Forecast) -> String) -> String {
         let mut lines: Vec<(String, Vec<&str>)> = Vec::new();
         for specimen in &self.specimens {
             let Some(forecast) = &specimen.forecast else { continue };
-            let line = windows_in_words(forecast, self.tolerance);
+            let line = in_words(forecast);
             match lines.iter_mut().find(|(known, _)| *known == line) {
                 Some((_, names)) => names.push(&specimen.name),
                 None => lines.push((line, vec![&specimen.name])),
             }
         }
-        lines.iter().map(|(line, names)| format!("windows of {}: {line}\n", names.join(", "))).collect()
+        lines.iter().map(|(line, names)| format!("{what} of {}: {line}\n", names.join(", "))).collect()
     }
 
     /// What all specimens take; nothing where none has a forecast.
@@ -253,6 +269,27 @@ fn windows_in_words(forecast: &Forecast, tolerance: f64) -> String {
         ),
         _ => format!("{count} windows are more than the tolerance asks for: their mean moves by {moves:.0e}"),
     }
+}
+
+/// Which look-ups between texels keep the tolerance, and how many texels would.
+fn look_ups_in_words(forecast: &Forecast, tolerance: f64) -> String {
+    let mut parts = Vec::new();
+    for LookUpForecast { look_up, error, size_needed } in forecast.look_ups {
+        let kind = match look_up {
+            LookUp::Linear => "linear",
+            LookUp::Cubic => "cubic",
+        };
+        let grown = (size_needed as f64 / forecast.size as f64).powi(2);
+        parts.push(if error <= tolerance {
+            format!("{kind} ones keep the tolerance of {tolerance:.0e} ({error:.1e})")
+        } else {
+            format!(
+                "{kind} ones err by about {error:.1e}: a tolerance of {tolerance:.0e} takes {size_needed}² texels, {} of memory",
+                bytes_in_words((grown * forecast.memory_bytes as f64) as u64)
+            )
+        });
+    }
+    format!("with {}² texels, {}", forecast.size, parts.join("; "))
 }
 
 /// The number format of a forecast.

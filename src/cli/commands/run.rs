@@ -9,10 +9,10 @@ use crate::cli::progress::reporter;
 use crate::error::Result;
 use crate::manifest::{self, convert::run_config};
 use crate::report::spectrum_picture::{spectrum_half_range_per_um, spectrum_picture};
-use crate::report::{self, pictures};
+use crate::report::{self, facts, pictures};
 use crate::stages::archive::publish::Published;
 use crate::stages::config::RunConfig;
-use crate::stages::results::{Failure, HeightMapFile, SpectrumFile, Statistics};
+use crate::stages::results::{Failure, HeightMapFile, SpecimenResult, SpectrumFile, Statistics};
 use crate::stages::run::pipeline::{self, Helpers};
 use diffraction_build::height::HeightField;
 use diffraction_render::render::png_image::write_png;
@@ -56,6 +56,9 @@ pub(crate) fn run(args: &RunArgs, global: &Global) -> Result<Outcome> {
     if let Some(published) = &outcome.published {
         output::print(&summary(published, &config, outcome.results.total_wall_s))?;
     }
+    if !global.quiet {
+        eprint!("{}", warning_lines(&outcome.results.specimens));
+    }
     let failures: Vec<String> = outcome.results.failures.iter().map(failure_line).collect();
     Ok(if failures.is_empty() { Outcome::Done } else { Outcome::Failures(failures) })
 }
@@ -70,6 +73,31 @@ fn summary(published: &Published, config: &RunConfig, wall_s: f64) -> String {
         ),
         Published::Unchanged(_) => format!("{} holds the same already; nothing was published\n", folder.display()),
     }
+}
+
+/// Most warnings that are shown before the report is named instead.
+const WARNINGS_SHOWN: usize = 10;
+
+/// What a user must know of the specimens, a line each; what several share once.
+fn warning_lines(specimens: &[SpecimenResult]) -> String {
+    let mut told: Vec<(String, Vec<&str>)> = Vec::new();
+    for specimen in specimens {
+        for warning in facts::warnings(specimen) {
+            match told.iter_mut().find(|(text, _)| *text == warning) {
+                Some((_, names)) => names.push(&specimen.name),
+                None => told.push((warning, vec![&specimen.name])),
+            }
+        }
+    }
+    let mut lines: String = told
+        .iter()
+        .take(WARNINGS_SHOWN)
+        .map(|(text, names)| format!("warning: {}: {text}\n", names.join(", ")))
+        .collect();
+    if told.len() > WARNINGS_SHOWN {
+        lines += &format!("{} warnings; all of them are in the report\n", told.len());
+    }
+    lines
 }
 
 fn failure_line(failure: &Failure) -> String {

@@ -26,20 +26,25 @@ pub(crate) fn write_format(specimen_folder: &Path, version_folder: &Path) -> Res
         (Some(_), Some(c)) => [c.theta_i_deg, c.phi_i_deg, c.theta_r_deg, c.phi_r_deg],
         _ => WORKED_DEG,
     };
-    let text = format_md(&file, &work_number(&set, angles));
+    let worked = file.tables.derived_under.is_none().then(|| work_number(&set, angles));
+    let text = format_md(&file, worked.as_ref());
     files::replace(&version_folder.join("FORMAT.md"), text.as_bytes())
 }
 
-/// The page, with `example`'s own sizes and `worked` as its number.
-pub fn format_md(example: &SpecimenFile, worked: &WorkedNumber) -> String {
+/// The page, with `example`'s own sizes and `worked` as its number; none where spectral tables alone are stored.
+pub fn format_md(example: &SpecimenFile, worked: Option<&WorkedNumber>) -> String {
     let tables = &example.tables;
+    let of_xyz = |section: &dyn Fn() -> String| match tables.derived_under {
+        None => section(),
+        Some(_) => String::new(),
+    };
     let sections = [
         introduction(&example.name),
-        files_and_axes(tables),
-        evaluation(tables),
+        if tables.derived_under.is_some() { spectral_alone() } else { files_and_axes(tables) },
+        of_xyz(&|| evaluation(tables)),
         factors(example),
         use_in_a_renderer(example),
-        worked_number(example, worked),
+        worked.map_or(String::new(), |worked| worked_number(example, worked)),
         spectral_section(example.spectral.as_ref()),
     ];
     sections.iter().filter(|section| !section.is_empty()).map(String::as_str).collect::<Vec<_>>().join("\n")
@@ -53,6 +58,7 @@ The tables give the luminous BRDF of a surface, `f(wi, wo)` in 1/sr, as CIE XYZ 
 vectors to the light and to the viewer in the local frame: x along the scan's columns, y up the scan, z the outward
 normal.
 
+The file `latest` beside this version's folder names the newest; `atlas.json` in it lists specimens and the digests of files.
 Every specimen has a folder, and a renderer needs no other. Numbers on this page are those of `{name}`; those of each
 specimen stand in its `specimen.json`, and each EXR header repeats what concerns its own file:
 
@@ -61,11 +67,11 @@ specimen stand in its `specimen.json`, and each EXR header repeats what concerns
 - `tables.storage`: `\"half\"` or `\"float\"`, what the tables lose as 16-bit floats decides. With these, 95 % of colours
   shift by less than `tables.rounding.half`; a renderer that keeps tables in textures of 16-bit floats shows that.
 - `optics.material`: `\"ideal\"` (`R = 1`), or `{{ \"dielectric\": {{ \"n\" }} }}`, or `{{ \"conductor\": {{ \"n\", \"k\" }} }}` of
-  index `n + i k`; `optics.factor`: `\"vector\"` or `\"scalar\"`, see Factors; `optics.shadowing`.
+  index `n + i k`; `optics.factor`: `\"vector\"` or `\"scalar\"`, which is meant where it is absent, see Factors; `optics.shadowing`.
 - `optics.sigma_nm`, `lobe_sigma_nm`, `source_deg`: the coherence that the tables were made for. They hold its blur, the lobe's too:
   nothing of it is left to evaluate.
 - `spectral`: tables of single wavelengths, see the end of this page; absent where there are none.
-- `check_values`: directions and X, Y, Z to test an implementation with, from linear look-ups.
+- `check_values`: directions and X, Y, Z to test an implementation with, from linear look-ups in double precision; no energy limit.
 - `errors`: measured errors of Y against the reference, by cause (`what`) and region, relative to the value itself: quantiles
   `p50`, `p95`, `p99` and `worst` of the `directions` that are brighter than `floor_per_sr`, and `relative_l2` over all
   directions. `lit_share` is the share of the region that the tables show lit; of `dark_directions` others that were
@@ -106,6 +112,22 @@ fn files_and_axes(tables: &StoredTables) -> String {
     )
 }
 
+/// What stands in their place where spectral tables alone are stored.
+fn spectral_alone() -> String {
+    "## Files
+
+This atlas holds spectral tables alone, those of the last section. `tables.tables` is empty, `tables.lobe` is `null`, there are no
+`table.NNN.exr` and no `lobe.exr`, and `check_values` is empty: `spectral.check_values` are to be met.
+`tables.derived_under` is the light, `illuminant` from `wavelength_nm[0]` to `wavelength_nm[1]`, under which the pictures and
+`errors` are; X, Y, Z are the sums over its wavelengths that the last section tells. Where the next one speaks of `coherent(r)`,
+read `power exp(-(2 pi sigma r / lambda)^2)`.
+
+Throughout, `(u, v, w) = -wi - wo`; both directions must lie above the surface, otherwise `f = 0`. `T_0 = 1`, `T_1 = x`,
+`T_n = 2 x T_(n-1) - T_(n-2)`. Value = stored number x `scale`; between texel centres interpolate linearly in both axes.
+"
+    .to_owned()
+}
+
 /// The same for tables restricted to scenes.
 fn restricted_files(tables: &StoredTables, restriction: &StoredRestriction) -> String {
     let (columns, rows, [first_row, first_column]) = (tables.u.samples, tables.v.samples, restriction.first);
@@ -123,7 +145,7 @@ over [-2, 2] in u and v, from column {first_column} and row {first_row} on; ever
 - `range.exr`, as large: R and G hold `low` and `high`, the least and the greatest `t` a texel is made for, B is 1 where a texel
   is served and 0 where not. A look-up that reads a texel with B = 0, or whose `t` does not lie between the
   interpolated `low` and `high` but for rounding (a fiftieth of `high - low`), has **no answer**: report it, do not use what
-  the tables hold there. Rows of `lobe.exr` that no answer reads hold 0.
+  the tables hold there. The program's readers then give NaN, its pictures magenta. Rows of `lobe.exr` that no answer reads hold 0.
 {lobe}- Value = stored number x `scale`; every file has its own `scale`, a power of two. Treat the images as data: no colour
   management, no gamma.
 - Between texel centres interpolate linearly in both axes, tables and range alike.
@@ -142,11 +164,13 @@ fn lobe_files(lobe: &StoredLobe) -> String {
     let (columns, rows, radius_max) = (lobe.radius.samples, lobe.t.samples, lobe.radius_max);
     let mut text = format!(
         "- `lobe.exr`, {columns} x {rows} texels: the coherent lobe. Columns are the radius `sqrt(u^2 + v^2)` from 0 to
-  `radius_max` = {radius_max}, rows are `t` from 0 to 1.
+  `radius_max` = {radius_max}, rows are `t` from 0 to 1: row 0 is `t = 0`. R, G, B hold X, Y, Z as 32-bit floats, which a
+  texture has to keep: the lobe is thousands of times its surroundings.
 ",
     );
     if lobe.cross.is_none() {
-        text += "- The lobe has no cross term here: the sum over cross patches below is 0.\n";
+        text += "- The lobe has no cross term here: the sum over cross patches below is 0. Of a specimen with `lobe.cross.patches` these
+  are square images, one per Chebyshev polynomial: columns `u` from `-radius_max` to `radius_max`, rows `v` from `radius_max` down.\n";
     }
     if let Some(cross) = &lobe.cross {
         let (patches, side) = (cross.patches.len(), cross.u.samples);
@@ -186,10 +210,14 @@ fn evaluation(tables: &StoredTables) -> String {
     format!(
         "## Evaluation
 
-1. `(u, v, w) = -wi - wo`. Both directions must lie above the surface, otherwise `f = 0`.
+1. `(u, v, w) = -wi - wo`. Both directions must lie above the surface, `wi_z > 0` and `wo_z > 0`, otherwise `f = 0`.
 {steps}
 
 In one line: `{formula}`.
+
+Values may lie slightly below 0, where tables and rounding leave it so: clamp before sampling in proportion to them, not before summing.
+Texels count from the top row on; loaders that turn images over give row 0 last. Where look-ups are called cubic, four by four texels
+stand for two by two: along each axis Lagrange's cubic through four, from the texel `clamp(floor(c) - 1, 0, n - 4)` of `n` on.
 ",
         formula = tables.formula
     )
@@ -256,6 +284,10 @@ fn use_in_a_renderer(example: &SpecimenFile) -> String {
 - To sample directions: `cos(theta_o) d(omega_o) = du dv`, so a density over (u, v) times `cos(theta_o)` is one over
   directions. Sample the lobe apart from the diffuse part: it is narrow and round in (u, v) about the mirror direction, where
   `t = cos(theta_i)` and `G = w^2`: it reflects `R` times the integral of `coherent` over (u, v), to a good approximation.
+  With shares `a + b + c = 1` of lobe, tables and remainder the density is `p = a p_lobe + b p_tables + c / (2 pi)` in 1/sr and
+  a sample's weight `f cos(theta_o) / p`. As `f` grows towards the horizon, draw the remainder evenly over solid angle, as `c / (2 pi)`
+  says, and lobe and tables from what of them lies in the disc `(u + wi_x)^2 + (v + wi_y)^2 < 1`, normalised over it: then no sample
+  is lost below the surface, and weights stay bounded.
 - Where `specimen.json` has a `pigment`, the pictures show one below the structure besides `f`; the tables do not hold it. It
   adds `(1 - R(wi_z)) (1 - R(wo_z)) pigment.xyz_per_sr`, with the `R` of the factors above at `c = wi_z` and `c = wo_z`.
 - `usable_radius` = {usable_radius}: beyond this `sqrt(u^2 + v^2)` the scan's sampling cannot answer; what the tables hold there is

@@ -7,6 +7,7 @@ pub(super) fn spectral_section(spectral: Option<&StoredSpectral>) -> String {
     let Some(spectral) = spectral else { return String::new() };
     let StoredSpectral { shortest_nm, longest_nm, tables, .. } = spectral;
     let size = spectral.xi_per_nm.samples;
+    let grows = spectral.lobe.as_ref().is_some_and(|lobe| lobe.is_of_source);
     format!(
         "## Single wavelengths, other lights
 
@@ -17,8 +18,8 @@ pub(super) fn spectral_section(spectral: Option<&StoredSpectral>) -> String {
   channel `n mod 3` of file `floor(n / 3)`, R before G before B. Axes are spatial frequencies, `xi = u / lambda` along columns and
   `eta = v / lambda` along rows, from `-2 / lambda_0` to `2 / lambda_0` between centres, row 0 at the positive end. With
   `r = lambda_0 / lambda` and `(u', v', w') = r (u, v, w)` that is column `{last} (u' + 2) / 4`, row `{last} (2 - v') / 4`.
-{lobe}- `f(lambda, wi, wo) = r^4 D (sum_n table_n T_n(2t - 1) + cross) + r^2 C lobe`, with `t = |w'| / sqrt(4 - u'^2 - v'^2)`, at most 1,
-  and `T_n`, `D`, `C` as on this page. With the scalar factor `lobe = power exp(-(2 pi sigma rho / lambda)^2)`,
+{lobe}- `f(lambda, wi, wo) = r^4 D (sum_n table_n T_n(2t - 1) + cross) + {share}C lobe`, with `t = |w'| / sqrt(4 - u'^2 - v'^2)`, at most 1,
+  and `T_n`, `D`, `C` as on this page. With the scalar factor `lobe = power exp(-(2 pi sigma rho / {lobe_nm})^2)`,
   `rho = sqrt(u^2 + v^2)`; with the vector factor the same with the image's distance `sqrt(u^2 + v^2 + 4 h_i h_o)` is added. No
   lobe: 0.
 - `spectral.dispersion`, where there is one: the material's index `n + i k` by wavelength, to be used in `D` and `C` in place of
@@ -31,6 +32,8 @@ pub(super) fn spectral_section(spectral: Option<&StoredSpectral>) -> String {
 - `spectral.check_values`: directions with wavelengths and `f`, from linear look-ups.
 ",
         count = spectral.images.len(),
+        share = if grows { "" } else { "r^2 " },
+        lobe_nm = if grows { "lambda_0" } else { "lambda" },
         last = size.saturating_sub(1),
         lobe = spectral.lobe.as_ref().map_or(String::new(), lobe_files),
     )
@@ -43,6 +46,10 @@ fn lobe_files(lobe: &StoredSpectralLobe) -> String {
   between. `sigma = spectral.lobe.sigma_nm`, here {sigma_nm} nm.
 ",
     );
+    if lobe.is_of_source {
+        text += "  `sigma_grows`: it is that at `lambda_0`, and grows in proportion to the wavelength, as under a source of fixed size. The
+  lobe is then the same at every wavelength. Where it does not grow, `r^2 C lobe` and `rho / lambda` stand below.\n";
+    }
     match &lobe.cross {
         None => text += "- `cross` is 0 here.\n",
         Some(cross) => {

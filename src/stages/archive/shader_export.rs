@@ -5,7 +5,7 @@ use naga::proc::BoundsCheckPolicies;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
 use crate::error::{Error, Result};
-use diffraction_render::render::wgsl::{SHADE_MATERIAL, SHADE_SPECTRAL, material, spectral_material};
+use diffraction_render::render::wgsl::{self, SHADE_MATERIAL, SHADE_SPECTRAL, material, spectral_material};
 
 /// What an engine needs to know: bindings in every language, inputs and result.
 pub const README: &str = include_str!("shader_readme.md");
@@ -18,16 +18,25 @@ pub const SPECTRAL_README: &str = include_str!("shader_spectral_readme.md");
 pub enum ShaderSource {
     /// Those of XYZ.
     Tables,
+    /// Those of XYZ, as means over footprints.
+    TablesFiltered,
     /// Spectral ones.
     Spectral,
+    /// Spectral ones, as means over footprints.
+    SpectralFiltered,
 }
 
 impl ShaderSource {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Tables, Self::TablesFiltered, Self::Spectral, Self::SpectralFiltered];
+
     /// Name of its files without what tells the language.
     pub fn name(self) -> &'static str {
         match self {
             Self::Tables => "tables",
+            Self::TablesFiltered => "tables_filtered",
             Self::Spectral => "spectral",
+            Self::SpectralFiltered => "spectral_filtered",
         }
     }
 
@@ -35,7 +44,9 @@ impl ShaderSource {
     fn entry_point(self) -> &'static str {
         match self {
             Self::Tables => SHADE_MATERIAL,
+            Self::TablesFiltered => wgsl::SHADE_MATERIAL_FILTERED,
             Self::Spectral => SHADE_SPECTRAL,
+            Self::SpectralFiltered => wgsl::SHADE_SPECTRAL_FILTERED,
         }
     }
 
@@ -43,7 +54,9 @@ impl ShaderSource {
     fn wgsl(self) -> String {
         match self {
             Self::Tables => material(),
+            Self::TablesFiltered => wgsl::material_filtered(),
             Self::Spectral => spectral_material(),
+            Self::SpectralFiltered => wgsl::spectral_material_filtered(),
         }
     }
 

@@ -7,7 +7,7 @@ use diffraction_brdf::error::Result;
 use diffraction_brdf::json;
 use diffraction_brdf::specimen::{self, CheckValue, FILE};
 use diffraction_brdf::spectral_storage::StoredSpectral;
-use diffraction_brdf::storage::{self, StoredTables};
+use diffraction_brdf::storage::StoredTables;
 use diffraction_build::accuracy::power_sums::DirectionalAlbedo;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::Pigment;
@@ -37,7 +37,7 @@ pub struct SpecimenFile {
     pub pigment: Option<Pigment>,
     /// What was chosen while building.
     pub build: BuildRecord,
-    /// The tables' files, axes, scales and formula.
+    /// The tables' files, axes, scales and formula; no files where spectral tables alone are stored.
     pub tables: StoredTables,
     /// The files of its spectral tables; absent where the atlas holds none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -69,6 +69,7 @@ pub fn read(folder: &Path) -> Result<SpecimenFile> {
 /// Reads a specimen with its tables.
 pub fn load(folder: &Path) -> Result<(SpecimenFile, TableSet)> {
     let specimen = read(folder)?;
-    let tables = storage::read_tables(folder, &specimen.tables, specimen.optics.front_factor())?;
+    let (tables, _) =
+        specimen::read_both(folder, &specimen.tables, specimen.spectral.as_ref(), specimen.optics.front_factor())?;
     Ok((specimen, tables))
 }

@@ -266,19 +266,20 @@ fn decode_pairs(bytes: &[u8]) -> Option<HashMap<[u64; 6], Xyz>> {
 }
 
 fn encode_counted(reference: &Reference) -> Vec<u8> {
-    let numbers = reference.xyz.iter().flatten().chain(reference.diffuse.iter().flatten());
-    let numbers = numbers.chain(reference.as_tables.iter().flatten());
+    let parts = reference.diffuse.iter().chain([&reference.as_tables]);
+    let numbers = reference.xyz.iter().chain(parts.flatten()).flatten();
     numbers.flat_map(|number| number.to_le_bytes()).collect()
 }
 
 fn decode_counted(bytes: &[u8], errors: &ErrorDirections, optics: &OpticsConfig) -> Option<Reference> {
     let as_tables = if optics.dispersion.is_some() { 3 } else { 0 };
     let (numbers, fixed) = (numbers(bytes)?, errors.pairs.len());
-    if numbers.len() != (6 + as_tables) * fixed {
+    if numbers.len() != (12 + as_tables) * fixed {
         return None;
     }
     let (xyz, rest) = numbers.split_at(3 * fixed);
-    let (diffuse, as_tables) = rest.split_at(3 * fixed);
+    let (diffuse, as_tables) = rest.split_at(9 * fixed);
+    let diffuse = triples(diffuse, 3 * fixed)?;
     Some(Reference {
         groups: errors.groups.clone(),
         pairs: errors.pairs.clone(),

@@ -1,8 +1,11 @@
 //! What a manifest asks of each specimen: which scenes its tables answer for, with which tolerance; and what nobody asks for.
 
-use crate::stages::config::{Cover, GpuCheck, RunConfig, SpecimenConfig};
+use crate::stages::config::{Cover, GpuCheck, RunConfig};
 use crate::stages::pictures::sharing::scenes_for;
+use diffraction_brdf::error::{Error, Result};
+use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::tables::model::TablesConfig;
+use diffraction_build::tables::spectral::obstacle;
 use diffraction_render::scene::model::Scene;
 
 /// The scenes that a specimen's tables are restricted to, or its shares of them; `None` where they are not.
@@ -33,10 +36,19 @@ pub(crate) fn is_asked_for(config: &RunConfig, specimen: &str) -> bool {
     restricted_to(config, specimen).is_none_or(|scenes| !scenes.is_empty())
 }
 
-/// Whether a specimen gets spectral tables: where the run asks for them, unless the light's own size blurs each wavelength
-/// differently, which one stack of tables cannot hold.
-pub fn is_spectral(config: &RunConfig, specimen: &SpecimenConfig) -> bool {
-    config.spectral && specimen.optics.source_deg.is_none()
+/// What to know of a specimen's spectral tables where they are asked for and cannot be made; they are then left out.
+///
+/// # Errors
+/// [`Error::Limit`] where there are no others.
+pub(crate) fn spectral_obstacle(config: &RunConfig, optics: &OpticsConfig) -> Result<Option<String>> {
+    let Some(why) = obstacle(optics).filter(|_| config.hold.spectral) else { return Ok(None) };
+    if config.hold.xyz {
+        return Ok(Some(format!("no spectral tables: {why}")));
+    }
+    Err(Error::limit(
+        format!("spectral tables alone are asked for and cannot be made: {why}"),
+        "add \"xyz\" to tables.hold",
+    ))
 }
 
 /// Specimens, pictures and stages that nobody asks for, with the reason.
@@ -45,13 +57,8 @@ pub fn left_out(config: &RunConfig) -> Vec<String> {
     for specimen in config.specimens.iter().filter(|specimen| !is_asked_for(config, &specimen.name)) {
         rows.push(format!("the specimen {}: no scene that its tables are restricted to shows it", specimen.name));
     }
-    if config.spectral {
-        for specimen in config.specimens.iter().filter(|specimen| !is_spectral(config, specimen)) {
-            rows.push(format!(
-                "spectral tables of {}: coherence.source_deg blurs every wavelength by another width, sigma_um does not",
-                specimen.name
-            ));
-        }
+    if !config.hold.xyz {
+        rows.push("files of X, Y, Z: tables.hold names spectral tables alone, from which readers derive them".into());
     }
     if let Cover::Named(names) = &config.cover {
         for scene in config.scenes.iter().filter(|scene| !names.contains(&scene.name)) {

@@ -5,4 +5,5 @@ pub mod device;
 pub(crate) mod frame_time;
 pub mod published;
 pub mod results;
+mod spectral;
 pub(crate) mod stage;

@@ -10,7 +10,7 @@ use ndarray::Array3;
 use super::check::{Shade, check_picture, check_reference, reference_limit};
 use super::device::GpuDevice;
 use super::results::{GpuRow, ReferenceCheck};
-use crate::stages::archive::specimen_file;
+use crate::stages::archive::specimen_file::{self, SpecimenFile};
 use crate::stages::pictures::scenes::reference_stride;
 use diffraction_brdf::atlas::DIFFERENCE_SUFFIX;
 use diffraction_brdf::error::Error;
@@ -125,8 +125,10 @@ fn tolerance_holds(set: &TableSet, optics: &OpticsConfig, config: &TablesConfig)
 
 /// Why the tables in a specimen's folder are more than every GPU takes, if they are.
 pub(super) fn beyond_limits(folder: &Path) -> Option<String> {
-    let tables = specimen_file::read(folder).ok()?.tables;
-    let (layers, side) = (tables.tables.len(), tables.u.samples.max(tables.v.samples));
+    let SpecimenFile { tables, spectral, .. } = specimen_file::read(folder).ok()?;
+    // Derived tables are as many as those that they come from.
+    let derived = spectral.filter(|_| tables.derived_under.is_some()).map_or(0, |spectral| spectral.tables);
+    let (layers, side) = (tables.tables.len().max(derived), tables.u.samples.max(tables.v.samples));
     let layers_max = LAYERS_MAX - usize::from(tables.restriction.is_some());
     if layers > layers_max {
         return Some(format!("its {layers} tables are more than the {layers_max} layers that every GPU takes"));

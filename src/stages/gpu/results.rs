@@ -29,6 +29,9 @@ pub enum GpuResult {
         gpu: Box<GpuInfo>,
         /// One row per scene of a specimen.
         rows: Vec<GpuRow>,
+        /// One row per specimen with spectral tables.
+        #[serde(default)]
+        spectral: Vec<GpuSpectralRow>,
         /// How long a frame takes, where that was measured.
         frames: Option<Box<FrameComparison>>,
     },
@@ -154,6 +157,42 @@ impl GpuRow {
                 "scene \"{scene}\": {:.1e} of the light shown differs from the reference beside what look-ups and rounding \
                  explain; the tolerance promises {:.1e}: the tables are wrong",
                 reference.unexplained, reference.limit
+            )
+        })
+    }
+}
+
+/// A specimen's spectral tables on the GPU against the CPU, value by value.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct GpuSpectralRow {
+    /// The specimen.
+    pub specimen: String,
+    /// Values compared, each at a pair of directions and a wavelength.
+    pub values: usize,
+    /// Those from the GPU that are not finite; any fails.
+    pub not_finite: usize,
+    /// Those that are farther off than the hardware's rounding and filtering allow.
+    pub beyond: usize,
+    /// The largest share that a difference takes of what its own value was allowed.
+    pub worst_of_tolerance: f64,
+}
+
+impl GpuSpectralRow {
+    /// Whether nothing is wrong.
+    pub fn passed(&self) -> bool {
+        self.beyond == 0
+    }
+
+    /// What is wrong, in words.
+    pub fn complaint(&self) -> Option<String> {
+        (!self.passed()).then(|| {
+            format!(
+                "spectral tables: {} of {} values differ from the CPU by more than rounding and filtering allow, the worst by {} \
+                 times as much ({} not finite)",
+                self.beyond,
+                self.values,
+                times(self.worst_of_tolerance),
+                self.not_finite
             )
         })
     }

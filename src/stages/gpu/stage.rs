@@ -5,7 +5,8 @@ use std::path::Path;
 use super::device::GpuDevice;
 use super::frame_time;
 use super::published::{beyond_limits, check_files};
-use super::results::{FrameComparison, GpuResult, GpuRow};
+use super::results::{FrameComparison, GpuResult, GpuRow, GpuSpectralRow};
+use super::spectral::check_spectral;
 use crate::error::{Error, Result};
 use crate::stages::config::{FrameTiming, GpuCheck, RunConfig, SpecimenConfig};
 use crate::stages::coverage::asked;
@@ -35,11 +36,12 @@ impl Opened {
     }
 
     /// What the results say, given what was found out on it.
-    pub(crate) fn into_result(self, rows: Vec<GpuRow>, frames: Option<FrameComparison>) -> GpuResult {
+    pub(crate) fn into_result(self, compared: Compared, frames: Option<FrameComparison>) -> GpuResult {
         match self {
             Self::Ready(device) => {
                 let (gpu, frames) = (Box::new(device.info().clone()), frames.map(Box::new));
-                GpuResult::Checked { gpu, rows, frames }
+                let Compared { rows, spectral } = compared;
+                GpuResult::Checked { gpu, rows, spectral, frames }
             }
             Self::Not(result) => result,
         }
@@ -70,10 +72,19 @@ pub fn open(check: GpuCheck, log: &mut Log) -> Result<Opened> {
     })
 }
 
+/// Comparisons of the GPU with the CPU.
+#[derive(Debug, Default)]
+pub struct Compared {
+    /// Scenes.
+    pub rows: Vec<GpuRow>,
+    /// Spectral tables.
+    pub spectral: Vec<GpuSpectralRow>,
+}
+
 /// What came of checking a specimen.
 pub enum Checked {
     /// The comparisons; none where the GPU failed.
-    Rows(Vec<GpuRow>),
+    Rows(Compared),
     /// Nothing to compare, and why: no GPU has to take such tables, and none is required.
     Beyond(String),
 }
@@ -101,19 +112,21 @@ pub fn check(
     let pictured = asked::pictured_scenes(config, name);
     let scenes: Vec<&Scene> = pictured.iter().filter(|scene| specimens_of(scene).is_empty()).collect();
     let tables = asked::tables_for(config, name);
-    let checked = log.timed(Stage::CheckOnGpu, name, 0, || {
-        check_files(device, &folder, name, &scenes, &tables, config.report.reference)
+    let checked = log.timed(Stage::CheckOnGpu, name, 0, || -> diffraction_render::error::Result<Compared> {
+        let rows = check_files(device, &folder, name, &scenes, &tables, config.report.reference)?;
+        Ok(Compared { rows, spectral: check_spectral(device, &folder, name)?.into_iter().collect() })
     });
     let mut fail = |message| log.fail(Stage::CheckOnGpu, Some(name), message);
     match checked.map_err(Error::from) {
         Err(error) if error.is_of_disk_below(version_folder) => Err(error),
         Err(error) => {
             fail(error.to_string());
-            Ok(Checked::Rows(Vec::new()))
+            Ok(Checked::Rows(Compared::default()))
         }
-        Ok(rows) => {
-            rows.iter().filter_map(GpuRow::complaint).for_each(fail);
-            Ok(Checked::Rows(rows))
+        Ok(compared) => {
+            let of_tables = compared.spectral.iter().filter_map(GpuSpectralRow::complaint);
+            compared.rows.iter().filter_map(GpuRow::complaint).chain(of_tables).for_each(fail);
+            Ok(Checked::Rows(compared))
         }
     }
 }

@@ -1,12 +1,14 @@
-//! The model as an instrument sees it: the BRDF from the scan, averaged over the detector's cone and slit.
+//! The model as an instrument sees it: the BRDF from spectral tables or the scan, averaged over the detector's cone and slit.
 
 use std::f64::consts::{PI, SQRT_2, TAU};
 
 use rayon::prelude::*;
 
 use super::read::Measurement;
+use diffraction_brdf::SpectralTables;
 use diffraction_brdf::direction::{Vec3, from_angles_deg, wave_vector_change};
 use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::evaluate::Interpolation;
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::factors::PairFactors;
@@ -53,13 +55,14 @@ struct RowSamples {
     wanted: [usize; 2],
 }
 
-/// The model at every row.
+/// The model at every row: from spectral tables by cubic look-ups, or from the scan where there are none, or none that answer.
 ///
 /// # Errors
 /// As the transforms, a wavelength at which the material is not known, and [`Error::Limit`] for too many evaluations.
 pub fn modelled(
     fields: &[HeightField],
     optics: &OpticsConfig,
+    tables: Option<&SpectralTables>,
     measurement: &Measurement,
     memory_bytes: u64,
 ) -> Result<Modelled> {
@@ -73,18 +76,14 @@ pub fn modelled(
     for row in &rows {
         optics.check_material_at(&row.wavelengths_nm)?;
     }
-    let mut windows = Vec::new();
-    for (scan, field) in fields.iter().enumerate() {
-        windows.extend(placements(field, optics)?.into_iter().map(|placement| (scan, placement)));
-    }
-    check_evaluations(&rows, windows.len())?;
-    let spectra_config = spectra_config(&rows, optics, memory_bytes);
-    let share = 1.0 / windows.len().max(1) as f64;
-    let mut scatter_per_sr = vec![0.0; rows.len()];
-    for (scan, placement) in windows {
-        let spectra = spectra::transform(&fields[scan], placement, optics, &spectra_config)?;
-        scatter_per_sr.par_iter_mut().zip(&rows).for_each(|(sum, row)| *sum += share * scatter(&spectra, optics, row));
-    }
+    let unfit = tables.and_then(|tables| unfit(tables, &rows));
+    let scatter_per_sr = match tables.filter(|_| unfit.is_none()) {
+        Some(tables) => {
+            check_evaluations(&rows, 1)?;
+            rows.par_iter().map(|row| scatter_of_tables(tables, row)).collect()
+        }
+        None => scatter_of_scan(fields, optics, &rows, memory_bytes)?,
+    };
     let mean_cosine =
         rows.iter().map(|row| row.wo.iter().map(|wo| wo[2].max(0.0)).sum::<f64>() / row.wo.len() as f64).collect();
     let most = |of: fn(&RowSamples) -> usize| rows.iter().map(of).max().unwrap_or(1);
@@ -93,8 +92,52 @@ pub fn modelled(
         mean_cosine,
         cone_sr: TAU * 2.0 * (0.25 * config.acceptance_deg.to_radians()).sin().powi(2),
         samples: [most(|row| row.wo.len()), most(|row| row.wavelengths_nm.len())],
-        notes: notes(&rows, fields),
+        notes: unfit.into_iter().chain(notes(&rows, fields)).collect(),
     })
+}
+
+/// Why spectral tables do not answer for single directions at the wavelengths of rows, as a note; `None` where they do.
+fn unfit(tables: &SpectralTables, rows: &[RowSamples]) -> Option<String> {
+    let why = match rows.iter().find_map(|row| tables.check_wavelengths(&row.wavelengths_nm).err()) {
+        Some(error) => error.to_string(),
+        None if tables.prefilter_width > 0.0 => {
+            "the spectral tables hold means over texels that are wider than a coherence lobe".to_owned()
+        }
+        None => return None,
+    };
+    Some(format!("the model is evaluated from the scan: {why}"))
+}
+
+/// `⟨f cos_theta⟩` by spectral tables.
+fn scatter_of_tables(tables: &SpectralTables, row: &RowSamples) -> f64 {
+    let above = row.wo.iter().filter(|wo| wo[2] > 0.0);
+    let of = |wo: &Vec3| {
+        let brdf = tables.eval(Interpolation::Cubic, row.wi, *wo, &row.wavelengths_nm);
+        wo[2] * brdf.iter().sum::<f64>()
+    };
+    above.map(of).sum::<f64>() / (row.wo.len() * row.wavelengths_nm.len()) as f64
+}
+
+/// The same of every row by the transforms of the scans, averaged over their windows.
+fn scatter_of_scan(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    rows: &[RowSamples],
+    memory_bytes: u64,
+) -> Result<Vec<f64>> {
+    let mut windows = Vec::new();
+    for (scan, field) in fields.iter().enumerate() {
+        windows.extend(placements(field, optics)?.into_iter().map(|placement| (scan, placement)));
+    }
+    check_evaluations(rows, windows.len())?;
+    let spectra_config = spectra_config(rows, optics, memory_bytes);
+    let share = 1.0 / windows.len().max(1) as f64;
+    let mut scatter_per_sr = vec![0.0; rows.len()];
+    for (scan, placement) in windows {
+        let spectra = spectra::transform(&fields[scan], placement, optics, &spectra_config)?;
+        scatter_per_sr.par_iter_mut().zip(rows).for_each(|(sum, row)| *sum += share * scatter(&spectra, optics, row));
+    }
+    Ok(scatter_per_sr)
 }
 
 /// `⟨f cos_theta⟩` of one window: f vanishes for directions below the horizon.

@@ -9,7 +9,7 @@ use serde_json::json;
 use crate::stages::config::RunConfig;
 use crate::stages::results::{SceneError, SceneResult};
 use diffraction_brdf::atlas::InputRecord;
-use diffraction_brdf::direction::{Vec3, Xyz};
+use diffraction_brdf::direction::{Vec3, Xyz, angles_deg, normalise};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::Interpolation;
 use diffraction_brdf::exr_image::{Precision, write_rgb};
@@ -25,7 +25,7 @@ use diffraction_render::render::cpu;
 use diffraction_render::render::png_image::{encode_animation, heat_map, side_by_side, write_png};
 use diffraction_render::scene::animation;
 use diffraction_render::scene::light::environment_count;
-use diffraction_render::scene::model::{Animation, Moving, Scene, Shape, exposure_factor};
+use diffraction_render::scene::model::{Animation, Light, Moving, Scene, Shape, exposure_factor};
 use diffraction_render::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
 use diffraction_render::scene::turn::Axis;
 
@@ -208,6 +208,7 @@ impl SceneWork {
             shape: shape_name(&self.scene.shape).into(),
             size_px: [self.scene.size_px; 2],
             exposure: f64::from(self.exposure),
+            light: light_text(&self.scene),
             seconds: self.seconds,
             error: None,
             uncovered_pixels: self.uncovered,
@@ -283,7 +284,31 @@ pub fn warnings(scenes: &[&Scene], optics: &OpticsConfig) -> Vec<String> {
     warnings
 }
 
-/// What moves, in words for the report.
+/// Where a scene's light comes from, in words: polar angle and azimuth of each light, and its width.
+fn light_text(scene: &Scene) -> String {
+    let from = match scene.shape {
+        Shape::Screen { incidence_deg, .. } => return format!("beam {incidence_deg}° from the normal"),
+        Shape::Hemisphere => "the normal",
+        _ => "the viewing axis",
+    };
+    let one = |light: &Light| {
+        let [theta, phi] = angles_deg(normalise(light.direction)).map(f64::round);
+        let azimuth = if theta == 0.0 { String::new() } else { format!(" at azimuth {phi}°") };
+        let width = match light.angular_diameter_deg {
+            0.0 => "a point".to_string(),
+            width => format!("{width}° wide"),
+        };
+        format!("light {theta}° from {from}{azimuth}, {width}")
+    };
+    let lights = match &scene.shape {
+        Shape::Hemisphere => &scene.lights[..scene.lights.len().min(1)],
+        _ => &scene.lights[..],
+    };
+    let all = lights.iter().map(one).chain(scene.environment.is_some().then(|| "light from all around".to_string()));
+    all.collect::<Vec<_>>().join("; ")
+}
+
+/// How an animation goes, in words.
 fn animation_text(animation: &Animation) -> String {
     let what = match animation.kind {
         Moving::Turntable => "the object turns",

@@ -14,7 +14,8 @@ use super::warnings::{scan_warnings, table_warnings};
 use crate::stages::archive::specimen_file::{self, SpecimenFile};
 use crate::stages::cache::store::CacheUse;
 use crate::stages::config::SpecimenConfig;
-use crate::stages::coverage::savings;
+use crate::stages::coverage::{asked, savings};
+use crate::stages::goniometry::goniometry;
 use crate::stages::pictures::covered::covered_picture;
 use crate::stages::pictures::preview::write_preview;
 use crate::stages::pictures::scenes;
@@ -33,6 +34,10 @@ use diffraction_build::tables::forecast::forecast_of;
 use diffraction_build::tables::model::Basis;
 use diffraction_render::render::png_image::write_png;
 use diffraction_render::scene::model::Scene;
+
+/// What is said where the manifest names no material.
+const NO_MATERIAL: &str = "no material is given, so all light is reflected and brightness means nothing yet: say what it is made of, such \
+                           as material = { n = 1.56 } for keratin, or material = \"ideal\" if that is meant";
 
 /// What a finished specimen leaves besides its files.
 pub(super) struct Described {
@@ -61,13 +66,20 @@ pub(super) fn describe(
     spectral: Option<Spectral>,
     clock: &mut Clock,
 ) -> Step<Described> {
-    let warnings = warnings(ingested, planned, &measured);
+    let mut warnings = warnings(job, ingested, planned, &measured);
+    if !job.specimen.is_material_given {
+        warnings.push(NO_MATERIAL.into());
+    }
     let pictures = std::mem::take(&mut measured.pictures);
     let (shares, own): (Vec<_>, Vec<_>) = pictures.into_iter().partition(|(work, _)| work.is_share());
     let shares = shares.into_iter().map(|(work, reference)| {
         let expected = reference.map(|reference| work.expected(&reference));
         shared_scenes::share(work, expected)
     });
+    let goniometry = clock.stage(Stage::LookAround, || {
+        let tables = spectral.as_ref().map(|spectral| &spectral.tables);
+        goniometry(measured.stored.surface(), tables, &ingested.scans.optics, &job.folder, &job.specimen.name)
+    })?;
     let (shares, pictures) = clock.stage(Stage::WritePictures, || {
         let shares: Vec<Share> = shares.collect();
         let scenes =
@@ -89,6 +101,7 @@ pub(super) fn describe(
     Ok(Described {
         result: SpecimenResult {
             spectral: spectral.map(|spectral| spectral.result),
+            goniometry,
             ..result(job, ingested, planned, measured, pictures, budget, warnings)
         },
         inputs: inputs(job, ingested),
@@ -98,12 +111,14 @@ pub(super) fn describe(
 }
 
 /// What a user must know: of tables, scans, pictures, errors.
-fn warnings(ingested: &Ingested, planned: &Planned, measured: &Measured) -> Vec<String> {
+fn warnings(job: &Job, ingested: &Ingested, planned: &Planned, measured: &Measured) -> Vec<String> {
     let optics = &ingested.scans.optics;
     let Stored { set, files, .. } = &measured.stored;
     let scenes: Vec<&Scene> = ingested.scenes.iter().collect();
     let mut warnings = table_warnings(set, files, &ingested.tables, planned.plan.texels.grid.texel());
     warnings.extend(scan_warnings(&ingested.scans, optics));
+    // Where it keeps all tables from being made, there is no specimen to warn of.
+    warnings.extend(asked::spectral_obstacle(job.config, optics).ok().flatten());
     warnings.extend(scenes::warnings(&scenes, optics));
     warnings.extend(too_bright(&measured.reflected.albedo, measured.energy_limit.as_ref()));
     warnings.extend(rows::broken_tolerances(&measured.errors, ingested.tables.tolerance));
@@ -163,7 +178,11 @@ fn specimen_json(
         errors: to_value(&measured.errors),
         albedo: measured.reflected.albedo.clone(),
         energy_limit: measured.energy_limit.clone(),
-        check_values: check_values(set, &measured.counted),
+        // Those of derived tables are the spectral ones'.
+        check_values: match files.derived_under {
+            None => check_values(set, &measured.counted),
+            Some(_) => Vec::new(),
+        },
         warnings: warnings.to_vec(),
     }
 }
@@ -215,6 +234,7 @@ fn result(
         power_sums: measured.reflected.power_sums,
         albedo: measured.reflected.albedo,
         measured: measured.measured,
+        goniometry: None,
         scenes: pictures.scenes,
         height_map,
         spectrum,
@@ -229,8 +249,9 @@ fn result(
 
 fn build_result(ingested: &Ingested, planned: &Planned, stored: &Stored) -> BuildResult {
     let Planned { input, plan, .. } = planned;
-    // The published series is built another way, which no forecast knows.
-    let predicted = (input.tables.basis == Basis::Chebyshev).then(|| {
+    // The published series is built another way, which no forecast knows; derived tables are not built at all.
+    let is_predicted = input.tables.basis == Basis::Chebyshev && stored.files.derived_under.is_none();
+    let predicted = is_predicted.then(|| {
         let threads = rayon::current_num_threads();
         Cost::predicted(&forecast_of(input, plan, threads))
     });
@@ -270,6 +291,7 @@ pub(super) fn failed_result(specimen: &SpecimenConfig, error: &Error) -> Specime
         power_sums: Vec::new(),
         albedo: Vec::new(),
         measured: None,
+        goniometry: None,
         scenes: Vec::new(),
         height_map: None,
         spectrum: None,

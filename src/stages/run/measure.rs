@@ -8,6 +8,7 @@ use crate::stages::ingest::Scans;
 use crate::stages::measured::{self, MeasuredResult};
 use crate::stages::pictures::scenes::{SceneWork, candidates_of, render_tables};
 use crate::stages::stage::Stage;
+use diffraction_brdf::SpectralTables;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::energy::EnergyLimit;
 use diffraction_brdf::error::Result;
@@ -39,6 +40,7 @@ pub(super) fn measure(
     ingested: &Ingested,
     planned: &Planned,
     mut stored: Stored,
+    spectral: Option<&SpectralTables>,
     clock: &mut Clock,
 ) -> Step<Measured> {
     let works = render(job, ingested, &stored, clock)?;
@@ -75,7 +77,8 @@ pub(super) fn measure(
         Some(measurement) => Some(clock.stage(Stage::CompareMeasured, || {
             let file = job.config.relative_name(&measurement.config.file);
             let memory_bytes = planned.plan.spectra.memory_bytes;
-            measured::compare(&ingested.scans.fields, &ingested.scans.optics, measurement, file, memory_bytes)
+            let Scans { fields, optics, .. } = &ingested.scans;
+            measured::compare(fields, optics, spectral, measurement, file, memory_bytes)
         })?),
     };
     let pictures = with_reference(works, reference.as_ref(), counted.len());

@@ -16,8 +16,7 @@ use crate::stages::archive::publish::{self, Published};
 use crate::stages::cache::store::{Cache, CacheUse};
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::coverage::asked;
-use crate::stages::gpu::results::GpuRow;
-use crate::stages::gpu::stage::{self as gpu_stage, Checked, Opened};
+use crate::stages::gpu::stage::{self as gpu_stage, Checked, Compared, Opened};
 use crate::stages::log::Log;
 use crate::stages::pictures::scenes;
 use crate::stages::pictures::shared_scenes::{self, SharedScenes};
@@ -96,7 +95,7 @@ struct Run<'a> {
     inputs: Vec<InputRecord>,
     entries: Vec<SpecimenEntry>,
     specimens: Vec<SpecimenResult>,
-    gpu_rows: Vec<GpuRow>,
+    compared: Compared,
 }
 
 impl<'a> Run<'a> {
@@ -114,7 +113,7 @@ impl<'a> Run<'a> {
             inputs: Vec::new(),
             entries: Vec::new(),
             specimens: Vec::new(),
-            gpu_rows: Vec::new(),
+            compared: Compared::default(),
         })
     }
 
@@ -149,7 +148,10 @@ impl<'a> Run<'a> {
         self.used = self.used.with(&used, self.cache.traffic());
         if let Some(device) = self.gpu.device() {
             match gpu_stage::check(device, self.config, specimen, self.folder, &mut self.log)? {
-                Checked::Rows(rows) => self.gpu_rows.extend(rows),
+                Checked::Rows(Compared { rows, spectral }) => {
+                    self.compared.rows.extend(rows);
+                    self.compared.spectral.extend(spectral);
+                }
                 Checked::Beyond(why) => result.warnings.push(why),
             }
         }
@@ -194,7 +196,7 @@ impl<'a> Run<'a> {
             specimens: self.specimens,
             shared_scenes,
             stages: self.log.stages,
-            gpu: self.gpu.into_result(self.gpu_rows, frames),
+            gpu: self.gpu.into_result(self.compared, frames),
             failures: self.log.failures,
             left_out: asked::left_out(config),
             cache: self.cache.is_on().then_some(self.used),

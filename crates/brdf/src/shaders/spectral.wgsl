@@ -27,10 +27,12 @@ struct SpectralParams {
     permittivity: vec2<f32>,
     // Wavelength in nm that the tables were made for, the shortest that they answer for.
     shortest_nm: f32,
-    // Standard deviation in nm of the light's coherence window, which sets the lobe's width.
+    // Standard deviation in nm of the light's coherence window at the shortest wavelength, which sets the lobe's width.
     lobe_sigma_nm: f32,
     // Half the side of the cross term's patches in (u', v').
     cross_radius: f32,
+    // 1 where lobe_sigma_nm grows in proportion to the wavelength, as under a source of fixed size.
+    of_source: u32,
     // Value of a table = texel times scale: the scales of a layer's four tables to a vector.
     table_scales: array<vec4<f32>, 64>,
     cross_scales: array<vec4<f32>, 64>,
@@ -89,12 +91,15 @@ fn brdf_spectral_with(front: Front, wi: vec3<f32>, wo: vec3<f32>, wavelength_nm:
     if params.lobe_count == 0u {
         return r2 * r2 * diffuse;
     }
+    // A coherence that grows with the wavelength leaves the lobe what it is at the shortest.
+    let grows = params.of_source == 1u;
+    let lobe_nm = select(wavelength_nm, params.shortest_nm, grows);
     // With the vector factor, what would leave below the horizon comes back above it.
-    var shape = lobe_shape(dot(change.xy, change.xy), wavelength_nm);
+    var shape = lobe_shape(dot(change.xy, change.xy), lobe_nm);
     if front.factor == VECTOR {
-        shape = shape + lobe_shape(image_radius2(wi, wo), wavelength_nm);
+        shape = shape + lobe_shape(image_radius2(wi, wo), lobe_nm);
     }
-    return r2 * r2 * diffuse + r2 * coherent_factor(front, wi, wo) * power_at(abs(q.z)) * shape;
+    return r2 * r2 * diffuse + select(r2, 1.0, grows) * coherent_factor(front, wi, wo) * power_at(abs(q.z)) * shape;
 }
 
 // Whether a value is an answer.
@@ -126,24 +131,34 @@ fn cross_value(q: vec3<f32>, t: f32) -> f32 {
     if params.cross_layers == 0u || max(abs(q.x), abs(q.y)) >= params.cross_radius {
         return 0.0;
     }
-    let uv = texel_centred(q.xy / params.cross_radius, textureDimensions(cross_terms));
+    return cross_on(q.xy / params.cross_radius, t, 0.0) / abs(q.z);
+}
+
+// Sum of T_n(2t - 1) patch_n at a position in [-1, 1]², on a level of the mip chain.
+fn cross_on(at: vec2<f32>, t: f32, level: f32) -> f32 {
+    let uv = texel_centred(at, textureDimensions(cross_terms));
     var basis = first_four(2.0 * t - 1.0);
     var sum = 0.0;
     for (var layer = 0u; layer < params.cross_layers; layer = layer + 1u) {
-        let texel = textureSampleLevel(cross_terms, bilinear, uv, layer, 0.0);
+        let texel = textureSampleLevel(cross_terms, bilinear, uv, layer, level);
         sum = sum + dot(basis * params.cross_scales[layer], texel);
         basis = next_four(basis, 2.0 * t - 1.0);
     }
-    return sum / abs(q.z);
+    return sum;
 }
 
 // Sum of T_n(2t - 1) table_n at a position in [-1, 1]².
 fn expansion(at: vec2<f32>, t: f32) -> f32 {
+    return expansion_on(at, t, 0.0);
+}
+
+// The same on a level of the mip chain.
+fn expansion_on(at: vec2<f32>, t: f32, level: f32) -> f32 {
     let uv = texel_centred(at, textureDimensions(tables));
     var basis = first_four(2.0 * t - 1.0);
     var sum = 0.0;
     for (var layer = 0u; layer < params.table_layers; layer = layer + 1u) {
-        let texel = textureSampleLevel(tables, bilinear, uv, layer, 0.0);
+        let texel = textureSampleLevel(tables, bilinear, uv, layer, level);
         sum = sum + dot(basis * params.table_scales[layer], texel);
         basis = next_four(basis, 2.0 * t - 1.0);
     }

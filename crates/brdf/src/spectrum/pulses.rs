@@ -1,5 +1,7 @@
 //! How many wavelengths an order of diffraction takes: pulses in 1/λ under a light that is not smooth.
 
+use std::f64::consts::{SQRT_2, TAU};
+
 use super::illuminant::Illuminant;
 use super::wavenumbers::{Nodes, densities};
 
@@ -14,6 +16,50 @@ const NARROWEST_NM: f64 = 0.25;
 
 /// Deviations beyond which a pulse is nothing: `exp(-6.5²/2)` = 7e-10.
 const REACH: f64 = 6.5;
+
+/// Fewest wavelengths of a continuous spectrum over what the eye sees: enough for whatever is smooth in it.
+const FEWEST: usize = 24;
+
+/// What is seen of light, in nm.
+pub const VISIBLE_NM: [f64; 2] = [380.0, 780.0];
+
+/// What limits the lags between two points of a surface that interfere, and so how fast a direction's light can change with
+/// the wavelength.
+///
+/// Along a direction, `|P|²` as a function of `1/λ` is a sum over pairs of surface points of waves at the lag
+/// `ρ Δx + |w| Δh`. The window weights `Δx` by `exp(-Δx²/4σ²)`: whatever the surface, its spectrum is made of Gaussian
+/// pulses with the standard deviation `1/(2√2 π σ ρ)`, one for each line of a periodic surface. A grating shows a direction
+/// one of them, where no errors average out, and so each is integrated to the tolerance. Relief modulates pulses by lags up to
+/// `L = 2 |w|` times the half range of the heights. These have at most the variance `L²`; that of waves, of which the
+/// outermost heights meet the outermost seldom, is `L²/4`, and variances of lags add: the pulses are taken to be
+/// narrower by as much.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lags {
+    /// Standard deviation in nm of the coherence window.
+    pub sigma_nm: f64,
+    /// Half the range of the heights in nm.
+    pub half_height_range_nm: f64,
+}
+
+impl Lags {
+    /// How many wavelengths integrate the luminance of 95 % of the pulses to a relative error, at a distance `radius` from the
+    /// mirror direction in (u, v) and up to this `|w|`.
+    pub fn wavelengths(
+        &self,
+        illuminant: &Illuminant,
+        range_nm: [f64; 2],
+        [radius, abs_w]: [f64; 2],
+        tolerance: f64,
+    ) -> usize {
+        // Deviations of lag times 2π.
+        let (window, relief) = (SQRT_2 * TAU * self.sigma_nm * radius, TAU * self.half_height_range_nm * abs_w);
+        // A range wider than the eye's spreads the same nodes thinner over what it sees.
+        let span = |[low_nm, high_nm]: [f64; 2]| 1.0 / low_nm - 1.0 / high_nm;
+        let widening = (span(illuminant.reach_nm(range_nm)) / span(VISIBLE_NM)).max(1.0);
+        let fewest = (widening * FEWEST as f64) as usize;
+        wavenumbers_for_pulses(illuminant, range_nm, 1.0 / window.hypot(relief), tolerance, fewest)
+    }
+}
 
 /// Wavenumbers of [`super::uniform_wavenumbers`] that integrate the luminance of 95 % of Gaussian pulses to a relative
 /// error of `tolerance`, wherever in the spectrum they lie; never fewer than `fewest`. `deviation` is the pulses' standard
@@ -34,7 +80,7 @@ const REACH: f64 = 6.5;
 /// term is 8e-5 and 5e-9. It hangs on the light's table, so the number is found by trying pulses in the light at hand
 /// under the very weights that are used later: that counts each kink where it is, lines of lamps, and a spectrum cut
 /// where it is bright.
-pub fn wavenumbers_for_pulses(
+fn wavenumbers_for_pulses(
     illuminant: &Illuminant,
     range_nm: [f64; 2],
     deviation: f64,

@@ -25,7 +25,7 @@ const NODES_AT_ENDS: usize = 6;
 /// to twenty nodes and integrated exactly against the illuminant and the observer.
 ///
 /// These two are linear between the knots of their tables, with kinks that no rule of equal weights integrates. Here only
-/// the integrand has to be resolved by the nodes; [`super::wavenumbers_for_pulses`] says how many that takes.
+/// the integrand has to be resolved by the nodes; [`super::Lags::wavelengths`] says how many that takes.
 ///
 /// # Errors
 /// `Error::Call` if the light has no luminous power within the range.

@@ -109,15 +109,8 @@ impl Candidates {
     /// [`DRAWN`] of every region, with one floor for all: that of the hemisphere as the tables show it. `turn` chooses
     /// which: 0 for those of a run, another for others.
     pub fn of_regions(set: &TableSet, turn: usize) -> Vec<Self> {
-        let near_deg = near_deg(set);
-        let drawn = |region| {
-            let places = turn * DRAWN..(turn + 1) * DRAWN;
-            if region == Region::NearSpecular {
-                near_specular_pairs(near_deg, places)
-            } else {
-                direction_pairs_in(region, places)
-            }
-        };
+        let near_deg = near_deg(set.lobe.as_ref().map_or(0.0, |lobe| lobe.radius_max));
+        let drawn = |region| drawn_pairs(region, near_deg, turn);
         let hemisphere = luminances(set, &drawn(Region::Hemisphere));
         let floor_per_sr = floor_per_sr(set.front_factor.material, &hemisphere);
         Region::ALL.into_iter().map(|r| Self { group: Group::Region(r), pairs: drawn(r), floor_per_sr }).collect()
@@ -130,11 +123,19 @@ impl Candidates {
     }
 }
 
-/// Degrees from the mirror direction that count as near it: as far as the lobe reaches, [`NEAR_DEG`] at least. On the flank of
-/// a lobe that is wider than that, look-ups err most.
-fn near_deg(set: &TableSet) -> f64 {
-    let reach = set.lobe.as_ref().map_or(0.0, |lobe| lobe.radius_max.min(1.0).asin());
-    reach.to_degrees().max(NEAR_DEG)
+/// [`DRAWN`] pairs of a region; `near_deg` as of [`near_deg`], `turn` as of [`Candidates::of_regions`].
+pub(super) fn drawn_pairs(region: Region, near_deg: f64, turn: usize) -> Vec<Pair> {
+    let places = turn * DRAWN..(turn + 1) * DRAWN;
+    match region {
+        Region::NearSpecular => near_specular_pairs(near_deg, places),
+        _ => direction_pairs_in(region, places),
+    }
+}
+
+/// Degrees from the mirror direction that count as near it: as far as a lobe of this radius in (u, v) reaches, [`NEAR_DEG`] at
+/// least. On the flank of a lobe that is wider than that, look-ups err most.
+pub(super) fn near_deg(lobe_radius: f64) -> f64 {
+    lobe_radius.min(1.0).asin().to_degrees().max(NEAR_DEG)
 }
 
 /// In an order of which any first few are spread over all of them.
@@ -196,8 +197,9 @@ impl ErrorDirections {
     /// lacking: tables that show nothing are not right for it.
     pub fn drawn(set: &TableSet, candidates: Vec<Candidates>, count: usize) -> Self {
         let mut directions = Self::default();
-        for candidates in candidates {
-            let (group, pairs) = chosen(set, candidates, count);
+        for Candidates { group, pairs, floor_per_sr } in candidates {
+            let shown: Vec<f64> = pairs.par_iter().map(|pair| brightest(set, pair)).collect();
+            let (group, pairs) = chosen(group, &pairs, &shown, floor_per_sr, count);
             directions.groups.push(group);
             directions.pairs.extend(pairs);
         }
@@ -210,24 +212,28 @@ impl ErrorDirections {
     }
 }
 
-/// [`ErrorDirections::drawn`] for one group.
-fn chosen(set: &TableSet, candidates: Candidates, count: usize) -> (ErrorGroup, Vec<Pair>) {
-    let Candidates { group, pairs, floor_per_sr } = candidates;
-    let shown: Vec<f64> = pairs.par_iter().map(|pair| brightest(set, pair)).collect();
-    let above = pairs.iter().zip(&shown).filter(|(_, shown)| **shown > BELOW_SHARE * floor_per_sr);
-    let share_above = above.clone().count() as f64 / pairs.len().max(1) as f64;
+/// [`ErrorDirections::drawn`] for one group, given what the tables show at each of its candidates, in 1/sr.
+pub(super) fn chosen<P: Copy>(
+    group: Group,
+    candidates: &[P],
+    shown: &[f64],
+    floor_per_sr: f64,
+    count: usize,
+) -> (ErrorGroup, Vec<P>) {
+    let above = candidates.iter().zip(shown).filter(|(_, shown)| **shown > BELOW_SHARE * floor_per_sr);
+    let share_above = above.clone().count() as f64 / candidates.len().max(1) as f64;
     let mut surely_above = 0;
     let until_enough = above.take(2 * count).take_while(|(_, shown)| {
         let is_wanted = surely_above < count;
         surely_above += usize::from(**shown > floor_per_sr);
         is_wanted
     });
-    let mut taken: Vec<Pair> = until_enough.map(|(pair, _)| *pair).collect();
-    let below = pairs.iter().zip(&shown).filter(|(_, shown)| **shown <= BELOW_SHARE * floor_per_sr);
+    let mut taken: Vec<P> = until_enough.map(|(candidate, _)| *candidate).collect();
+    let below = candidates.iter().zip(shown).filter(|(_, shown)| **shown <= BELOW_SHARE * floor_per_sr);
     let lacking = count - surely_above.min(count);
     let wanted_below = count.div_ceil(ABOVE_PER_BELOW) + lacking;
     let above_count = taken.len();
-    taken.extend(below.map(|(pair, _)| *pair).take(wanted_below));
+    taken.extend(below.map(|(candidate, _)| *candidate).take(wanted_below));
     let counts = [above_count, taken.len() - above_count];
     (ErrorGroup { group, counts, share_above, floor_per_sr, left_out_per_sr: None }, taken)
 }

@@ -29,9 +29,9 @@ pub struct Reference {
     /// The same at the pairs of the groups with the front factor at one wavelength, as tables have it; empty where the material is
     /// the same at every wavelength.
     pub as_tables: Vec<Xyz>,
-    /// Diffuse luminance at the regions' pairs: exact, with the tables' wavelengths, and with the tables'
+    /// XYZ of the diffuse part at the regions' pairs: exact, with the tables' wavelengths, and with the tables'
     /// interpolation in `w` too; geometry and reflectance left out.
-    pub diffuse: [Vec<f64>; 3],
+    pub diffuse: [Vec<Xyz>; 3],
 }
 
 impl Reference {
@@ -70,7 +70,7 @@ pub fn evaluate(
         xyz: vec![[0.0; 3]; pairs.len()],
         pairs,
         as_tables: vec![[0.0; 3]; counted_as_tables],
-        diffuse: [(); 3].map(|()| vec![0.0; fixed]),
+        diffuse: [(); 3].map(|()| vec![[0.0; 3]; fixed]),
     };
     let share = 1.0 / plan.windows.len().max(1) as f64;
     for &(scan, placement) in &plan.windows {
@@ -80,13 +80,13 @@ pub fn evaluate(
         spectral::add_window(&spectra, optics, &reference.pairs[fixed..], PICTURE_STEP, pictures)?;
         let as_tables = (&reference.pairs[..counted_as_tables], &mut reference.as_tables);
         spectral::add_window_with(&spectra, optics, as_tables.0, FULL_STEP, PairFactors::as_tables, as_tables.1)?;
-        let rows: Vec<[f64; 3]> = reference.pairs[..fixed]
+        let rows: Vec<[Xyz; 3]> = reference.pairs[..fixed]
             .par_iter()
             .map(|&(wi, wo)| diffuse_shares(&spectra, optics, plan, nodes, wave_vector_change(wi, wo)))
             .collect::<Result<_>>()?;
         for (index, row) in rows.iter().enumerate() {
             for (sums, value) in reference.diffuse.iter_mut().zip(row) {
-                sums[index] += share * value;
+                sums[index].iter_mut().zip(value).for_each(|(sum, value)| *sum += share * value);
             }
         }
     }
@@ -94,17 +94,17 @@ pub fn evaluate(
     Ok(reference)
 }
 
-/// Diffuse luminance at one `q`: exact, with the annulus's wavelengths, with the nodes in `w` as well.
+/// The diffuse part at one `q`: exact, with the annulus's wavelengths, with the nodes in `w` as well.
 fn diffuse_shares(
     spectra: &Spectra,
     optics: &OpticsConfig,
     plan: &BuildPlan,
     nodes: usize,
     q: Vec3,
-) -> Result<[f64; 3]> {
+) -> Result<[Xyz; 3]> {
     let (uv, w) = ([q[0], q[1]], q[2].abs());
     let fine = optics.tables_quadrature(resolving_count(optics, q, spectra.half_range_nm, FULL_STEP))?;
-    let exact = spectral::diffuse_power(spectra, &fine, uv, &[w])[0][1];
+    let exact = spectral::diffuse_power(spectra, &fine, uv, &[w])[0];
     let radius = uv[0].hypot(uv[1]);
     let Some(ring) = plan.ring_at(radius) else {
         return Ok([exact; 3]);
@@ -117,6 +117,9 @@ fn diffuse_shares(
     let weights = chebyshev::interpolation_weights(nodes, low, high, w.min(max_abs_w(radius)));
     points.push(w);
     let values = spectral::diffuse_power(spectra, &ring.quadrature, uv, &points);
-    let interpolated = values.iter().zip(&weights).map(|(value, weight)| value[1] * weight).sum();
-    Ok([exact, values[nodes][1], interpolated])
+    let mut interpolated = [0.0; 3];
+    for (value, weight) in values.iter().zip(&weights) {
+        interpolated.iter_mut().zip(value).for_each(|(sum, value)| *sum += value * weight);
+    }
+    Ok([exact, values[nodes], interpolated])
 }

@@ -98,11 +98,12 @@ pub struct ErrorRow {
     /// ([`left_out_per_sr`](crate::optics::left_out::left_out_per_sr)); `None` where that is not bounded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub left_out_per_sr: Option<f64>,
-    /// Root of the summed squared differences over the root of the summed squares, over the whole group: directions
+    /// Root of the summed squared differences of X, Y and Z over the root of the summed squares, over the whole group: directions
     /// above and below the floor count by the share of it that they stand for.
     #[serde(with = "null_for_nan")]
     pub relative_l2: f64,
-    /// Median relative error of the luminance.
+    /// Median relative error: the largest of Y's over Y and of those of X and Z over X + Y + Z (see
+    /// [`metrics::colour_error_quantiles`]).
     #[serde(with = "null_for_nan")]
     pub p50: f64,
     /// Its 95th percentile.
@@ -147,47 +148,72 @@ fn rows_of(
     [stored, built]: [&TableSet; 2],
 ) -> Vec<ErrorRow> {
     let pairs = &reference.pairs[range.clone()];
-    let at_pairs = |y: &dyn Fn(Vec3, Vec3) -> f64| -> Vec<f64> { pairs.iter().map(|&(wi, wo)| y(wi, wo)).collect() };
-    let total = |look_up| at_pairs(&|wi, wo| brdf_xyz(stored, look_up, wi, wo)[1]);
-    let exact: Vec<f64> = reference.xyz[range.clone()].iter().map(|xyz| xyz[1]).collect();
-    let mut rows = vec![
-        row(Cause::Total, group, &exact, &total(Interpolation::Bilinear)),
-        row(Cause::TotalCubic, group, &exact, &total(Interpolation::Cubic)),
-    ];
+    let at_pairs =
+        |xyz: &dyn Fn(Vec3, Vec3) -> Xyz| -> Vec<Xyz> { pairs.iter().map(|&(wi, wo)| xyz(wi, wo)).collect() };
+    let total = |look_up| at_pairs(&|wi, wo| brdf_xyz(stored, look_up, wi, wo));
+    let exact = &reference.xyz[range.clone()];
+    let mut rows = total_rows(group, exact, [Interpolation::Bilinear, Interpolation::Cubic].map(total));
     // The shares below are those of the diffuse part under interpolation in `w`: a power series keeps neither apart.
     if stored.basis == Basis::Taylor {
         return rows;
     }
     if let Some(as_tables) = reference.as_tables.get(range.clone()).filter(|xyz| !xyz.is_empty()) {
-        let as_tables: Vec<f64> = as_tables.iter().map(|xyz| xyz[1]).collect();
-        rows.push(row(Cause::OneWavelength, group, &exact, &as_tables));
+        rows.push(row(Cause::OneWavelength, group, exact, as_tables));
     }
-    // The diffuse part as bright as it is seen, so that one floor counts for all rows.
-    let front = at_pairs(&|wi, wo| stored.front_factor.diffuse(wi, wo));
-    let seen = |diffuse: &[f64]| -> Vec<f64> { diffuse.iter().zip(&front).map(|(d, front)| d * front).collect() };
-    let [fine, stepped, interpolated] = [0, 1, 2].map(|i| seen(&reference.diffuse[i][range.clone()]));
+    let front: Vec<f64> = pairs.iter().map(|&(wi, wo)| stored.front_factor.diffuse(wi, wo)).collect();
+    let [fine, stepped, interpolated] = [0, 1, 2].map(|i| seen(&reference.diffuse[i][range.clone()], &front));
     let [on_grid, rounded] = [built, stored].map(|set| {
-        let power = |wi, wo| diffuse_window_power(set, Interpolation::Bilinear, wave_vector_change(wi, wo))[1];
-        seen(&at_pairs(&power))
+        let power = |wi, wo| diffuse_window_power(set, Interpolation::Bilinear, wave_vector_change(wi, wo));
+        seen(&at_pairs(&power), &front)
     });
-    rows.extend([
-        row(Cause::WavelengthStep, group, &fine, &stepped),
-        row(Cause::Basis, group, &stepped, &interpolated),
-        row(Cause::Grid, group, &interpolated, &on_grid),
-        row(Cause::Storage, group, &on_grid, &rounded),
-    ]);
+    let steps = [
+        (Cause::WavelengthStep, stepped),
+        (Cause::Basis, interpolated),
+        (Cause::Grid, on_grid),
+        (Cause::Storage, rounded),
+    ];
+    rows.extend(diffuse_rows(group, fine, steps));
     rows
+}
+
+/// Rows of everything together, for linear and cubic look-ups.
+pub(super) fn total_rows(group: &ErrorGroup, exact: &[Xyz], [linear, cubic]: [Vec<Xyz>; 2]) -> Vec<ErrorRow> {
+    vec![row(Cause::Total, group, exact, &linear), row(Cause::TotalCubic, group, exact, &cubic)]
+}
+
+/// The diffuse part as bright as it is seen, so that one floor counts for all rows.
+pub(super) fn seen(diffuse: &[Xyz], front: &[f64]) -> Vec<Xyz> {
+    diffuse.iter().zip(front).map(|(xyz, front)| xyz.map(|value| value * front)).collect()
+}
+
+/// A row for each cause: the diffuse part with it, against the diffuse part before it came in.
+pub(super) fn diffuse_rows(
+    group: &ErrorGroup,
+    exact: Vec<Xyz>,
+    steps: impl IntoIterator<Item = (Cause, Vec<Xyz>)>,
+) -> Vec<ErrorRow> {
+    let mut before = exact;
+    let with_cause = |(cause, values): (Cause, Vec<Xyz>)| {
+        let row = row(cause, group, &before, &values);
+        before = values;
+        row
+    };
+    steps.into_iter().map(with_cause).collect()
 }
 
 /// Pointwise errors of the directions that the reference has above the floor; the norm of all, each with the share of the
 /// group that it stands for. What nothing above the floor can tell is NaN.
-pub(super) fn row(cause: Cause, group: &ErrorGroup, reference: &[f64], test: &[f64]) -> ErrorRow {
+pub(super) fn row(cause: Cause, group: &ErrorGroup, reference: &[Xyz], test: &[Xyz]) -> ErrorRow {
     let floor = group.floor_per_sr;
-    let quantiles = metrics::relative_error_quantiles(reference, test, floor);
+    let quantiles = metrics::colour_error_quantiles(reference, test, floor);
     let weights = group.weights();
-    let weighed = |values: &[f64]| -> Vec<f64> { values.iter().zip(&weights).map(|(v, w)| v * w.sqrt()).collect() };
+    let weighed = |values: &[Xyz]| -> Vec<f64> {
+        let of = |(xyz, weight): (&Xyz, &f64)| xyz.map(|value| value * weight.sqrt());
+        values.iter().zip(&weights).flat_map(of).collect()
+    };
     let [above, below] = group.counts;
-    let is_below = |values: &[f64]| values.iter().all(|y| y.abs() <= floor);
+    let is_above = |xyz: &Xyz| xyz[1].abs() > floor;
+    let is_below = |values: &[Xyz]| !values.iter().any(|xyz| is_above(xyz) || xyz[1].is_nan());
     let known = |error: f64| if quantiles.count == 0 { f64::NAN } else { error };
     ErrorRow {
         cause,
@@ -196,7 +222,7 @@ pub(super) fn row(cause: Cause, group: &ErrorGroup, reference: &[f64], test: &[f
         floor_per_sr: floor,
         share_above: group.share_above,
         directions_below: below,
-        missed_directions: reference[above..].iter().filter(|y| y.abs() > floor).count(),
+        missed_directions: reference[above..].iter().filter(|xyz| is_above(xyz)).count(),
         left_out_per_sr: group.left_out_per_sr,
         relative_l2: match is_below(reference) && is_below(test) {
             true => f64::NAN,
@@ -225,8 +251,8 @@ pub fn direct_row(reference: &Reference, direct: DirectSum) -> Result<ErrorRow> 
     brightest.sort_by(|&a, &b| reference.xyz[b][1].total_cmp(&reference.xyz[a][1]));
     brightest.truncate(DIRECT_PAIRS);
     let pairs: Vec<(Vec3, Vec3)> = brightest.iter().map(|&index| reference.pairs[index]).collect();
-    let direct: Vec<f64> = direct(&pairs)?.iter().map(|xyz| xyz[1]).collect();
-    let fast: Vec<f64> = brightest.iter().map(|&index| reference.xyz[index][1]).collect();
+    let direct = direct(&pairs)?;
+    let fast: Vec<Xyz> = brightest.iter().map(|&index| reference.xyz[index]).collect();
     let group = ErrorGroup { counts: [brightest.len(), 0], ..group.clone() };
     Ok(row(Cause::Reference, &group, &direct, &fast))
 }

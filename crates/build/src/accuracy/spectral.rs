@@ -2,9 +2,10 @@
 
 use rayon::prelude::*;
 
-use super::directions::{ABOVE_PER_BELOW, DRAWN, ErrorGroup, Group, floor_per_sr};
-use super::rows::{Cause, ErrorRow, row};
-use crate::ground::sampling::{Region, direction_pairs_in};
+use super::directions::{ErrorGroup, Group, chosen, drawn_pairs, floor_per_sr, near_deg};
+use super::rows::{Cause, ErrorRow, diffuse_rows, seen, total_rows};
+use crate::ground::sampling::Region;
+use crate::optics::config::OpticsConfig;
 use crate::optics::factors::PairFactors;
 use crate::optics::lines::Buffers;
 use crate::optics::spectra;
@@ -12,7 +13,7 @@ use crate::optics::spectral::{brdf_of_window, diffuse_power};
 use crate::tables::input::BuildInput;
 use crate::tables::plan::BuildPlan;
 use diffraction_brdf::chebyshev;
-use diffraction_brdf::direction::{Vec3, max_abs_w};
+use diffraction_brdf::direction::{Vec3, Xyz, max_abs_w};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::Interpolation;
 use diffraction_brdf::spectral::SpectralTables;
@@ -39,44 +40,38 @@ pub struct Places {
 /// The BRDF at places, straight from the transforms.
 #[derive(Debug, Clone)]
 pub struct SpectralReference {
-    /// The BRDF in 1/sr.
-    brdf: Vec<f64>,
+    /// The BRDF in 1/sr; grey, as all here.
+    brdf: Vec<Xyz>,
     /// Its diffuse part: exact, and interpolated in `w` as the tables do.
-    diffuse: [Vec<f64>; 2],
+    diffuse: [Vec<Xyz>; 2],
 }
 
 impl Places {
-    /// Of each region, with wavelengths evenly over the tables' range, the first that the tables show above the floor, up to
-    /// `count`, and a quarter as many below it.
-    pub fn drawn(tables: &SpectralTables, count: usize) -> Self {
+    /// Of each region, with wavelengths evenly over the tables' range, as many places above and below the floor as
+    /// [`ErrorDirections::drawn`](super::directions::ErrorDirections::drawn) takes; `lobe_radius` is the lobe's in (u, v) where it
+    /// is widest.
+    pub fn drawn(tables: &SpectralTables, lobe_radius: f64, count: usize) -> Self {
+        let near_deg = near_deg(lobe_radius);
+        let wavelength_nm = |index: usize| {
+            tables.shortest_nm + (tables.longest_nm - tables.shortest_nm) * (index as f64 * GOLDEN).fract()
+        };
         let drawn = |region| -> Vec<Place> {
-            let pairs = direction_pairs_in(region, 0..DRAWN).into_iter().enumerate();
-            let wavelength_nm = |index: usize| {
-                tables.shortest_nm + (tables.longest_nm - tables.shortest_nm) * (index as f64 * GOLDEN).fract()
-            };
+            let pairs = drawn_pairs(region, near_deg, 0).into_iter().enumerate();
             pairs.map(|(index, (wi, wo))| Place { wi, wo, wavelength_nm: wavelength_nm(index) }).collect()
         };
-        let floor = floor_per_sr(
-            tables.front_factor.material,
-            &values(tables, Interpolation::Cubic, &drawn(Region::Hemisphere)),
-        );
+        let hemisphere = values(tables, Interpolation::Cubic, &drawn(Region::Hemisphere));
+        let floor_per_sr = floor_per_sr(tables.front_factor.material, &hemisphere);
         let mut found = Self::default();
         for region in Region::ALL {
             let places = drawn(region);
-            let shown = values(tables, Interpolation::Cubic, &places);
-            let of = |above: bool, most: usize| {
-                let chosen = places.iter().zip(&shown).filter(move |(_, shown)| (**shown > floor) == above);
-                chosen.map(|(place, _)| *place).take(most).collect::<Vec<Place>>()
-            };
-            let [above, below] = [of(true, count), of(false, count.div_ceil(ABOVE_PER_BELOW))];
-            found.groups.push(ErrorGroup {
-                group: Group::Region(region),
-                counts: [above.len(), below.len()],
-                share_above: shown.iter().filter(|shown| **shown > floor).count() as f64 / shown.len() as f64,
-                floor_per_sr: floor,
-                left_out_per_sr: None,
-            });
-            found.places.extend(above.into_iter().chain(below));
+            let [linear, cubic] =
+                [Interpolation::Bilinear, Interpolation::Cubic].map(|look_up| values(tables, look_up, &places));
+            // What is no number shall be seen.
+            let brightest = |(a, b): (&f64, &f64)| if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(*b) };
+            let shown: Vec<f64> = linear.iter().zip(&cubic).map(brightest).collect();
+            let (group, places) = chosen(Group::Region(region), &places, &shown, floor_per_sr, count);
+            found.groups.push(group);
+            found.places.extend(places);
         }
         found
     }
@@ -88,18 +83,30 @@ fn values(tables: &SpectralTables, interpolation: Interpolation, places: &[Place
     places.par_iter().map(value).collect()
 }
 
-/// Evaluates the reference: input and plan are those of the spectral tables, `count` is how many there are.
+/// As rows take them: a wavelength by itself counts in every channel.
+fn grey(values: impl IntoIterator<Item = f64>) -> Vec<Xyz> {
+    values.into_iter().map(|value| [value; 3]).collect()
+}
+
+/// Evaluates the reference: input and plan are those of the spectral tables, `optics` is what holds at every wavelength
+/// ([`SpectralInput::optics_at_each`](crate::tables::spectral::SpectralInput::optics_at_each)), `count` is how many tables there
+/// are.
 ///
 /// # Errors
 /// Those of the transforms.
-pub fn evaluate(input: &BuildInput, plan: &BuildPlan, count: usize, places: &Places) -> Result<SpectralReference> {
-    let zeros = || vec![0.0; places.places.len()];
-    let mut reference = SpectralReference { brdf: zeros(), diffuse: [zeros(), zeros()] };
+pub fn evaluate(
+    input: &BuildInput,
+    plan: &BuildPlan,
+    optics: &OpticsConfig,
+    count: usize,
+    places: &Places,
+) -> Result<SpectralReference> {
+    let mut sums = vec![[0.0; 3]; places.places.len()];
     let share = 1.0 / plan.windows.len().max(1) as f64;
     for &(scan, placement) in &plan.windows {
-        let spectra = spectra::transform(&input.fields[scan], placement, input.optics, &plan.spectra)?;
+        let spectra = spectra::transform(&input.fields[scan], placement, optics, &plan.spectra)?;
         let at = |place: &Place| -> [f64; 3] {
-            let Some(factors) = PairFactors::of(input.optics, place.wi, place.wo) else { return [0.0; 3] };
+            let Some(factors) = PairFactors::of(optics, place.wi, place.wo) else { return [0.0; 3] };
             let mut brdf = 0.0;
             brdf_of_window(&spectra, &factors, &[place.wavelength_nm], &mut Buffers::default(), |_, value| {
                 brdf = value
@@ -108,13 +115,12 @@ pub fn evaluate(input: &BuildInput, plan: &BuildPlan, count: usize, places: &Pla
             [brdf, exact, interpolated]
         };
         let found: Vec<[f64; 3]> = places.places.par_iter().map(at).collect();
-        for (index, [brdf, exact, interpolated]) in found.into_iter().enumerate() {
-            reference.brdf[index] += share * brdf;
-            reference.diffuse[0][index] += share * exact;
-            reference.diffuse[1][index] += share * interpolated;
+        for (sums, found) in sums.iter_mut().zip(found) {
+            sums.iter_mut().zip(found).for_each(|(sum, value)| *sum += share * value);
         }
     }
-    Ok(reference)
+    let part = |kind: usize| grey(sums.iter().map(|sums| sums[kind]));
+    Ok(SpectralReference { brdf: part(0), diffuse: [part(1), part(2)] })
 }
 
 /// The diffuse part at `q` and a wavelength as the tables hold it, at the shortest wavelength: exact, and through their nodes.
@@ -139,9 +145,8 @@ pub fn rows(
     built: &SpectralTables,
 ) -> Vec<ErrorRow> {
     let all = &places.places;
-    let total = |look_up| values(stored, look_up, all);
-    let [linear, cubic] = [Interpolation::Bilinear, Interpolation::Cubic].map(total);
-    // The diffuse part as bright as it is seen, so that one floor counts for all rows.
+    let total = |look_up| grey(values(stored, look_up, all));
+    let totals = [Interpolation::Bilinear, Interpolation::Cubic].map(total);
     let front: Vec<f64> = all
         .iter()
         .map(|place| {
@@ -149,25 +154,20 @@ pub fn rows(
             ratio.powi(4) * stored.front_factor.diffuse(place.wi, place.wo)
         })
         .collect();
-    let seen = |diffuse: &[f64]| -> Vec<f64> { diffuse.iter().zip(&front).map(|(d, front)| d * front).collect() };
-    let [exact, interpolated] = [0, 1].map(|i| seen(&reference.diffuse[i]));
+    let [exact, interpolated] = [0, 1].map(|i| seen(&reference.diffuse[i], &front));
     let [on_grid, rounded] = [built, stored].map(|tables| {
         let value = |place: &Place| tables.diffuse(Interpolation::Bilinear, place.wi, place.wo, place.wavelength_nm);
-        seen(&all.iter().map(value).collect::<Vec<_>>())
+        seen(&grey(all.iter().map(value)), &front)
     });
     let mut start = 0;
     let mut rows = Vec::new();
     for group in &places.groups {
         let range = start..start + group.len();
         start = range.end;
-        let of = |cause, exact: &[f64], test: &[f64]| row(cause, group, &exact[range.clone()], &test[range.clone()]);
-        rows.extend([
-            of(Cause::Total, &reference.brdf, &linear),
-            of(Cause::TotalCubic, &reference.brdf, &cubic),
-            of(Cause::Basis, &exact, &interpolated),
-            of(Cause::Grid, &interpolated, &on_grid),
-            of(Cause::Storage, &on_grid, &rounded),
-        ]);
+        let of = |values: &[Xyz]| values[range.clone()].to_vec();
+        rows.extend(total_rows(group, &reference.brdf[range.clone()], totals.each_ref().map(|values| of(values))));
+        let steps = [(Cause::Basis, of(&interpolated)), (Cause::Grid, of(&on_grid)), (Cause::Storage, of(&rounded))];
+        rows.extend(diffuse_rows(group, of(&exact), steps));
     }
     rows
 }

@@ -68,10 +68,10 @@ pub fn sampling_rows(
     let pairs: Vec<(Vec3, Vec3)> =
         kept.iter().flat_map(|(_, indices)| indices.iter().map(|&index| reference.pairs[index])).collect();
     let found = evaluate(&pairs)?;
-    let mut rest = found.iter().map(|xyz| xyz[1]);
+    let mut rest = found.iter().copied();
     let rows = kept.iter().map(|(group, indices)| {
-        let exact: Vec<f64> = indices.iter().map(|&index| reference.xyz[index][1]).collect();
-        let coarse: Vec<f64> = rest.by_ref().take(indices.len()).collect();
+        let exact: Vec<Xyz> = indices.iter().map(|&index| reference.xyz[index]).collect();
+        let coarse: Vec<Xyz> = rest.by_ref().take(indices.len()).collect();
         (!indices.is_empty()).then(|| row(Cause::Sampling, group, &exact, &coarse))
     });
     Ok(rows.flatten().collect())

@@ -69,6 +69,32 @@ pub fn relative_error_quantiles(reference: &[f64], test: &[f64], floor: f64) -> 
     quantiles(errors)
 }
 
+/// Quantiles of the largest relative error of three channels over the entries whose Y exceeds the floor: that of Y over Y, those
+/// of X and Z over X + Y + Z, the share of it that a colour shows.
+///
+/// Chromaticity coordinates then shift by four times as much at most: `dx = (dX - x dS) / S` with `|dS| <= 3 e S`. Where all
+/// channels are the same it is what [`relative_error_quantiles`] says of one. Both slices must have the same length.
+pub fn colour_error_quantiles(reference: &[[f64; 3]], test: &[[f64; 3]], floor: f64) -> ErrorQuantiles {
+    assert_eq!(reference.len(), test.len(), "compared sets differ in length");
+    let counts = |r: &[f64; 3]| r.iter().any(|x| x.is_nan()) || r[1].abs() > floor;
+    quantiles(reference.iter().zip(test).filter(|(r, _)| counts(r)).map(|(r, t)| colour_error(r, t)).collect())
+}
+
+fn colour_error(reference: &[f64; 3], test: &[f64; 3]) -> f64 {
+    let sum = reference.iter().map(|x| x.abs()).sum::<f64>();
+    let of = |c: usize| (test[c] - reference[c]).abs() / if c == 1 { reference[1].abs() } else { sum };
+    // The maximum of numbers alone would pass over one that is none.
+    (0..3).map(of).fold(0.0, |most: f64, error| {
+        if error.is_nan() {
+            error
+        } else if most.is_nan() {
+            most
+        } else {
+            most.max(error)
+        }
+    })
+}
+
 /// `‖test - reference‖₂ / ‖reference‖₂`; 0 when both are zero, infinite when only the reference is.
 pub fn relative_l2(reference: &[f64], test: &[f64]) -> f64 {
     assert_eq!(reference.len(), test.len(), "compared sets differ in length");
@@ -219,6 +245,20 @@ mod tests {
         assert_eq!(q.count, 2);
         assert!((q.worst - 0.5).abs() < 1e-15 && (q.p50 - 0.1).abs() < 1e-12);
         assert!(relative_error_quantiles(&[f64::NAN], &[1.0], 1e-6).worst.is_nan());
+    }
+
+    #[test]
+    fn colours_err_by_their_share() {
+        let exact = [0.1, 0.2, 0.7];
+        // Z off by a tenth of all three; Y off by a tenth of itself; X by as much of itself is a hundredth of all.
+        for (test, error) in [([0.1, 0.2, 0.8], 0.1), ([0.1, 0.22, 0.7], 0.1), ([0.11, 0.2, 0.7], 0.01)] {
+            let found = colour_error_quantiles(&[exact], &[test], 1e-6);
+            assert!(found.count == 1 && (found.worst - error).abs() < 1e-12, "{found:?}");
+        }
+        let grey = colour_error_quantiles(&[[2.0; 3]], &[[2.5; 3]], 1e-6);
+        assert_eq!(grey.worst, relative_error_quantiles(&[2.0], &[2.5], 1e-6).worst);
+        assert!(colour_error_quantiles(&[exact], &[[f64::NAN, 0.2, 0.7]], 1e-6).worst.is_nan());
+        assert_eq!(colour_error_quantiles(&[[1.0, 1e-9, 1.0]], &[[2.0; 3]], 1e-6).count, 0);
     }
 
     #[test]

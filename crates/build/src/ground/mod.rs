@@ -3,6 +3,7 @@
 pub mod colour;
 pub mod csv;
 pub mod fft;
+pub mod hue;
 pub mod memory;
 pub mod metrics;
 pub mod null_for_nan;

@@ -25,7 +25,7 @@ use diffraction_brdf::spectrum::{Illuminant, SpectralQuadrature, uniform_wavenum
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WavenumberStep {
     /// Largest step, in units of the window's frequency width divided by `|(u, v)|`: 1.41 standard deviations of what one
-    /// line of a periodic surface shows (see [`diffraction_brdf::spectrum::wavenumbers_for_pulses`]).
+    /// line of a periodic surface shows (see [`diffraction_brdf::spectrum::Lags`]).
     of_width: f64,
     /// Fewest wavelengths under a smooth light: where the window asks for fewer, the observer's curves do not. A lamp of
     /// lines or an arbitrary table has three times as many.

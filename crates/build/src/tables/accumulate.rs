@@ -33,9 +33,11 @@ pub(super) const WAVELENGTHS_PER_PASS: usize = 4;
 /// Columns of a row that a pass takes together.
 const BLOCK: usize = 16;
 
-/// Sums of XYZ at the nodes of `w`: layout `[row][column][channel][node]` over the texels' window.
+/// Sums of XYZ, or of one channel, at the nodes of `w`: layout `[row][column][channel][node]` over the texels' window.
 #[derive(Debug, Clone)]
 pub struct PowerSums {
+    /// Three for XYZ, one for a wavelength by itself.
+    pub channels: usize,
     /// Nodes of `w` per texel, a multiple of the SIMD width.
     pub nodes: usize,
     /// The sums in 1/sr (before geometry and reflectance).
@@ -44,9 +46,15 @@ pub struct PowerSums {
 
 impl PowerSums {
     /// Zero everywhere.
-    pub fn new(texels: &Texels, nodes: usize) -> Self {
+    pub fn new(texels: &Texels, channels: usize, nodes: usize) -> Self {
+        assert!(matches!(channels, 1 | 3), "sums have one channel or three");
         let nodes = nodes.next_multiple_of(SIMD_WIDTH);
-        Self { nodes, data: vec![0.0; texels.window_texels() * 3 * nodes] }
+        Self { channels, nodes, data: vec![0.0; texels.window_texels() * channels * nodes] }
+    }
+
+    /// Numbers of one texel.
+    pub fn per_texel(&self) -> usize {
+        self.channels * self.nodes
     }
 }
 
@@ -98,17 +106,32 @@ pub fn add_ring(spectra: &Spectra, what: RingSum, w_nodes: &[f64], sums: &mut Po
         let waves: Vec<Wave> = wavelengths_nm.iter().zip(weights).map(wave).collect();
         for first_node in (0..w_nodes.len()).step_by(SIMD_WIDTH * LANES_PER_PASS) {
             let nodes = &w_nodes[first_node..w_nodes.len().min(first_node + SIMD_WIDTH * LANES_PER_PASS)];
-            match (nodes.len().div_ceil(SIMD_WIDTH), spectra.mean_power) {
-                (1, true) => pass::<1, 1>(&waves, nodes, first_node, &mut scratch, sums),
-                (2, true) => pass::<2, 2>(&waves, nodes, first_node, &mut scratch, sums),
-                (3, true) => pass::<3, 3>(&waves, nodes, first_node, &mut scratch, sums),
-                (_, true) => pass::<4, 4>(&waves, nodes, first_node, &mut scratch, sums),
-                (1, false) => pass::<1, 2>(&waves, nodes, first_node, &mut scratch, sums),
-                (2, false) => pass::<2, 4>(&waves, nodes, first_node, &mut scratch, sums),
-                (3, false) => pass::<3, 6>(&waves, nodes, first_node, &mut scratch, sums),
-                (_, false) => pass::<4, 8>(&waves, nodes, first_node, &mut scratch, sums),
+            match sums.channels {
+                1 => pass_of_channels::<1>(&waves, nodes, first_node, &mut scratch, sums),
+                _ => pass_of_channels::<3>(&waves, nodes, first_node, &mut scratch, sums),
             }
         }
+    }
+}
+
+/// Adds a few wavelengths to `C` channels: the pass for as many lanes as the nodes fill.
+fn pass_of_channels<const C: usize>(
+    waves: &[Wave],
+    nodes: &[f64],
+    first_node: usize,
+    scratch: &mut [Vec<Lane>],
+    sums: &mut PowerSums,
+) {
+    let is_power = waves.first().is_some_and(|wave| wave.spectra.mean_power);
+    match (nodes.len().div_ceil(SIMD_WIDTH), is_power) {
+        (1, true) => pass::<1, 1, C>(waves, nodes, first_node, scratch, sums),
+        (2, true) => pass::<2, 2, C>(waves, nodes, first_node, scratch, sums),
+        (3, true) => pass::<3, 3, C>(waves, nodes, first_node, scratch, sums),
+        (_, true) => pass::<4, 4, C>(waves, nodes, first_node, scratch, sums),
+        (1, false) => pass::<1, 2, C>(waves, nodes, first_node, scratch, sums),
+        (2, false) => pass::<2, 4, C>(waves, nodes, first_node, scratch, sums),
+        (3, false) => pass::<3, 6, C>(waves, nodes, first_node, scratch, sums),
+        (_, false) => pass::<4, 8, C>(waves, nodes, first_node, scratch, sums),
     }
 }
 
@@ -147,9 +170,9 @@ impl Targets {
     }
 }
 
-/// Adds a few wavelengths. `B` lanes of `w`; `N` lanes in flight: twice as many for amplitudes (real, then imaginary).
-/// `scratch` is kept from pass to pass.
-fn pass<const B: usize, const N: usize>(
+/// Adds a few wavelengths to `C` channels. `B` lanes of `w`; `N` lanes in flight: twice as many for amplitudes (real, then
+/// imaginary). `scratch` is kept from pass to pass.
+fn pass<const B: usize, const N: usize, const C: usize>(
     waves: &[Wave],
     nodes: &[f64],
     first_node: usize,
@@ -159,19 +182,19 @@ fn pass<const B: usize, const N: usize>(
     let filled: Vec<Filled<B, N>> =
         waves.iter().zip(scratch).map(|(wave, scratch)| wave.filled::<B, N>(nodes, scratch)).collect();
     let Some(Wave { texels, part, .. }) = waves.first() else { return };
-    let row_length = texels.columns.len() * 3 * sums.nodes;
-    let per_texel = sums.nodes;
+    let row_length = texels.columns.len() * sums.per_texel();
+    let per_channel = sums.nodes;
     let skipped = part.rows.start - texels.rows.start;
     let lines = sums.data[skipped * row_length..].par_chunks_mut(row_length);
     lines.zip(&part.runs).enumerate().for_each(|(row, (out, runs))| {
         let blocks = runs.iter().flat_map(|run| run.clone().step_by(BLOCK).map(|at| at..run.end.min(at + BLOCK)));
         for block in blocks {
-            let mut added = [[[Lane::ZERO; B]; 3]; BLOCK];
+            let mut added = [[[Lane::ZERO; B]; C]; BLOCK];
             for wave in &filled {
                 wave.add_block(row, block.clone(), &mut added);
             }
-            let first = (block.start - texels.columns.start) * 3 * per_texel;
-            let channels = out[first..first + block.len() * 3 * per_texel].chunks_exact_mut(per_texel);
+            let first = (block.start - texels.columns.start) * C * per_channel;
+            let channels = out[first..first + block.len() * C * per_channel].chunks_exact_mut(per_channel);
             for (channel, added) in channels.zip(added.as_flattened()) {
                 let lanes = channel[first_node..].as_chunks_mut::<SIMD_WIDTH>().0.iter_mut().zip(added);
                 lanes.for_each(|(slot, added)| *slot = (Lane::from_array(*slot) + *added).to_array());
@@ -198,6 +221,7 @@ struct Wave<'a> {
     part: &'a RingTexels,
     quantity: Quantity,
     wavelength_nm: f64,
+    /// Weights of the channels; a single one has the first.
     colour: [f32; 3],
     /// Box samples per axis.
     samples: usize,
@@ -371,9 +395,9 @@ impl<'a> Wave<'a> {
 }
 
 impl<const B: usize, const N: usize> Filled<'_, B, N> {
-    /// Pass B for some columns of a row of the ring: adds XYZ at each `w`, averaged over the box samples.
+    /// Pass B for some columns of a row of the ring: adds `C` channels at each `w`, averaged over the box samples.
     #[inline(always)]
-    fn add_block(&self, row: usize, columns: Range<usize>, added: &mut [[[Lane; B]; 3]; BLOCK]) {
+    fn add_block<const C: usize>(&self, row: usize, columns: Range<usize>, added: &mut [[[Lane; B]; C]; BLOCK]) {
         let wave = self.wave;
         let (samples, targets) = (wave.samples, wave.taps_x.first.len());
         let count = columns.len();

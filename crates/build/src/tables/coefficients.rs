@@ -30,7 +30,8 @@ struct Basis {
     interpolants: Vec<Interpolant>,
 }
 
-/// Coefficients of `T_n(2t - 1)` over each texel's range of `t`: that of a coverage, or all of it.
+/// Coefficients of `T_n(2t - 1)` over each texel's range of `t`: that of a coverage, or all of it. Images have as many channels
+/// as the sums.
 pub(super) fn to_tables(values: &Values, coverage: Option<&Coverage>, count: usize) -> Vec<Array3<f32>> {
     let texels = values.texels;
     let basis = Basis {
@@ -43,7 +44,8 @@ pub(super) fn to_tables(values: &Values, coverage: Option<&Coverage>, count: usi
             .map(|nodes| Interpolant::new(nodes.count, nodes.abs_w[0], nodes.abs_w[1]))
             .collect(),
     };
-    let row_length = texels.columns.len() * 3;
+    let channels = values.sums.channels;
+    let row_length = texels.columns.len() * channels;
     let mut tables: Vec<Vec<f32>> = (0..count).map(|_| vec![0.0; texels.rows.len() * row_length]).collect();
     // Each row of all tables together, so that rows are written side by side and no copy is held.
     let mut rows: Vec<Vec<&mut [f32]>> = texels.rows.clone().map(|_| Vec::with_capacity(count)).collect();
@@ -52,7 +54,7 @@ pub(super) fn to_tables(values: &Values, coverage: Option<&Coverage>, count: usi
     }
     rows.par_iter_mut().enumerate().for_each(|(line, out)| basis.fill_row(values, coverage, line, out));
     let array = |table| {
-        let shape = (texels.rows.len(), texels.columns.len(), 3);
+        let shape = (texels.rows.len(), texels.columns.len(), channels);
         Array3::from_shape_vec(shape, table).expect("one number for each texel and channel")
     };
     tables.into_iter().map(array).collect()
@@ -63,7 +65,8 @@ impl Basis {
     fn fill_row(&self, values: &Values, coverage: Option<&Coverage>, line: usize, out: &mut [&mut [f32]]) {
         let Values { sums, texels, rings, .. } = values;
         let row = texels.rows.start + line;
-        let mut at_t = vec![0.0; 3 * self.count];
+        let channels = sums.channels;
+        let mut at_t = vec![0.0; channels * self.count];
         for (ring, interpolant) in rings.iter().zip(&self.interpolants) {
             let mut weights = vec![0.0; interpolant.nodes().len()];
             for column in texels.runs_in(row, ring.radius).into_iter().flatten() {
@@ -72,7 +75,8 @@ impl Basis {
                     None => [0.0, max_abs_w(texels.grid.u(column).hypot(texels.grid.v(row)))],
                     Some(coverage) => coverage.abs_w_at(row, column, coverage.range(row, column)),
                 };
-                let values = &sums.data[(line * texels.columns.len() + index) * 3 * sums.nodes..][..3 * sums.nodes];
+                let first = (line * texels.columns.len() + index) * sums.per_texel();
+                let values = &sums.data[first..first + sums.per_texel()];
                 for (place, t) in self.t_nodes.iter().enumerate() {
                     interpolant.weights_into(low + t * (high - low), &mut weights);
                     for (channel, values) in values.chunks_exact(sums.nodes).enumerate() {
@@ -83,7 +87,7 @@ impl Basis {
                     let coefficients = &self.matrix[n * self.count..][..self.count];
                     for (channel, at_t) in at_t.chunks_exact(self.count).enumerate() {
                         let coefficient: f64 = coefficients.iter().zip(at_t).map(|(m, v)| m * v).sum();
-                        out[index * 3 + channel] = coefficient as f32;
+                        out[index * channels + channel] = coefficient as f32;
                     }
                 }
             }

@@ -6,6 +6,7 @@ use super::accumulate::{LANES_PER_PASS, SIMD_WIDTH, WAVELENGTHS_PER_PASS};
 use super::coverage::shares::RING_SHARE;
 use super::input::BuildInput;
 use super::lobe;
+use super::look_ups::{LookUpForecast, look_up_forecasts};
 use super::model::Storage;
 use super::order;
 use super::plan::{BuildPlan, plan};
@@ -48,6 +49,8 @@ pub struct Forecast {
     pub storage: Storage,
     /// Whether it was asked for.
     pub storage_asked: bool,
+    /// What look-ups between the texels will err by.
+    pub look_ups: [LookUpForecast; 2],
 }
 
 /// Nanoseconds per elementary operation on one thread, measured on a server processor of 2023; another machine scales all
@@ -109,9 +112,10 @@ pub fn forecast_of(input: &BuildInput, plan: &BuildPlan, threads: usize) -> Fore
         node_samples: samples.iter().zip(&nodes).map(|(samples, &nodes)| samples * in_groups(nodes)).sum(),
         seconds: 1e-9 * (FIXED_NS + work_ns / threads as f64),
         memory_bytes: memory_bytes(plan, &windows, &nodes, tables) as u64,
-        stored_bytes: (counted * 3.0 * value_bytes * tables as f64 + range_bytes) as u64,
+        stored_bytes: (counted * plan.channels as f64 * value_bytes * tables as f64 + range_bytes) as u64,
         storage,
         storage_asked: input.tables.storage.is_some(),
+        look_ups: look_up_forecasts(input.optics, plan.texels.grid.size, input.tables.tolerance),
     }
 }
 
@@ -134,9 +138,9 @@ fn sums_ns(plan: &BuildPlan, windows: &[WindowWork], nodes: &[usize]) -> f64 {
     plan.rings.iter().zip(nodes).map(of_ring).sum()
 }
 
-/// The coherent table.
+/// The coherent table; at a single wavelength the lobe is a row of numbers.
 fn lobe_ns(input: &BuildInput, plan: &BuildPlan) -> f64 {
-    if !plan.lobe_seen {
+    if !plan.lobe_seen || input.is_grey {
         return 0.0;
     }
     // An invisible light has been refused before there was a plan.
@@ -145,7 +149,7 @@ fn lobe_ns(input: &BuildInput, plan: &BuildPlan) -> f64 {
 
 /// Most bytes on the heap at once: while a window is transformed, while it is summed, or while the sums become tables.
 fn memory_bytes(plan: &BuildPlan, windows: &[WindowWork], nodes: &[usize], tables: usize) -> f64 {
-    let numbers = plan.texels.window_texels() as f64 * 3.0 * 4.0;
+    let numbers = (plan.texels.window_texels() * plan.channels * size_of::<f32>()) as f64;
     let sums = numbers * nodes.iter().copied().max().unwrap_or(tables).next_multiple_of(SIMD_WIDTH) as f64;
     // Sums and tables stand side by side, the transforms are gone.
     let mut most = sums + numbers * tables as f64;

@@ -21,7 +21,7 @@ pub struct BuildInput<'a> {
     pub half_height_range_nm: f64,
     /// Shortest and longest wavelength of the light in nm.
     pub wavelength_range_nm: [f64; 2],
-    /// Whether X, Y and Z all weigh a wavelength by 1: for the tables of one wavelength, of which an observer may see nothing.
+    /// Whether a wavelength stands for itself, in one channel of weight 1 instead of X, Y and Z.
     pub is_grey: bool,
 }
 
@@ -46,6 +46,11 @@ impl<'a> BuildInput<'a> {
         'a: 'b,
     {
         BuildInput { optics, tables, wavelength_range_nm: optics.illuminant.reach_nm(optics.wavelength_nm), ..*self }
+    }
+
+    /// Channels of a texel.
+    pub(super) fn channels(&self) -> usize {
+        if self.is_grey { 1 } else { 3 }
     }
 
     /// Radius of the (u, v) disc for which the sampling of every scan holds every frequency at every wavelength.

@@ -8,6 +8,7 @@ pub mod forecast;
 pub mod grid;
 pub mod input;
 mod lobe;
+pub mod look_ups;
 pub mod model;
 mod nodes;
 mod order;

@@ -36,6 +36,8 @@ const FINE_SHARE: f64 = 0.1;
 pub struct BuildPlan {
     /// Texels of the tables.
     pub texels: Texels,
+    /// Channels of a texel: X, Y and Z, or one where a wavelength stands for itself.
+    pub channels: usize,
     /// What the tables are restricted to; `None` for all texels over their whole `|w|`.
     pub coverage: Option<Coverage>,
     /// Average over (u, v) of a texel.
@@ -139,6 +141,7 @@ pub(super) fn plan_within(input: &BuildInput, scope: Scope) -> Result<BuildPlan>
         lobe_seen: part.lobe_seen || scope.keeps_lobe,
         crosses: part.crosses,
         coverage: scope.coverage,
+        channels: input.channels(),
         filter,
         rim,
         windows,
@@ -216,7 +219,7 @@ impl BuildPlan {
     /// Refuses sums over so many nodes, and tables beside them, that exceed the memory allowed.
     pub(super) fn check_sums(&self, nodes: usize, tables: usize) -> Result<()> {
         let memory_bytes = self.spectra.memory_bytes;
-        let numbers = 3 * (nodes.next_multiple_of(SIMD_WIDTH) + tables) as u64;
+        let numbers = self.channels as u64 * (nodes.next_multiple_of(SIMD_WIDTH) + tables) as u64;
         let bytes = self.texels.window_texels() as u64 * size_of::<f32>() as u64 * numbers;
         if bytes <= memory_bytes {
             return Ok(());

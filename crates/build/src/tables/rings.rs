@@ -1,12 +1,12 @@
 //! Annuli of (u, v), and the wavelengths that each of them asks for.
 
-use std::f64::consts::{SQRT_2, TAU};
+use std::f64::consts::SQRT_2;
 
 use super::input::BuildInput;
 use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::max_abs_w;
 use diffraction_brdf::error::Result;
-use diffraction_brdf::spectrum::{Illuminant, SpectralQuadrature, wavenumbers_for_pulses};
+use diffraction_brdf::spectrum::{Illuminant, Lags, SpectralQuadrature};
 
 /// An annulus of (u, v) whose texels share their wavelengths.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,31 +47,14 @@ impl RingNodes {
     }
 }
 
-/// Fewest wavelengths of a continuous spectrum over what the eye sees: enough for whatever is smooth in it.
-const WAVELENGTHS_MIN: usize = 24;
-
 /// Share of the tolerance that the wavelength step may take.
 const STEP_SHARE: f64 = 0.5;
 
-/// How many wavelengths directions at this radius need for a tolerance, whose `|w|` is at most `abs_w`.
-///
-/// Along a direction, `|P|²` as a function of `1/λ` is a sum over pairs of surface points of waves at the lag
-/// `ρ Δx + |w| Δh`. The window weights `Δx` by `exp(-Δx²/4σ²)`: whatever the surface, its spectrum is made of Gaussian
-/// pulses with the standard deviation `1/(2√2 π σ ρ)`, one for each line of a periodic surface. A grating shows a direction
-/// one of them, where no errors average out, and so each is integrated to the tolerance:
-/// [`wavenumbers_for_pulses`] derives how many wavelengths that takes. Relief modulates pulses by lags up to
-/// `L = 2 |w|` times the half range of the heights. These have at most the variance `L²`; that of waves, of which the
-/// outermost heights meet the outermost seldom, is `L²/4`, and variances of lags add: the pulses are taken to be
-/// narrower by as much.
+/// How many wavelengths directions at this radius need for a tolerance, whose `|w|` is at most `abs_w`: see [`Lags`].
 pub(super) fn wavelengths_needed(input: &BuildInput, radius: f64, abs_w: f64, tolerance: f64) -> usize {
-    let BuildInput { optics, wavelength_range_nm: [low_nm, high_nm], .. } = *input;
-    // Deviations of lag times 2π.
-    let (window, relief) = (SQRT_2 * TAU * optics.sigma_nm * radius, TAU * input.half_height_range_nm * abs_w);
-    // A range wider than the eye's spreads the same nodes thinner over what it sees.
-    let widening = ((1.0 / low_nm - 1.0 / high_nm) / (1.0 / 380.0 - 1.0 / 780.0)).max(1.0);
-    let fewest = (widening * WAVELENGTHS_MIN as f64) as usize;
-    let deviation = 1.0 / window.hypot(relief);
-    wavenumbers_for_pulses(&optics.illuminant, optics.wavelength_nm, deviation, STEP_SHARE * tolerance, fewest)
+    let BuildInput { optics, half_height_range_nm, .. } = *input;
+    let lags = Lags { sigma_nm: optics.sigma_nm, half_height_range_nm };
+    lags.wavelengths(&optics.illuminant, optics.wavelength_nm, [radius, abs_w], STEP_SHARE * tolerance)
 }
 
 /// Wavelengths for a ring of these radii: as many as the tolerance asks for, or those of a given step.
@@ -91,15 +74,7 @@ pub(super) fn quadrature(input: &BuildInput, count: usize) -> Result<SpectralQua
     grey(input).map_or_else(|| input.optics.tables_quadrature(count), Ok)
 }
 
-/// The same without the material's colour.
-///
-/// # Errors
-/// As [`quadrature`].
-pub(super) fn light_quadrature(input: &BuildInput, count: usize) -> Result<SpectralQuadrature> {
-    grey(input).map_or_else(|| input.optics.quadrature(count), Ok)
-}
-
-/// The wavelength of tables that hold one alone, with equal weights.
+/// The wavelength of tables that hold one alone, with the weight 1.
 fn grey(input: &BuildInput) -> Option<SpectralQuadrature> {
     let Illuminant::Lines(lines) = &input.optics.illuminant else { return None };
     input.is_grey.then(|| SpectralQuadrature {

@@ -17,7 +17,9 @@ use diffraction_brdf::chebyshev;
 use diffraction_brdf::direction::{Xyz, max_abs_w};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::{Interpolation, window_power};
+use diffraction_brdf::spectral::{SpectralTables, TABLES_PER_IMAGE};
 use diffraction_brdf::storage::{StoredTables, round_to_half, write_tables};
+use diffraction_brdf::table_set::Restriction;
 
 /// Share of the tolerance that the bits left out may take at any `|w|` of a texel, all tables together and in the worst
 /// case. One place in twenty errs by 0.15 of the tolerance or more, beside the 0.7 of [`STORED_SHARE`] next to nothing.
@@ -44,11 +46,131 @@ const TEXELS: usize = 4_096;
 /// Luminance in 1/sr, reflectance and geometry left out, below which nothing is to be seen.
 const FLOOR_PER_SR: f64 = 1e-6;
 
+/// Tables as rounding sees them: which numbers there are, and what they add up to.
+pub trait Stack: Clone + Sync {
+    /// Which expansion in `w`.
+    fn basis(&self) -> Basis;
+    /// Number of tables.
+    fn count(&self) -> usize;
+    /// Whether a number stands for itself, and not for X, Y and Z.
+    fn is_grey(&self) -> bool;
+    /// The image that holds a table, and the channel in which it holds one of X, Y and Z.
+    fn place(&self, table: usize, channel: usize) -> [usize; 2];
+    /// The tables' images, of three channels each.
+    fn images(&self) -> &[Array3<f32>];
+    /// The same to be changed.
+    fn images_mut(&mut self) -> &mut [Array3<f32>];
+    /// Texels along u and v of the whole grid.
+    fn size(&self) -> usize;
+    /// What they can answer for; `None` for everything.
+    fn restriction(&self) -> Option<&Restriction>;
+    /// Images of the cross term's patches, and half their side.
+    fn patches(&self) -> (&[Array3<f32>], f64);
+    /// The images to be changed.
+    fn patches_mut(&mut self) -> &mut [Array3<f32>];
+    /// The window's power at `q` in 1/sr, by linear look-ups.
+    fn power(&self, q: [f64; 3]) -> Xyz;
+}
+
+impl Stack for TableSet {
+    fn basis(&self) -> Basis {
+        self.basis
+    }
+
+    fn count(&self) -> usize {
+        self.tables.len()
+    }
+
+    fn is_grey(&self) -> bool {
+        false
+    }
+
+    fn place(&self, table: usize, channel: usize) -> [usize; 2] {
+        [table, channel]
+    }
+
+    fn images(&self) -> &[Array3<f32>] {
+        &self.tables
+    }
+
+    fn images_mut(&mut self) -> &mut [Array3<f32>] {
+        &mut self.tables
+    }
+
+    fn size(&self) -> usize {
+        self.size()
+    }
+
+    fn restriction(&self) -> Option<&Restriction> {
+        self.restriction.as_ref()
+    }
+
+    fn patches(&self) -> (&[Array3<f32>], f64) {
+        self.lobe.as_ref().map_or((&[], 0.0), |lobe| (&lobe.cross, lobe.radius_max))
+    }
+
+    fn patches_mut(&mut self) -> &mut [Array3<f32>] {
+        self.lobe.as_mut().map_or(&mut [], |lobe| &mut lobe.cross)
+    }
+
+    fn power(&self, q: [f64; 3]) -> Xyz {
+        window_power(self, Interpolation::Bilinear, q)
+    }
+}
+
+impl Stack for SpectralTables {
+    fn basis(&self) -> Basis {
+        Basis::Chebyshev
+    }
+
+    fn count(&self) -> usize {
+        self.count
+    }
+
+    fn is_grey(&self) -> bool {
+        true
+    }
+
+    fn place(&self, table: usize, _: usize) -> [usize; 2] {
+        [table / TABLES_PER_IMAGE, table % TABLES_PER_IMAGE]
+    }
+
+    fn images(&self) -> &[Array3<f32>] {
+        &self.images
+    }
+
+    fn images_mut(&mut self) -> &mut [Array3<f32>] {
+        &mut self.images
+    }
+
+    fn size(&self) -> usize {
+        self.size()
+    }
+
+    fn restriction(&self) -> Option<&Restriction> {
+        None
+    }
+
+    fn patches(&self) -> (&[Array3<f32>], f64) {
+        let cross = self.lobe.as_ref().and_then(|lobe| lobe.cross.as_ref());
+        cross.map_or((&[], 0.0), |cross| (&cross.images, cross.radius_max))
+    }
+
+    fn patches_mut(&mut self) -> &mut [Array3<f32>] {
+        let cross = self.lobe.as_mut().and_then(|lobe| lobe.cross.as_mut());
+        cross.map_or(&mut [], |cross| &mut cross.images)
+    }
+
+    fn power(&self, q: [f64; 3]) -> Xyz {
+        [self.window_power(Interpolation::Bilinear, q); 3]
+    }
+}
+
 /// A set ready to be written.
 #[derive(Debug, Clone)]
-pub struct Chosen {
+pub struct Chosen<T = TableSet> {
     /// Its numbers without the bits that the tolerance leaves out.
-    pub set: TableSet,
+    pub set: T,
     /// The format asked for, or the one that was found sufficient.
     pub storage: Storage,
     /// What storing does.
@@ -57,7 +179,7 @@ pub struct Chosen {
 
 /// Rounds a set to its tolerance and measures what number formats do to it. Where none is asked for, halves are taken if
 /// they keep 0.7 of the tolerance, else floats. Texels within `lobe_radius` in (u, v) are looked at apart.
-pub fn choose(built: &TableSet, asked: Option<Storage>, tolerance: f64, lobe_radius: f64) -> Chosen {
+pub fn choose<T: Stack>(built: &T, asked: Option<Storage>, tolerance: f64, lobe_radius: f64) -> Chosen<T> {
     let set = to_tolerance(built, tolerance);
     let places = Places::of(built, lobe_radius);
     let rounding = Rounding {
@@ -86,10 +208,10 @@ pub fn expected(asked: Option<Storage>, tolerance: f64) -> Storage {
 }
 
 /// The set as halves give it back.
-fn to_halves(set: &TableSet) -> TableSet {
+fn to_halves<T: Stack>(set: &T) -> T {
     let mut set = set.clone();
-    let cross = set.lobe.iter_mut().flat_map(|lobe| &mut lobe.cross);
-    set.tables.iter_mut().chain(cross).for_each(round_to_half);
+    set.images_mut().iter_mut().for_each(round_to_half);
+    set.patches_mut().iter_mut().for_each(round_to_half);
     set
 }
 
@@ -101,13 +223,16 @@ fn to_halves(set: &TableSet) -> TableSet {
 /// a texel's tables have one step; the powers of `w` have steps that grow as powers fall, each so that it costs the same
 /// share where it hurts most. Linear look-ups between texels keep the bound, being means. The lobe stays as it is: its
 /// files are small.
-pub fn to_tolerance(set: &TableSet, tolerance: f64) -> TableSet {
+pub fn to_tolerance<T: Stack>(set: &T, tolerance: f64) -> T {
     let mut rounded = set.clone();
-    let Some((_, columns, _)) = set.tables.first().map(Array3::dim) else { return rounded };
+    let Some((_, columns, _)) = set.images().first().map(Array3::dim) else { return rounded };
     let steps = Steps::of(set, ROUNDED_SHARE * tolerance);
+    let (count, is_grey) = (set.count(), set.is_grey());
+    // Of a grey texel one channel is its number; the others are not looked at.
+    let place = |n: usize, c: usize| set.place(n, c);
     let mut rows: Vec<Vec<&mut [f32]>> = Vec::new();
-    for table in &mut rounded.tables {
-        let numbers = table.as_slice_mut().expect("tables are built in row order");
+    for image in rounded.images_mut() {
+        let numbers = image.as_slice_mut().expect("tables are built in row order");
         for (row, line) in numbers.chunks_exact_mut(3 * columns).enumerate() {
             if row == rows.len() {
                 rows.push(Vec::new());
@@ -116,23 +241,33 @@ pub fn to_tolerance(set: &TableSet, tolerance: f64) -> TableSet {
         }
     }
     rows.par_iter_mut().enumerate().for_each(|(row, lines)| {
-        let mut texel = vec![[0.0; 3]; lines.len()];
-        let mut scratch = Scratch::new(lines.len());
+        let mut texel = vec![[0.0; 3]; count];
+        let mut scratch = Scratch::new(count);
         for column in 0..columns {
-            for (numbers, line) in texel.iter_mut().zip(lines.iter()) {
-                *numbers = std::array::from_fn(|c| f64::from(line[3 * column + c]));
+            let number = |lines: &[&mut [f32]], n: usize, c: usize| {
+                let [image, channel] = place(n, c);
+                f64::from(lines[image][3 * column + channel])
+            };
+            for (n, numbers) in texel.iter_mut().enumerate() {
+                *numbers = std::array::from_fn(|c| number(lines, n, c));
             }
             if texel.iter().flatten().all(|number| *number == 0.0) {
                 continue;
             }
-            steps.round(&mut texel, [row, column], &mut scratch);
-            for (numbers, line) in texel.iter().zip(lines.iter_mut()) {
-                (0..3).for_each(|c| line[3 * column + c] = numbers[c] as f32);
+            steps.round(&mut texel, [row, column], is_grey, &mut scratch);
+            for (n, numbers) in texel.iter().enumerate() {
+                for c in if is_grey { GREY } else { 0..3 } {
+                    let [image, channel] = place(n, c);
+                    lines[image][3 * column + channel] = numbers[c] as f32;
+                }
             }
         }
     });
     rounded
 }
+
+/// The channel that is looked at where all three are the same.
+const GREY: std::ops::Range<usize> = 1..2;
 
 /// What the steps of a set's texels depend on.
 struct Steps {
@@ -145,27 +280,28 @@ struct Steps {
 }
 
 impl Steps {
-    fn of(set: &TableSet, allowed: f64) -> Self {
-        let count = set.tables.len();
+    fn of(set: &impl Stack, allowed: f64) -> Self {
+        let count = set.count();
         let places = (2 * count).clamp(PLACES[0], PLACES[1]);
         let place = |k: usize| {
             let x = (std::f64::consts::PI * k as f64 / (places - 1) as f64).cos();
             PLACE_LEAST + (1.0 - PLACE_LEAST) * 0.5 * (1.0 + x)
         };
-        let at_places = (0..places).map(|k| basis_values(set.basis, count, place(k))).collect();
-        Self { basis: set.basis, grid: Grid { size: set.size(), half_width: 2.0 }, allowed, at_places }
+        let at_places = (0..places).map(|k| basis_values(set.basis(), count, place(k))).collect();
+        Self { basis: set.basis(), grid: Grid { size: set.size(), half_width: 2.0 }, allowed, at_places }
     }
 
     /// Rounds the numbers of the texel in this row and column, `[table][channel]`.
-    fn round(&self, texel: &mut [Xyz], at: [usize; 2], scratch: &mut Scratch) {
+    fn round(&self, texel: &mut [Xyz], at: [usize; 2], is_grey: bool, scratch: &mut Scratch) {
         self.set_magnitudes(at, scratch);
         let Scratch { powers, magnitudes, terms, limits: [luminance, sum], trial } = scratch;
         let mut limits = |of: fn(&Xyz) -> f64, limits: &mut Vec<f64>| {
             terms.iter_mut().zip(&*texel).zip(&*powers).for_each(|((term, xyz), power)| *term = of(xyz) * power);
             self.limits(terms, limits)
         };
-        let kept = [limits(|xyz| xyz[1], luminance), limits(|xyz| xyz.iter().sum(), sum)];
-        for (c, limits) in [&*sum, &*luminance, &*sum].into_iter().enumerate() {
+        let kept = [limits(|xyz| xyz[1], luminance), !is_grey && limits(|xyz| xyz.iter().sum(), sum)];
+        for c in if is_grey { GREY } else { 0..3 } {
+            let limits = if c == 1 { &*luminance } else { &*sum };
             // What can vanish keeps all its digits.
             let vanishes = if c == 1 { !kept[0] } else { !kept[1] };
             trial.numbers.iter_mut().zip(&*texel).for_each(|(number, xyz)| *number = xyz[c]);
@@ -299,14 +435,14 @@ struct Places {
 }
 
 impl Places {
-    fn of(set: &TableSet, lobe_radius: f64) -> Self {
+    fn of(set: &impl Stack, lobe_radius: f64) -> Self {
         let grid = Grid { size: set.size(), half_width: 2.0 };
-        let Some((rows, columns, _)) = set.tables.first().map(Array3::dim) else {
+        let Some((rows, columns, _)) = set.images().first().map(Array3::dim) else {
             return Self { groups: [const { Vec::new() }; 3], floor_per_sr: 0.0 };
         };
-        let first = set.restriction.as_ref().map_or([0; 2], |restriction| restriction.first);
+        let first = set.restriction().map_or([0; 2], |restriction| restriction.first);
         let covers = |[row, column]: [usize; 2]| {
-            set.restriction.as_ref().is_none_or(|restriction| restriction.range[[row, column, 2]] != 0.0)
+            set.restriction().is_none_or(|restriction| restriction.range[[row, column, 2]] != 0.0)
         };
         let distance = |[row, column]: [usize; 2]| grid.u(column + first[1]).hypot(grid.v(row + first[0]));
         let inside: Vec<[usize; 2]> = (0..rows * columns)
@@ -332,7 +468,7 @@ impl Places {
     }
 
     /// Largest of the groups' 95th percentiles of what another set's values are off, and of the cross term's patches.
-    fn change(&self, exact: &TableSet, other: &TableSet) -> f64 {
+    fn change<T: Stack>(&self, exact: &T, other: &T) -> f64 {
         let floor = self.floor_per_sr;
         let changes = |texels: &Vec<[usize; 2]>| {
             let at = |&at: &[usize; 2]| {
@@ -354,9 +490,9 @@ fn drawn(texels: Vec<[usize; 2]>) -> Vec<[usize; 2]> {
 }
 
 /// The sum of a set's tables at a texel and a share of its range, in 1/sr.
-fn value(set: &TableSet, [row, column]: [usize; 2], share: f64) -> Xyz {
+fn value(set: &impl Stack, [row, column]: [usize; 2], share: f64) -> Xyz {
     let mut sum = [0.0; 3];
-    let (t, front) = match set.basis {
+    let (t, front) = match set.basis() {
         Basis::Chebyshev => (share, 1.0),
         Basis::Taylor => {
             let grid = Grid { size: set.size(), half_width: 2.0 };
@@ -364,8 +500,11 @@ fn value(set: &TableSet, [row, column]: [usize; 2], share: f64) -> Xyz {
             (w, 1.0 / (w * w))
         }
     };
-    for (table, b) in set.tables.iter().zip(basis_values(set.basis, set.tables.len(), t)) {
-        (0..3).for_each(|c| sum[c] += front * b * f64::from(table[[row, column, c]]));
+    for (n, b) in basis_values(set.basis(), set.count(), t).into_iter().enumerate() {
+        for (c, sum) in sum.iter_mut().enumerate() {
+            let [image, channel] = set.place(n, c);
+            *sum += front * b * f64::from(set.images()[image][[row, column, channel]]);
+        }
     }
     sum
 }
@@ -383,16 +522,16 @@ fn largest_quantile(changes: Vec<Xyz>) -> f64 {
 }
 
 /// Changes of the whole value at the texels of the cross term's patches.
-fn cross_changes(exact: &TableSet, other: &TableSet, floor_per_sr: f64) -> Vec<Xyz> {
-    let Some(lobe) = exact.lobe.as_ref().filter(|lobe| !lobe.cross.is_empty()) else { return Vec::new() };
-    let grid = Grid { size: lobe.cross[0].dim().0, half_width: lobe.radius_max };
+fn cross_changes<T: Stack>(exact: &T, other: &T, floor_per_sr: f64) -> Vec<Xyz> {
+    let (patches, radius_max) = exact.patches();
+    let Some((size, _, _)) = patches.first().map(Array3::dim) else { return Vec::new() };
+    let grid = Grid { size, half_width: radius_max };
     let texels = (0..grid.size * grid.size).into_par_iter().map(|index| [index / grid.size, index % grid.size]);
     let at = |[row, column]: [usize; 2]| {
         let (u, v) = (grid.u(column), grid.v(row));
         let reach = max_abs_w(u.hypot(v));
         PLACES_TESTED.into_iter().filter_map(move |place| {
-            let [exact, other] =
-                [exact, other].map(|set| window_power(set, Interpolation::Bilinear, [u, v, -place * reach]));
+            let [exact, other] = [exact, other].map(|set| set.power([u, v, -place * reach]));
             change(exact, other, floor_per_sr)
         })
     };

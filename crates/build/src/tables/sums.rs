@@ -35,7 +35,7 @@ struct Cross {
 impl Sums {
     /// Nothing summed yet.
     pub fn new(input: &BuildInput, plan: &BuildPlan, nodes: Nodes) -> Result<Self> {
-        let main = PowerSums::new(&plan.texels, nodes.most());
+        let main = PowerSums::new(&plan.texels, plan.channels, nodes.most());
         let cross = plan.crosses.then(|| Cross::new(input, plan, nodes.cross)).transpose()?;
         Ok(Self { nodes, main, cross })
     }
@@ -79,6 +79,6 @@ impl Cross {
         let quadrature = quadrature(input, wavelengths_needed(input, corner, max_abs_w(0.0), 1e-6))?;
         let nodes = RingNodes { abs_w: [0.0, max_abs_w(0.0)], count };
         let ring = Ring { radius: [0.0, corner * 1.01], abs_w: nodes.abs_w, quadrature };
-        Ok(Self { sums: PowerSums::new(&texels, count), texels, ring: [ring], nodes })
+        Ok(Self { sums: PowerSums::new(&texels, plan.channels, count), texels, ring: [ring], nodes })
     }
 }

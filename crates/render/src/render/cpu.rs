@@ -3,8 +3,11 @@
 use ndarray::{Array3, Axis};
 use rayon::prelude::*;
 
+use crate::scene::filtered::{FilteredSamples, filtered_samples_of};
 use crate::scene::model::{Scene, check};
 use crate::scene::samples::{ShadingSamples, pixel_range, samples_of, samples_per_pixel};
+use diffraction_brdf::Footprint;
+use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::Result;
 
 use super::Brdf;
@@ -37,6 +40,37 @@ fn shade_pixel(samples: &ShadingSamples, brdf: &Brdf, row: usize, column: usize)
         }
     }
     sum
+}
+
+/// A mean of a BRDF over footprints to shade with, as `diffraction_brdf::Brdf::eval_filtered`: local `wi` and `wo` to XYZ in 1/sr.
+pub type MeanBrdf<'a> = dyn Fn(Vec3, Vec3, Footprint) -> Xyz + Sync + 'a;
+
+/// As [`shade`], of samples that stand for a piece of a light and of a pixel each.
+pub fn shade_filtered(filtered: &FilteredSamples, mean: &MeanBrdf) -> Array3<f32> {
+    let samples = &filtered.samples;
+    let mut image = Array3::zeros((samples.rows, samples.columns, 3));
+    image.axis_iter_mut(Axis(0)).into_par_iter().enumerate().for_each(|(r, mut row)| {
+        for (c, mut pixel) in row.outer_iter_mut().enumerate() {
+            let mut sum = [0.0; 3];
+            for index in pixel_range(samples, r, c) {
+                let [wi, wo] = [samples.wi[index], samples.wo[index]].map(|v| v.map(f64::from));
+                let f = mean(wi, wo, filtered.footprints[index]);
+                let weight = f64::from(samples.weight[index]);
+                sum.iter_mut().zip(f).for_each(|(sum, value)| *sum += weight * value);
+            }
+            pixel.iter_mut().zip(sum).for_each(|(channel, value)| *channel = value as f32);
+        }
+    });
+    image
+}
+
+/// Picture of a scene with one look-up for each light that is small enough for it to keep the tolerance, and for each pixel
+/// that shows one smooth piece of surface; larger lights and surroundings are sampled.
+///
+/// # Errors
+/// Those of [`filtered_samples_of`].
+pub fn render_filtered(scene: &Scene, tolerance: f64, mean: &MeanBrdf) -> Result<Array3<f32>> {
+    Ok(shade_filtered(&filtered_samples_of(scene, tolerance, 0..scene.size_px, 1)?, mean))
 }
 
 /// Picture of a scene, gathered and shaded band by band, so that memory stays bounded however

@@ -19,7 +19,6 @@ use diffraction_brdf::front_factor::{Factor, FrontFactor, image_radius2};
 use diffraction_brdf::shader::peak;
 use diffraction_brdf::spectral::{SpectralLobe, SpectralTables};
 use ndarray::{Array3, Axis};
-use std::f64::consts::TAU;
 
 /// Relative error of what is multiplied: powers of `r`, `1/|w'|`, and the sums.
 const PRODUCTS: f64 = 64.0 * U;
@@ -66,11 +65,12 @@ impl<'a> SpectralBound<'a> {
         let (diffuse, off) = (front.diffuse(wi, wo), diffuse_factor_error(&front, wi, wo));
         let of_tables = (diffuse + off) * error * (1.0 + PRODUCTS) + (off + PRODUCTS * diffuse) * value.abs();
         let of_lobe = set.lobe.as_ref().map_or(0.0, |lobe| {
-            let (value, error) = lobe_error(lobe, &front, wi, wo, [wavelength_nm, q[2].abs()]);
+            let (share, width) = lobe.share_and_width(set.shortest_nm, wavelength_nm);
+            let (value, error) = lobe_error(lobe, &front, wi, wo, [width, q[2].abs()]);
             let relative = front_error(&front, wi, wo) + PRODUCTS;
-            front.coherent(wi, wo) * (error * (1.0 + relative) + relative * value)
+            share * front.coherent(wi, wo) * (error * (1.0 + relative) + relative * value)
         });
-        r.powi(4) * of_tables + r * r * of_lobe + f64::from(f32::MIN_POSITIVE)
+        r.powi(4) * of_tables + of_lobe + f64::from(f32::MIN_POSITIVE)
     }
 
     /// Value and error of an expansion over `[-half_width, half_width]²`.
@@ -113,14 +113,8 @@ fn sample_grey(table: &Array3<f32>, at: [f64; 2]) -> f64 {
     sample(three, Interpolation::Bilinear, at)[0]
 }
 
-/// Power times form, and its error, at a wavelength in nm and `|w'|`.
-fn lobe_error(
-    lobe: &SpectralLobe,
-    front: &FrontFactor,
-    wi: Vec3,
-    wo: Vec3,
-    [wavelength_nm, abs_w]: [f64; 2],
-) -> (f64, f64) {
+/// Power times form, and its error, for the form's width in (u, v) and `|w'|`.
+fn lobe_error(lobe: &SpectralLobe, front: &FrontFactor, wi: Vec3, wo: Vec3, [width, abs_w]: [f64; 2]) -> (f64, f64) {
     let last = lobe.power.len() - 1;
     let at = (0.5 * abs_w).clamp(0.0, 1.0) * last as f64;
     let place_error = 12.0 * U * lobe.power.len() as f64;
@@ -135,7 +129,7 @@ fn lobe_error(
     let image = (front.factor == Factor::Vector).then(|| image_radius2(wi, wo));
     let (mut shape, mut shape_error) = (0.0, 0.0);
     for radius2 in [Some(q[0] * q[0] + q[1] * q[1]), image].into_iter().flatten() {
-        let x = (TAU * lobe.sigma_nm / wavelength_nm).powi(2) * radius2;
+        let x = radius2 / width.powi(2);
         let value = (-x).exp();
         shape += value;
         shape_error += value * (44.0 * x + 6.0) * U + f64::from(f32::MIN_POSITIVE);

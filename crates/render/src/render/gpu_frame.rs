@@ -119,7 +119,7 @@ impl<'a> Frame<'a> {
             Self {
                 gpu,
                 tables,
-                pipeline: pipeline(gpu, tables, &layout),
+                pipeline: pipeline(gpu, tables, &layout, buffer.is_filtered()),
                 group: frame_group(gpu, &layout, buffer, exposure),
                 target: target(gpu, buffer.size_px as u32),
                 size_px: buffer.size_px,
@@ -366,13 +366,15 @@ fn frame_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
 }
 
 fn frame_group(gpu: &Gpu, layout: &wgpu::BindGroupLayout, surfaces: &GBuffer, exposure: f32) -> wgpu::BindGroup {
-    let light = |(light, &layer): (&LightSample, &u32)| FrameLight {
+    let light = |((light, &layer), &angular_radius): ((&LightSample, &u32), &f32)| FrameLight {
         direction: light.direction.map(|c| c as f32),
         irradiance: light.irradiance as f32,
         layer,
-        unused: [0; 3],
+        angular_radius,
+        unused: [0; 2],
     };
-    let lights: Vec<FrameLight> = surfaces.lights.iter().zip(&surfaces.layer_of_light).map(light).collect();
+    let pieces = surfaces.lights.iter().zip(&surfaces.layer_of_light).zip(&surfaces.radius_of_light);
+    let lights: Vec<FrameLight> = pieces.map(light).collect();
     let params = FrameParams {
         size_px: surfaces.size_px as u32,
         light_count: lights.len() as u32,
@@ -424,7 +426,7 @@ fn vector_view(gpu: &Gpu, surfaces: &GBuffer, vectors: &[[f32; 4]]) -> wgpu::Tex
     })
 }
 
-fn pipeline(gpu: &Gpu, tables: &GpuTables, group: &wgpu::BindGroupLayout) -> wgpu::RenderPipeline {
+fn pipeline(gpu: &Gpu, tables: &GpuTables, group: &wgpu::BindGroupLayout, filtered: bool) -> wgpu::RenderPipeline {
     let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("frame"),
         source: wgpu::ShaderSource::Wgsl(wgsl::frame().into()),
@@ -448,7 +450,7 @@ fn pipeline(gpu: &Gpu, tables: &GpuTables, group: &wgpu::BindGroupLayout) -> wgp
         multisample: Default::default(),
         fragment: Some(wgpu::FragmentState {
             module: &module,
-            entry_point: Some(wgsl::SHADE_SURFACES),
+            entry_point: Some(if filtered { wgsl::SHADE_SURFACES_FILTERED } else { wgsl::SHADE_SURFACES }),
             compilation_options: Default::default(),
             targets: &[Some(FORMAT.into())],
         }),

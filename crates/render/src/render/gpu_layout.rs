@@ -57,8 +57,10 @@ pub struct FrameLight {
     pub irradiance: f32,
     /// Layer of the surfaces that it is shaded on.
     pub layer: u32,
+    /// Angular radius in radians of what it stands for; 0 for a point.
+    pub angular_radius: f32,
     /// Fills the stride of 32 bytes.
-    pub unused: [u32; 3],
+    pub unused: [u32; 2],
 }
 
 /// Part of the samples that is shaded by one dispatch.

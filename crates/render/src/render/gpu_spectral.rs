@@ -11,8 +11,8 @@ use diffraction_brdf::shader_spectral::SpectralImage;
 /// Spectral tables in the GPU's memory.
 #[derive(Debug)]
 pub struct GpuSpectral {
-    layout: wgpu::BindGroupLayout,
-    group: wgpu::BindGroup,
+    pub(super) layout: wgpu::BindGroupLayout,
+    pub(super) group: wgpu::BindGroup,
 }
 
 /// `SpectralQuery` of spectral_check.wgsl: what a value is asked for.
@@ -55,13 +55,29 @@ pub fn upload_spectral(gpu: &Gpu, image: &SpectralImage) -> Result<GpuSpectral> 
 /// # Errors
 /// `Error::Gpu`.
 pub fn eval_spectral(gpu: &Gpu, tables: &GpuSpectral, queries: &[SpectralQuery]) -> Result<Vec<f32>> {
+    let source = (wgsl::spectral_check(), wgsl::EVAL_SPECTRAL);
+    let floats = answers(gpu, (&tables.layout, &tables.group), source, queries, 1)?;
+    Ok(floats.into_iter().map(|value| if value == NO_ANSWER { f32::NAN } else { value }).collect())
+}
+
+/// What the shader gives where the tables have no answer.
+const NO_ANSWER: f32 = -1.0;
+
+/// So many numbers for each query from a shader's entry point, which has the queries and the values in group 1.
+pub(super) fn answers<Query: Pod>(
+    gpu: &Gpu,
+    (layout, group): (&wgpu::BindGroupLayout, &wgpu::BindGroup),
+    (source, entry_point): (String, &str),
+    queries: &[Query],
+    numbers: usize,
+) -> Result<Vec<f32>> {
     if queries.is_empty() {
         return Ok(Vec::new());
     }
     let bytes = size_of_val(queries) as u64;
-    let values_bytes = (queries.len() * size_of::<f32>()) as u64;
-    let readback = gpu.guarded("evaluate spectral tables", || {
-        let pipeline = pipeline(gpu, tables);
+    let values_bytes = (numbers * queries.len() * size_of::<f32>()) as u64;
+    let readback = gpu.guarded("evaluate queries", || {
+        let pipeline = pipeline(gpu, layout, source, entry_point);
         let buffer = |bytes, usage| {
             let descriptor = wgpu::BufferDescriptor { label: None, size: bytes, usage, mapped_at_creation: false };
             gpu.device.create_buffer(&descriptor)
@@ -70,7 +86,7 @@ pub fn eval_spectral(gpu: &Gpu, tables: &GpuSpectral, queries: &[SpectralQuery])
         let values = buffer(values_bytes, wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC);
         let readback = buffer(values_bytes, wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ);
         gpu.queue.write_buffer(&asked, 0, bytemuck::cast_slice(queries));
-        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        let of_queries = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("queries"),
             layout: &pipeline.get_bind_group_layout(1),
             entries: &[entry(0, asked.as_entire_binding()), entry(1, values.as_entire_binding())],
@@ -78,26 +94,22 @@ pub fn eval_spectral(gpu: &Gpu, tables: &GpuSpectral, queries: &[SpectralQuery])
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let mut pass = encoder.begin_compute_pass(&Default::default());
         pass.set_pipeline(&pipeline);
-        pass.set_bind_group(0, &tables.group, &[]);
-        pass.set_bind_group(1, &group, &[]);
+        pass.set_bind_group(0, group, &[]);
+        pass.set_bind_group(1, &of_queries, &[]);
         pass.dispatch_workgroups(queries.len().div_ceil(64) as u32, 1, 1);
         drop(pass);
         encoder.copy_buffer_to_buffer(&values, 0, &readback, 0, values_bytes);
         gpu.queue.submit([encoder.finish()]);
         readback
     })?;
-    let bytes = gpu.read(&readback, values_bytes, "read spectral values")?;
-    let floats = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
-    Ok(floats.map(|value| if value == NO_ANSWER { f32::NAN } else { value }).collect())
+    let bytes = gpu.read(&readback, values_bytes, "read values")?;
+    Ok(bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect())
 }
 
-/// What the shader gives where the tables have no answer.
-const NO_ANSWER: f32 = -1.0;
-
-fn pipeline(gpu: &Gpu, tables: &GpuSpectral) -> wgpu::ComputePipeline {
+fn pipeline(gpu: &Gpu, layout: &wgpu::BindGroupLayout, source: String, entry_point: &str) -> wgpu::ComputePipeline {
     let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some("spectral"),
-        source: wgpu::ShaderSource::Wgsl(wgsl::spectral_check().into()),
+        label: Some(entry_point),
+        source: wgpu::ShaderSource::Wgsl(source.into()),
     });
     let storage = |binding, read_only| wgpu::BindGroupLayoutEntry {
         binding,
@@ -114,15 +126,15 @@ fn pipeline(gpu: &Gpu, tables: &GpuSpectral) -> wgpu::ComputePipeline {
         entries: &[storage(0, true), storage(1, false)],
     });
     let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some("spectral"),
-        bind_group_layouts: &[Some(&tables.layout), Some(&group)],
+        label: Some(entry_point),
+        bind_group_layouts: &[Some(layout), Some(&group)],
         immediate_size: 0,
     });
     gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: Some("spectral"),
+        label: Some(entry_point),
         layout: Some(&layout),
         module: &module,
-        entry_point: Some(wgsl::EVAL_SPECTRAL),
+        entry_point: Some(entry_point),
         compilation_options: Default::default(),
         cache: None,
     })

@@ -106,8 +106,16 @@ pub(super) fn table_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
     gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("tables"), entries: &entries })
 }
 
-pub(super) fn texture(gpu: &Gpu, format: wgpu::TextureFormat, [width, height, layers]: [usize; 3]) -> wgpu::Texture {
-    gpu.device.create_texture(&wgpu::TextureDescriptor {
+pub(super) fn texture(gpu: &Gpu, format: wgpu::TextureFormat, size: [usize; 3]) -> wgpu::Texture {
+    gpu.device.create_texture(&texture_descriptor(format, size))
+}
+
+/// A texture of `[width, height, layers]` with one level.
+fn texture_descriptor(
+    format: wgpu::TextureFormat,
+    [width, height, layers]: [usize; 3],
+) -> wgpu::TextureDescriptor<'static> {
+    wgpu::TextureDescriptor {
         label: Some("texels"),
         size: wgpu::Extent3d { width: width as u32, height: height as u32, depth_or_array_layers: layers as u32 },
         mip_level_count: 1,
@@ -116,23 +124,43 @@ pub(super) fn texture(gpu: &Gpu, format: wgpu::TextureFormat, [width, height, la
         format,
         usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
         view_formats: &[],
-    })
+    }
 }
 
+/// The texture of layers of halves with its mip chain.
 pub(super) fn half_texture(gpu: &Gpu, layers: &HalfLayers) -> wgpu::Texture {
     let [rows, columns] = layers.size;
     let count = layers.texels.len() / (rows * columns);
-    let texture = texture(gpu, wgpu::TextureFormat::Rgba16Float, [columns, rows, count]);
-    for (layer, texels) in layers.texels.chunks_exact(rows * columns).enumerate() {
-        write_layer(gpu, &texture, [columns, rows], layer, bytemuck::cast_slice(texels));
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        mip_level_count: 1 + layers.coarser.len() as u32,
+        ..texture_descriptor(wgpu::TextureFormat::Rgba16Float, [columns, rows, count])
+    });
+    let coarser = layers.coarser.iter().map(|level| (level.size, level.texels.as_slice()));
+    for (level, ([rows, columns], texels)) in
+        std::iter::once((layers.size, layers.texels.as_slice())).chain(coarser).enumerate()
+    {
+        for (layer, texels) in texels.chunks_exact(rows * columns).enumerate() {
+            write_level(gpu, &texture, [columns, rows], [layer, level], bytemuck::cast_slice(texels));
+        }
     }
     texture
 }
 
-pub(super) fn write_layer(gpu: &Gpu, texture: &wgpu::Texture, [width, height]: [usize; 2], layer: usize, bytes: &[u8]) {
+pub(super) fn write_layer(gpu: &Gpu, texture: &wgpu::Texture, size: [usize; 2], layer: usize, bytes: &[u8]) {
+    write_level(gpu, texture, size, [layer, 0], bytes);
+}
+
+/// Writes a layer of a level.
+fn write_level(
+    gpu: &Gpu,
+    texture: &wgpu::Texture,
+    [width, height]: [usize; 2],
+    [layer, level]: [usize; 2],
+    bytes: &[u8],
+) {
     let to = wgpu::TexelCopyTextureInfo {
         texture,
-        mip_level: 0,
+        mip_level: level as u32,
         origin: wgpu::Origin3d { x: 0, y: 0, z: layer as u32 },
         aspect: wgpu::TextureAspect::All,
     };

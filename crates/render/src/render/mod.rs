@@ -6,6 +6,7 @@ pub mod cpu;
 pub mod gpu;
 pub mod gpu_bound;
 pub mod gpu_bound_spectral;
+pub mod gpu_filtered;
 pub mod gpu_frame;
 pub mod gpu_layout;
 pub mod gpu_spectral;

@@ -5,13 +5,13 @@
 
 use rayon::prelude::*;
 
-use diffraction_brdf::direction::dot;
+use diffraction_brdf::direction::{dot, normalise};
 use diffraction_brdf::error::{Error, Result};
 
 use super::frame::{cross, to_local};
 use super::hit::LitHit;
 use super::light::{LightSample, light_samples};
-use super::model::{Scene, check};
+use super::model::{Light, Scene, check};
 use super::samples::{pixel_centre, pixel_width, position};
 use super::surface::{self, Surface, surface};
 
@@ -31,6 +31,8 @@ pub struct GBuffer {
     pub lights: Vec<LightSample>,
     /// The layer that each light sample looks at.
     pub layer_of_light: Vec<u32>,
+    /// Angular radius in radians of the disc that each stands for; all 0 where lights are sampled.
+    pub radius_of_light: Vec<f32>,
     /// Direction of the structure's x axis, and 1 where its y axis is `normal × tangent`, -1 where it is mirrored; all 0
     /// where there is no surface.
     pub tangent: Vec<[f32; 4]>,
@@ -53,6 +55,27 @@ pub struct GBuffer {
 /// `Error::Limit` beyond [`POINTS_MAX`].
 pub fn gbuffer(scene: &Scene) -> Result<GBuffer> {
     check(scene)?;
+    let lights = light_samples(scene);
+    let points = vec![0.0; lights.len()];
+    gathered(scene, lights, points)
+}
+
+/// The same with one look-up over its disc for each light, through the pixels' centres.
+///
+/// # Errors
+/// As [`gbuffer`].
+pub fn filtered_gbuffer(scene: &Scene) -> Result<GBuffer> {
+    check(scene)?;
+    let whole = |light: &Light| LightSample {
+        direction: normalise(light.direction),
+        irradiance: light.irradiance,
+        pixel_offset: [0.0, 0.0],
+    };
+    let radius = |light: &Light| (0.5 * light.angular_diameter_deg).to_radians() as f32;
+    gathered(scene, scene.lights.iter().map(whole).collect(), scene.lights.iter().map(radius).collect())
+}
+
+fn gathered(scene: &Scene, lights: Vec<LightSample>, radius_of_light: Vec<f32>) -> Result<GBuffer> {
     let Some(surface) = surface(scene) else {
         return Err(Error::Call(format!(
             "scene \"{}\": no camera sees the specimen itself; a frame takes \"sphere\", \"snake\", \"patch\" or a mesh",
@@ -65,7 +88,6 @@ pub fn gbuffer(scene: &Scene) -> Result<GBuffer> {
             scene.name
         )));
     }
-    let lights = light_samples(scene);
     let (offsets, layer_of_light) = layers(&lights);
     let side = scene.size_px;
     if offsets.len() * side * side > POINTS_MAX {
@@ -89,6 +111,7 @@ pub fn gbuffer(scene: &Scene) -> Result<GBuffer> {
         size_px: side,
         layers: offsets.len(),
         layer_of_light,
+        radius_of_light,
         tangent: Vec::with_capacity(points),
         normal: Vec::with_capacity(points),
         to_viewer: Vec::with_capacity(points),
@@ -108,6 +131,11 @@ pub fn gbuffer(scene: &Scene) -> Result<GBuffer> {
 }
 
 impl GBuffer {
+    /// Whether a light stands for its disc.
+    pub fn is_filtered(&self) -> bool {
+        self.radius_of_light.iter().any(|radius| *radius > 0.0)
+    }
+
     /// Pairs of directions that a frame shades.
     pub fn evaluations(&self) -> u64 {
         self.lit.iter().map(|word| u64::from(word.count_ones())).sum()
@@ -185,7 +213,7 @@ fn stored(LitHit { hit, .. }: &LitHit) -> Point {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::model::{Light, Shape};
+    use crate::scene::model::Shape;
     use crate::scene::samples::{pixel_range, samples};
     use diffraction_brdf::direction::Vec3;
 

@@ -7,6 +7,7 @@ pub(crate) mod bvh;
 pub mod camera;
 pub mod environment;
 pub(crate) mod exr_foreign;
+pub mod filtered;
 pub mod frame;
 pub mod gbuffer;
 pub mod hemisphere;

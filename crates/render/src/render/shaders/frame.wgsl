@@ -16,6 +16,8 @@ struct FrameLight {
     irradiance: f32,
     // Layer of the surfaces that this light is shaded on.
     layer: u32,
+    // In radians; 0 for a point.
+    angular_radius: f32,
 }
 
 @group(1) @binding(0) var<uniform> frame: FrameParams;
@@ -36,6 +38,16 @@ fn full_screen(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32
 
 @fragment
 fn shade_surfaces(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    return shaded(position, false);
+}
+
+// The same with one look-up for the whole disc of each light.
+@fragment
+fn shade_surfaces_filtered(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    return shaded(position, true);
+}
+
+fn shaded(position: vec4<f32>, filtered: bool) -> vec4<f32> {
     let at = vec2<i32>(position.xy);
     let first_word = (u32(at.y) * frame.size_px + u32(at.x)) * frame.lit_words;
     var sum = vec3<f32>(0.0, 0.0, 0.0);
@@ -50,7 +62,12 @@ fn shade_surfaces(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f
         let bitangent = tangent.w * cross(normal, tangent.xyz);
         let wi = in_frame(tangent.xyz, bitangent, normal, light.direction);
         let wo = in_frame(tangent.xyz, bitangent, normal, to_viewer);
-        let shown = surface_xyz(wi, wo);
+        var shown: vec3<f32>;
+        if filtered {
+            shown = surface_xyz_filtered(wi, wo, footprint_of_light(wi, light.angular_radius));
+        } else {
+            shown = surface_xyz(wi, wo);
+        }
         if !has_answer(shown) {
             return vec4<f32>(1.0, 0.0, 1.0, 1.0);
         }

@@ -1,0 +1,203 @@
+//! Shading samples that each stand for a piece of a light and of a pixel: what filtered look-ups make pictures of.
+//!
+//! Lights that are small enough take one look-up a pixel. Larger ones, and surroundings, are sampled as ever, and each sample
+//! stands for the directions that are its share. A pixel that shows one smooth piece of surface is one look-up too, over
+//! the (u, v) that it covers: their covariance at the four points of Gauss's rule, whatever turns there: the normal,
+//! the structure's axes, the direction to the viewer. Pixels at an edge are sampled.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use diffraction_brdf::Footprint;
+use diffraction_brdf::direction::{Vec3, dot, normalise, wave_vector_change};
+use diffraction_brdf::error::{Error, Result};
+
+use super::environment::radiance;
+use super::frame::to_local;
+use super::hit::LitHit;
+use super::light::{direction_to, environment_count, sunflower};
+use super::model::{Light, Scene, check};
+use super::samples::{ShadingSamples, pixel_centre, pixel_width, position};
+use super::surface::{self, Surface};
+use super::surroundings;
+
+/// Places of Gauss's rule in a pixel: their covariance is that of the whole pixel.
+const NODE: f64 = 0.288_675_134_594_812_9;
+/// Cosine between the normals at a pixel's centre and at those places, below which the pixel is sampled: 0.35 radians.
+const COSINE_MIN: f64 = 0.94;
+/// Places in a pixel at an edge, along a side.
+const EDGE_PLACES: usize = 4;
+/// Largest angular radius in radians that a sample of the surroundings stands for.
+const RADIUS_MAX: f64 = 0.1;
+
+/// Largest angular diameter in degrees of a light that one look-up stands for within a tolerance of the luminance at 95 of 100 pairs of
+/// directions. Errors grow with the square of the angle, and were measured to be below 1e-2 for a lamp of two degrees and below 1e-3
+/// for the sun (docs/optics.md, "Filtered look-ups").
+pub fn diameter_max_deg(tolerance: f64) -> f64 {
+    2.0 * (tolerance / 1e-2).sqrt()
+}
+
+/// Samples, and what each of them stands for.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FilteredSamples {
+    /// Centres and weights.
+    pub samples: ShadingSamples,
+    /// The (u, v) around each.
+    pub footprints: Vec<Footprint>,
+}
+
+/// One sample.
+struct Sample {
+    wi: Vec3,
+    wo: Vec3,
+    weight: f64,
+    footprint: Footprint,
+}
+
+/// The samples of every `stride`-th pixel in both directions. Lights up to [`diameter_max_deg`] take one look-up, larger ones and
+/// surroundings `light_samples`; `pixel_samples` are not asked for.
+///
+/// # Errors
+/// `Error::Call` for a scene that cannot be rendered, or whose specimen no camera sees: of a hemisphere and a screen the pixels are
+/// directions.
+pub fn filtered_samples_of(
+    scene: &Scene,
+    tolerance: f64,
+    rows: Range<usize>,
+    stride: usize,
+) -> Result<FilteredSamples> {
+    check(scene)?;
+    let Some(surface) = surface::surface(scene) else {
+        return Err(Error::Call(format!(
+            "scene \"{}\": no camera sees the specimen itself; filtered pictures are of \"sphere\", \"snake\", \"patch\" or a mesh",
+            scene.name
+        )));
+    };
+    let stride = stride.max(1);
+    let columns: Vec<usize> = (0..scene.size_px).step_by(stride).collect();
+    let lights = pieces(scene, tolerance);
+    let rows: Vec<usize> = rows.step_by(stride).collect();
+    let gathered: Vec<Vec<Vec<Sample>>> = rows
+        .par_iter()
+        .map(|&row| columns.iter().map(|&column| pixel(scene, &surface, &lights, [row, column])).collect())
+        .collect();
+    let mut out = FilteredSamples::default();
+    out.samples.rows = rows.len();
+    out.samples.columns = columns.len();
+    out.samples.first.push(0);
+    for pixel in gathered.into_iter().flatten() {
+        for sample in pixel {
+            out.samples.wi.push(sample.wi.map(|c| c as f32));
+            out.samples.wo.push(sample.wo.map(|c| c as f32));
+            out.samples.weight.push(sample.weight as f32);
+            out.footprints.push(sample.footprint);
+        }
+        out.samples.first.push(out.footprints.len() as u32);
+    }
+    Ok(out)
+}
+
+/// A direction to a light, the irradiance from there on a surface that faces it, and the angular radius that it stands for.
+#[derive(Debug, Clone, Copy)]
+struct Piece {
+    direction: Vec3,
+    irradiance: f64,
+    radius: f64,
+}
+
+/// Lights as one piece each, or as many even ones.
+fn pieces(scene: &Scene, tolerance: f64) -> Vec<Piece> {
+    let of_light = |light: &Light| {
+        let whole = light.angular_diameter_deg <= diameter_max_deg(tolerance);
+        let count = if whole { 1 } else { scene.light_samples };
+        let directions: Vec<Vec3> = (0..count).map(|index| direction_to(light, sunflower(index, count))).collect();
+        let axis = normalise(light.direction);
+        let facing: f64 = directions.iter().map(|direction| dot(*direction, axis)).sum();
+        let radius = (0.5 * light.angular_diameter_deg).to_radians() / (count as f64).sqrt();
+        let piece = move |direction| Piece { direction, irradiance: light.irradiance / facing, radius };
+        directions.into_iter().map(piece).collect::<Vec<_>>()
+    };
+    scene.lights.iter().flat_map(of_light).collect()
+}
+
+fn pixel(scene: &Scene, surface: &Surface, lights: &[Piece], [row, column]: [usize; 2]) -> Vec<Sample> {
+    let (middle, width) = (pixel_centre(scene, row, column), pixel_width(scene));
+    let at = |offset: [f64; 2]| surface::hit(surface, position(middle, offset, width));
+    let mut out = Vec::new();
+    let place = surroundings::morton(row, column);
+    let around = |hit: &LitHit, index: usize, count: usize| -> Option<Piece> {
+        let environment = scene.environment.as_ref()?;
+        let (direction, irradiance) = surroundings::sample(environment, &hit.hit, place, index, count)?;
+        let solid_angle = irradiance / radiance(environment, direction);
+        let radius = (solid_angle / std::f64::consts::PI).sqrt().min(RADIUS_MAX);
+        Some(Piece { direction, irradiance, radius })
+    };
+    let nodes = [[-NODE, -NODE], [NODE, -NODE], [-NODE, NODE], [NODE, NODE]].map(at);
+    if let (Some(centre), [Some(a), Some(b), Some(c), Some(d)]) = (at([0.0, 0.0]), nodes) {
+        let nodes = [a, b, c, d];
+        let apart = |node: &LitHit| dot(node.hit.frame.normal, centre.hit.frame.normal);
+        if nodes.iter().map(apart).all(|cosine| cosine > COSINE_MIN) {
+            let mut add = |piece: Piece| smooth(surface, &centre, &nodes, piece, &mut out);
+            lights.iter().copied().for_each(&mut add);
+            let count = environment_count(scene);
+            (0..count).filter_map(|index| around(&centre, index, count)).for_each(add);
+            return out;
+        }
+    }
+    let places = EDGE_PLACES * EDGE_PLACES;
+    for index in 0..places {
+        let offset = [index % EDGE_PLACES, index / EDGE_PLACES].map(|k| (k as f64 + 0.5) / EDGE_PLACES as f64 - 0.5);
+        let Some(hit) = at(offset) else { continue };
+        let mut add = |piece: Piece| {
+            if let Some((wi, wo)) = lit(surface, &hit, piece.direction) {
+                let weight = piece.irradiance * wi[2] / places as f64;
+                out.extend(sample(wi, wo, weight, piece.radius, Footprint::POINT));
+            }
+        };
+        lights.iter().copied().for_each(&mut add);
+        // Places share the directions.
+        let count = environment_count(scene);
+        for piece in (index..count).step_by(places).filter_map(|index| around(&hit, index, count)) {
+            add(Piece { irradiance: piece.irradiance * places as f64, ..piece });
+        }
+    }
+    out
+}
+
+/// A pixel that shows one smooth piece: one look-up, or at the edge of a shadow one at each node that is lit.
+fn smooth(surface: &Surface, centre: &LitHit, nodes: &[LitHit; 4], piece: Piece, out: &mut Vec<Sample>) {
+    let seen = nodes.map(|node| lit(surface, &node, piece.direction));
+    let changes: Vec<Vec3> = seen.iter().flatten().map(|(wi, wo)| wave_vector_change(*wi, *wo)).collect();
+    let mean: [f64; 2] = [0, 1].map(|k| changes.iter().map(|q| q[k]).sum::<f64>() / changes.len().max(1) as f64);
+    let moment = |j: usize, k: usize| changes.iter().map(|q| (q[j] - mean[j]) * (q[k] - mean[k])).sum::<f64>();
+    let covariance = [moment(0, 0), moment(0, 1), moment(1, 1)].map(|sum| sum / changes.len().max(1) as f64);
+    let footprint = |share: f64| {
+        let [uu, uv, vv] = covariance.map(|value| share * value);
+        Footprint::new(uu, uv, vv).unwrap_or_default()
+    };
+    if let (4, Some((wi, wo))) = (changes.len(), lit(surface, centre, piece.direction)) {
+        let cosine = seen.iter().flatten().map(|(wi, _)| wi[2]).sum::<f64>() / 4.0;
+        out.extend(sample(wi, wo, piece.irradiance * cosine, piece.radius, footprint(1.0)));
+        return;
+    }
+    for (wi, wo) in seen.into_iter().flatten() {
+        // A quarter of the pixel, where its nodes tell; else a point.
+        let pixel = if changes.len() == 4 { footprint(0.25) } else { Footprint::POINT };
+        out.extend(sample(wi, wo, 0.25 * piece.irradiance * wi[2], piece.radius, pixel));
+    }
+}
+
+/// Local directions to a light and to the viewer, where both are above the surface and nothing stands between.
+fn lit(surface: &Surface, seen: &LitHit, direction: Vec3) -> Option<(Vec3, Vec3)> {
+    let frame = &seen.hit.frame;
+    let (wi, wo) = (to_local(frame, direction), to_local(frame, seen.hit.to_viewer));
+    (wi[2] > 0.0 && wo[2] > 0.0 && surface::is_lit(surface, seen.lifted, direction)).then_some((wi, wo))
+}
+
+/// A sample, unless its numbers vanish in single precision.
+fn sample(wi: Vec3, wo: Vec3, weight: f64, radius: f64, pixel: Footprint) -> Option<Sample> {
+    let light = Footprint::of_light(wi, 2.0 * radius.to_degrees()).unwrap_or_default();
+    let is_seen = wi[2] as f32 > 0.0 && wo[2] as f32 > 0.0 && weight as f32 > 0.0;
+    is_seen.then_some(Sample { wi, wo, weight, footprint: light + pixel })
+}

@@ -1,0 +1,82 @@
+"""The command `diffraction-atlas-py check`: an atlas against the values that it states for itself."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import Iterator, NamedTuple
+
+import numpy as np
+
+from ._atlas import Atlas, open
+from ._images import AtlasError
+from ._specimen import Specimen
+
+#: Both sides compute in double precision from the same stored numbers. What remains is rounding of the directions: 1e-16 in u and v,
+#: steepened by texels per unit of u, about 1e3, and by the largest ratio of neighbours, about 1e3.
+TOLERANCE = 1e-9
+
+
+class Checked(NamedTuple):
+    """What came of one kind of check values of a specimen."""
+
+    what: str
+    count: int
+    #: Largest difference as a share of the largest channel or wavelength of its check value.
+    largest: float
+
+    @property
+    def met(self) -> bool:
+        """Whether all are within the tolerance; NaN is not."""
+        return self.count > 0 and self.largest <= TOLERANCE
+
+
+def check_specimen(specimen: Specimen) -> Iterator[Checked]:
+    """Evaluates the check values of one specimen, with linear look-ups, as they are meant."""
+    checks = specimen.check_values
+    wi, wo, expected = (np.array([check[key] for check in checks], float).reshape(-1, 3) for key in ("wi", "wo", "xyz"))
+    yield Checked("X, Y, Z", len(checks), difference(specimen.eval(wi, wo), expected))
+    if specimen.has_spectral:
+        checks = specimen.about["spectral"]["check_values"]
+        pairs = [(specimen.eval_wavelengths(c["wi"], c["wo"], c["wavelength_nm"]), np.array(c["brdf"])) for c in checks]
+        largest = [difference(found[None], expected[None]) for found, expected in pairs]
+        yield Checked("wavelengths", sum(len(c["brdf"]) for c in checks), float(np.max(largest, initial=0)))
+
+
+def difference(found: np.ndarray, expected: np.ndarray) -> float:
+    """Largest difference of rows as a share of the row's largest value; where a row is to be 0, anything else is infinitely far."""
+    error, size = np.abs(found - expected).max(axis=1, initial=0), np.abs(expected).max(axis=1, initial=0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = np.where(error == 0, 0, error / size)
+    return float(np.max(share, initial=0))
+
+
+def check(atlas: Atlas) -> bool:
+    """Prints a line for each specimen; whether all check values are met."""
+    fine, largest, count = True, 0.0, 0
+    width = max(map(len, atlas.names), default=0)
+    for name, specimen in atlas.items():
+        for checked in check_specimen(specimen):
+            fine &= checked.met
+            largest, count = float(np.maximum(largest, checked.largest)), count + checked.count
+            word = "met" if checked.met else "NOT MET"
+            print(f"{name:{width}}  {checked.count:4} {checked.what:11}  largest difference {checked.largest:.1e}  {word}")
+    print(f"{count} check values of {len(atlas)} specimens, largest difference {largest:.1e}, allowed {TOLERANCE:.0e}")
+    return fine and count > 0
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Exit status 0 where all is well, 1 where a value is not met, 2 where the atlas cannot be read."""
+    parser = argparse.ArgumentParser(prog="diffraction-atlas-py", description="Reads an atlas of diffraction tables.")
+    commands = parser.add_subparsers(required=True, metavar="command")
+    command = commands.add_parser("check", help="evaluates all check values, X, Y, Z and wavelengths")
+    command.add_argument("atlas", help="the folder of an atlas, whose newest version is taken, or of one version")
+    try:
+        return 0 if check(open(parser.parse_args(arguments).atlas)) else 1
+    except AtlasError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())

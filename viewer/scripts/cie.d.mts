@@ -1,0 +1,1 @@
+export function cieFromRust(): Promise<unknown>;

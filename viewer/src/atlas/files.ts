@@ -1,0 +1,89 @@
+// Where an atlas's files come from: the page itself, or the folder beside it.
+
+/** A file that is not there or cannot be read, in words for the reader of the page. */
+export class AtlasError extends Error {}
+
+export interface AtlasFiles {
+  /** Tells what the files must be: from now on those that differ are refused, where the browser can tell. */
+  expect(digests: { path: string; sha256?: string }[]): void;
+  /** The bytes of a file of the atlas, by its path within the version's folder. */
+  bytes(path: string): Promise<Uint8Array>;
+  /** The same as JSON. */
+  json<T>(path: string): Promise<T>;
+  /** Whether a small file is there: asked of files that an atlas may lack. */
+  optionalJson<T>(path: string): Promise<T | null>;
+  /** An address for an <img>. */
+  url(path: string): Promise<string>;
+}
+
+const IMAGE_TYPES: Record<string, string> = { png: 'image/png', svg: 'image/svg+xml' };
+
+/** The files in the page's own element `atlas-files`, or else those under `atlas/`. */
+export function atlasFiles(page: Document): AtlasFiles {
+  const element = page.getElementById('atlas-files');
+  const inside = element?.textContent ? (JSON.parse(element.textContent) as Record<string, string>) : null;
+  const get = inside ? insidePage(inside) : besidePage;
+  const digests = new Map<string, string>();
+  const bytes = async (path: string): Promise<Uint8Array> => {
+    const found = await get(path);
+    if (!found) throw new AtlasError(`The atlas's file ${path} is missing. Copy the atlas again, or make it anew.`);
+    const wanted = digests.get(path);
+    const digest = wanted ? await sha256(found) : null;
+    if (digest && digest !== wanted) {
+      throw new AtlasError(`The atlas's file ${path} is damaged: it is not what atlas.json says. Copy the atlas again, or make it anew.`);
+    }
+    return found;
+  };
+  const parse = <T>(path: string, data: Uint8Array): T => {
+    try {
+      return JSON.parse(new TextDecoder().decode(data)) as T;
+    } catch {
+      throw new AtlasError(`The atlas's file ${path} is damaged: it is no JSON. Copy the atlas again, or make it anew.`);
+    }
+  };
+  return {
+    bytes,
+    expect: (files) => files.forEach(({ path, sha256: digest }) => digest && digests.set(path, digest)),
+    json: async <T>(path: string) => parse<T>(path, await bytes(path)),
+    optionalJson: async <T>(path: string) => {
+      const found = await get(path);
+      return found ? parse<T>(path, found) : null;
+    },
+    url: async (path) => {
+      const type = IMAGE_TYPES[path.split('.').pop() ?? ''] ?? 'application/octet-stream';
+      return inside
+        ? URL.createObjectURL(new Blob([(await bytes(path)) as Uint8Array<ArrayBuffer>], { type }))
+        : `atlas/${path}`;
+    },
+  };
+}
+
+/** The digest in hexadecimal; null where the browser computes none, as on pages that came over plain http. */
+async function sha256(bytes: Uint8Array): Promise<string | null> {
+  if (!globalThis.crypto?.subtle) return null;
+  const digest = await crypto.subtle.digest('SHA-256', bytes as Uint8Array<ArrayBuffer>);
+  return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+function insidePage(files: Record<string, string>) {
+  return async (path: string): Promise<Uint8Array | null> => {
+    const text = files[path];
+    if (text === undefined) return null;
+    const binary = atob(text);
+    const out = new Uint8Array(binary.length);
+    for (let i = 0; i < binary.length; i++) out[i] = binary.charCodeAt(i);
+    return out;
+  };
+}
+
+async function besidePage(path: string): Promise<Uint8Array | null> {
+  let answer: Response;
+  try {
+    answer = await fetch(`atlas/${path.split('/').map(encodeURIComponent).join('/')}`);
+  } catch {
+    throw new AtlasError(`The atlas's file ${path} cannot be reached. Is the program that serves this page still running?`);
+  }
+  if (answer.status === 404) return null;
+  if (!answer.ok) throw new AtlasError(`The atlas's file ${path} cannot be read (status ${answer.status}).`);
+  return new Uint8Array(await answer.arrayBuffer());
+}

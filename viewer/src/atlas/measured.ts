@@ -1,0 +1,35 @@
+// Measured spectra that lie beside the model's in the atlas's report.
+
+import type { Engine } from '../engine';
+
+/** A spectrum measured at one pair of directions. */
+export interface MeasuredSpectrum {
+  /** theta and phi of the light, theta and phi of the viewer. */
+  angles_deg: [number, number, number, number];
+  nm: number[];
+  /** f in 1/sr. */
+  values: number[];
+}
+
+interface Curve {
+  along: string;
+  angles_deg: [number, number, number, number];
+  at: number[];
+  measured: number[];
+}
+
+interface Report {
+  specimens?: { name: string; measured?: { columns: { kind: string; scale: number; curves: Curve[] }[] } | null }[];
+}
+
+/** Every measured BRDF spectrum of a specimen; none where the atlas has no report, or nothing was measured. */
+export async function measuredSpectra(engine: Engine, name: string): Promise<MeasuredSpectrum[]> {
+  if (!engine.index.files.some((file) => file.path === 'report.json')) return [];
+  const report = await engine.files.optionalJson<Report>('report.json').catch(() => null);
+  const columns = report?.specimens?.find((specimen) => specimen.name === name)?.measured?.columns ?? [];
+  return columns
+    .filter(({ kind }) => kind === 'brdf')
+    .flatMap(({ curves, scale }) => curves.map((curve) => ({ curve, scale })))
+    .filter(({ curve }) => curve.along === 'wavelength_nm')
+    .map(({ curve, scale }) => ({ angles_deg: curve.angles_deg, nm: curve.at, values: curve.measured.map((value) => value * scale) }));
+}
