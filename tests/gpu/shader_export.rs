@@ -149,6 +149,12 @@ fn bindings_are_where_the_readmes_say() {
             }
         }
         assert_eq!(rows, 5);
+        if source == ShaderSource::TablesFiltered {
+            binding_is_stated(&text(ShaderLanguage::Glsl450), ShaderLanguage::Glsl450, "binding 5");
+            binding_is_stated(&text(ShaderLanguage::GlslEs300), ShaderLanguage::GlslEs300, "`_group_0_binding_5_fs`");
+            binding_is_stated(&text(ShaderLanguage::Hlsl), ShaderLanguage::Hlsl, "`t5`");
+            binding_is_stated(&text(ShaderLanguage::Msl), ShaderLanguage::Msl, "`texture(3)`");
+        }
         let hlsl = text(ShaderLanguage::Hlsl);
         assert!(!hlsl.contains("nagaSampler") && hlsl.contains("SamplerState bilinear : register(s4);"));
         for language in ShaderLanguage::ALL.into_iter().filter(|language| *language != ShaderLanguage::Spirv) {

@@ -51,7 +51,6 @@ fn structs_have_the_same_bytes() {
         first_column,
         first_row,
         factor,
-        lobe_columns,
         permittivity,
         pigment,
         table_scales,

@@ -5,7 +5,7 @@ import type { AtlasFiles } from './atlas/files';
 import { measuredSpectra, type MeasuredSpectrum } from './atlas/measured';
 import { Engine } from './engine';
 import { dominantWavelength } from './light/colour';
-import { illuminant, quadrature, type Xyz } from './light/illuminants';
+import { illuminantOf, quadrature, type Illuminant, type Xyz } from './light/illuminants';
 import type { Vec3 } from './light/samples';
 import { fromFragment, toFragment, type State } from './state';
 import { aboutVertical } from './gl/camera';
@@ -263,10 +263,11 @@ export class App {
     const pair = { wi: found.wi, wo: this.asked ?? found.wo };
     const inPlane = planeOfIncidence(pair.wi).map((wo) => ({ wi: pair.wi, wo }));
     const [xyz, ...plane] = engine.probe.brdf(evaluated, [pair, ...inPlane]);
-    const light = engine.light() ?? illuminant('D65', 633, 45);
+    const specimen = engine.loaded?.specimen;
+    const light = engine.light() ?? illuminantOf(specimen?.optics.illuminant ?? 'd65');
     const white = whiteOf(light);
     const spectral = engine.spectralEvaluated();
-    const stored = engine.loaded?.specimen.spectral;
+    const stored = specimen?.spectral;
     let spectrum: Answer['spectrum'] = null;
     if (spectral && stored) {
       const at = this.measured?.nm ?? [];
@@ -402,7 +403,7 @@ function aboutView([x, y, z]: Vec3, angle_deg: number): Vec3 {
 }
 
 const whites = new Map<string, Xyz>();
-function whiteOf(light: ReturnType<typeof illuminant>): Xyz {
+function whiteOf(light: Illuminant): Xyz {
   let white = whites.get(light.label);
   if (!white) {
     const sums = quadrature(light, [380, 780], 401).weights.reduce((sum, w) => sum.map((c, i) => c + w[i]) as Xyz, [0, 0, 0] as Xyz);

@@ -11,7 +11,7 @@ import { P3 } from './gl/display';
 import { GpuClock } from './gl/clock';
 import { BINDING } from './gl/library';
 import { upload, type Uploaded } from './gl/upload';
-import { illuminant, quadrature, wavelengthsNeeded, type Illuminant, type Quadrature } from './light/illuminants';
+import { illuminant, illuminantOf, quadrature, wavelengthsNeeded, type Illuminant, type Quadrature } from './light/illuminants';
 import type { Body } from './scene/body';
 import { builtIn, skyTextures, type Environment, type SkyTextures } from './scene/environment';
 import { snakeBody } from './scene/snake';
@@ -23,8 +23,8 @@ export class GraphicsError extends Error {}
 /** A specimen on the GPU. */
 interface Loaded {
   specimen: Specimen;
-  packed: PackedTables;
-  tables: Uploaded;
+  /** Those of XYZ; null where the specimen has spectral ones alone. */
+  tables: { packed: PackedTables; uploaded: Uploaded } | null;
   spectral: { packed: PackedSpectral; uploaded: Uploaded } | null;
 }
 
@@ -111,7 +111,7 @@ export class Engine {
       const specimen = await readSpecimen(this.files, name);
       const packed = await packTables(this.files, specimen, progress);
       this.unload();
-      this.loaded = { specimen, packed, tables: upload(packed), spectral: null };
+      this.loaded = { specimen, tables: packed && { packed, uploaded: upload(packed) }, spectral: null };
       this.metered = null;
     }
     this.state.specimen = name;
@@ -133,7 +133,7 @@ export class Engine {
   }
 
   private unload(): void {
-    this.loaded?.tables.dispose();
+    this.loaded?.tables?.uploaded.dispose();
     this.loaded?.spectral?.uploaded.dispose();
     this.loaded = null;
     this.quadratureKey = '';
@@ -165,7 +165,7 @@ export class Engine {
 
   /** Whether the state asks for wavelengths, which the tables of XYZ do not hold. */
   wantsSpectral(): boolean {
-    return this.state.illuminant !== 'tables' || this.state.scale !== 1;
+    return this.loaded?.tables === null || this.state.illuminant !== 'tables' || this.state.scale !== 1;
   }
 
   /** What the state asks for and the specimen cannot give; empty where there is nothing. */
@@ -181,8 +181,8 @@ export class Engine {
   /** The light of the state's picture; null for that of the tables of XYZ. */
   light(): Illuminant | null {
     if (this.loaded && !this.loaded.specimen.spectral) return null;
-    const { illuminant: name, laser_nm, sun_deg, scale } = this.state;
-    if (name === 'tables') return scale === 1 ? null : illuminant('D65', laser_nm, sun_deg);
+    const { illuminant: name, laser_nm, sun_deg } = this.state;
+    if (name === 'tables') return this.loaded && this.wantsSpectral() ? illuminantOf(this.loaded.specimen.optics.illuminant) : null;
     return illuminant(name, laser_nm, sun_deg);
   }
 
@@ -199,7 +199,8 @@ export class Engine {
     if (light && loaded.spectral) {
       return { interpolation, source: 'spectral', uniforms: { ...this.limited(loaded.spectral.uploaded, count, false), ...this.quadratureFor(light) } };
     }
-    return { interpolation, source: 'tables', uniforms: this.limited(loaded.tables, count, pigment) };
+    if (!loaded.tables) return null;
+    return { interpolation, source: 'tables', uniforms: this.limited(loaded.tables.uploaded, count, pigment) };
   }
 
   /** The spectral tables under any light, where they are loaded. */
@@ -270,7 +271,7 @@ export class Engine {
   tableCount(): number {
     const { loaded } = this;
     if (!loaded) return 1;
-    return this.light() && loaded.spectral ? (loaded.specimen.spectral?.tables ?? 1) : loaded.packed.params.table_count;
+    return this.light() && loaded.spectral ? (loaded.specimen.spectral?.tables ?? 1) : (loaded.tables?.packed.params.table_count ?? 1);
   }
 
   /** Look-ups in tables for one direction of one light. */
@@ -282,7 +283,8 @@ export class Engine {
       const { table_layers, cross_layers } = loaded.spectral.packed.params;
       return (table_layers + cross_layers) * Number(this.quadratureUniforms.u_wavelengths?.value ?? 0);
     }
-    return loaded.packed.params.table_count + loaded.packed.params.restricted;
+    if (!loaded.tables) return 0;
+    return loaded.tables.packed.params.table_count + loaded.tables.packed.params.restricted;
   }
 
   private body(): Body | null {

@@ -24,7 +24,7 @@ fn pair(k: usize) -> ([Vec3; 2], [f64; 3]) {
     let turn = |factor: f64| (factor * (k as f64 + 1.0)).fract();
     let theta = |x: f64| if k % 4 == 3 { 80.0 + 9.99 * x } else { 80.0 * x };
     let (theta_i, phi_i) = (theta(turn(0.754_877_666)), 360.0 * turn(0.569_840_291));
-    let (theta_o, phi_o) = if k % 3 == 0 {
+    let (theta_o, phi_o) = if k.is_multiple_of(3) {
         (theta_i + 3.0 * turn(0.381_966_01) - 3.0, phi_i + 180.0 + 4.0 * turn(0.618_033_99) - 2.0)
     } else {
         (theta(turn(0.819_172_513)), 360.0 * turn(0.671_043_607))

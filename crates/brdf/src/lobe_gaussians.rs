@@ -9,7 +9,7 @@ use ndarray::{Array3, ArrayView1, Axis};
 use crate::table_set::Lobe;
 
 /// Number of Gaussians: `LOBE_GAUSSIANS` of tables_filtered.wgsl.
-pub(crate) const GAUSSIANS: usize = 8;
+pub const GAUSSIANS: usize = 8;
 /// The outer radius in widths of the widest one: tables end where it is 1e-9.
 const REACH: f64 = 4.55;
 /// Widths of the widest over the narrowest, shorter than the visible's 780 / 380 nm: no light has all its power at its ends.

@@ -9,6 +9,7 @@
 //! | 2 | `cross_terms` | 2D array texture, RGBA16F, with a mip chain: [`TableImage::cross`] |
 //! | 3 | `lobe` | 2D texture, RGBA32F, not filtered: [`TableImage::coherent`] |
 //! | 4 | `bilinear` | sampler: linear within a level, clamped to the edges |
+//! | 5 | `lobe_gaussians` | 2D texture, RGBA32F, not filtered: [`TableImage::gaussians`]; of [`TABLES_FILTERED_WGSL`] alone |
 //!
 //! Look-ups at a point read the finest level alone; `brdf_xyz_filtered` reads one level of the chain, never between two.
 //!
@@ -27,7 +28,7 @@
 //! | 36 | f32 | `grid_last` | texels along u of the whole grid, less one |
 //! | 40, 44 | f32 | `first_column`, `first_row` | where in the whole grid the tables begin |
 //! | 48 | u32 | `factor` | 0 scalar, 1 vector |
-//! | 52 | u32 | `lobe_columns` | columns of `lobe` that hold its profile; eight more hold factors of Gaussians |
+//! | 52 | u32 | `unused` | 0 |
 //! | 56 | vec2 f32 | `permittivity` | `(n + ik)²` |
 //! | 64 | vec4 f32 | `pigment` | X, Y, Z in 1/sr, and 1; zeros for the BRDF alone |
 //! | 80 | 64 x vec4 f32 | `table_scales` | value = texel times scale, four layers to a vector |
@@ -35,19 +36,23 @@
 
 use bytemuck::{Pod, Zeroable};
 use half::f16;
-use ndarray::{Array3, ArrayView1, ArrayView3, Axis, concatenate};
+use ndarray::{Array3, ArrayView1, ArrayView3};
 
 use crate::error::{Error, Result};
 use crate::front_factor::Factor;
-use crate::lobe_gaussians::{self, GAUSSIANS};
+use crate::lobe_gaussians;
+pub use crate::lobe_gaussians::GAUSSIANS;
 use crate::material::Material;
 use crate::mips;
 use crate::storage::half_scale;
 use crate::table_set::{Basis, Restriction, TableSet};
 
-/// WGSL that evaluates tables: `brdf_xyz(wi, wo)` at a point, `brdf_xyz_filtered(wi, wo, footprint)` as the mean over a footprint
-/// made by `footprint_of_light` and `footprint_of_normals`, which add. It declares the bindings of group 0. Entry points are put behind it.
-pub const TABLES_WGSL: &str = concat!(
+/// WGSL that evaluates tables; declares the bindings of group 0. Entry points are put behind it.
+pub const TABLES_WGSL: &str = concat!(include_str!("shaders/optics.wgsl"), "\n", include_str!("shaders/tables.wgsl"));
+
+/// [`TABLES_WGSL`] with filtered look-ups: `brdf_xyz_filtered(wi, wo, footprint)` is the mean over a footprint, which
+/// `footprint_of_light` and `footprint_of_normals` make, and which add. Has one binding more.
+pub const TABLES_FILTERED_WGSL: &str = concat!(
     include_str!("shaders/optics.wgsl"),
     "\n",
     include_str!("shaders/tables.wgsl"),
@@ -91,8 +96,8 @@ pub struct TableParams {
     pub first_row: f32,
     /// 0 for the scalar factor, 1 for the vector one.
     pub factor: u32,
-    /// Columns of the lobe's texture that hold its profile.
-    pub lobe_columns: u32,
+    /// Fills what follows to its alignment.
+    pub unused: u32,
     /// Permittivity `(n + ik)²`, real and imaginary part.
     pub permittivity: [f32; 2],
     /// XYZ of the pigment below in 1/sr, and 1 where there is one.
@@ -134,10 +139,12 @@ pub struct TableImage {
     pub tables: HalfLayers,
     /// The patches of the cross term; one black texel where there are none.
     pub cross: HalfLayers,
-    /// Rows (t) and columns of the coherent lobe's texture: the radius, then factors of Gaussians.
+    /// Rows (t) and columns (radius) of the coherent lobe.
     pub coherent_size: [usize; 2],
-    /// The coherent lobe, row by row; black texels where there is none.
+    /// The coherent lobe, row by row; one black texel where there is none.
     pub coherent: Vec<[f32; 4]>,
+    /// Factors of the [`GAUSSIANS`] whose sum is the lobe's profile, row by row of it.
+    pub gaussians: Vec<[f32; 4]>,
 }
 
 /// Largest magnitude of a table.
@@ -159,19 +166,21 @@ pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Resu
         let texel = |range: ArrayView1<f32>| [range[0], range[1], range[2], 0.0].map(f16::from_f32);
         tables.texels.extend(range.rows().into_iter().map(texel));
     }
+    let texels_of = |table: &Array3<f32>| -> Vec<[f32; 4]> {
+        table.rows().into_iter().map(|xyz| [xyz[0], xyz[1], xyz[2], 0.0]).collect()
+    };
+    let mut gaussians = vec![[0.0; 4]; GAUSSIANS];
     let (cross, coherent_size, coherent, radius_max, cross_count) = match &set.lobe {
-        None => (black_layer(), [1, 1 + GAUSSIANS], vec![[0.0; 4]; 1 + GAUSSIANS], 0.0, 0),
+        None => (black_layer(), [1, 1], vec![[0.0; 4]], 0.0, 0),
         Some(lobe) => {
             let cross = if lobe.cross.is_empty() { black_layer() } else { half_layers(&lobe.cross, "cross terms", 0)? };
             let (rows, columns, _) = lobe.coherent.dim();
-            check_side(rows.max(columns + GAUSSIANS), "the coherent lobe")?;
+            check_side(rows.max(columns), "the coherent lobe")?;
             check_finite(&lobe.coherent, "the coherent lobe")?;
-            let whole = concatenate![Axis(1), lobe.coherent, lobe_gaussians::factors(lobe)];
-            let texels = whole.rows().into_iter().map(|xyz| [xyz[0], xyz[1], xyz[2], 0.0]).collect();
-            (cross, [rows, columns + GAUSSIANS], texels, lobe.radius_max as f32, lobe.cross.len() as u32)
+            gaussians = texels_of(&lobe_gaussians::factors(lobe));
+            (cross, [rows, columns], texels_of(&lobe.coherent), lobe.radius_max as f32, lobe.cross.len() as u32)
         }
     };
-    let lobe_columns = (coherent_size[1] - GAUSSIANS) as u32;
     let params = TableParams {
         basis: match set.basis {
             Basis::Chebyshev => 0,
@@ -189,7 +198,7 @@ pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Resu
         first_column: first[1] as f32,
         first_row: first[0] as f32,
         factor: factor_field(set.front_factor.factor),
-        lobe_columns,
+        unused: 0,
         permittivity,
         pigment: pigment_xyz_per_sr.map_or([0.0; 4], |xyz_per_sr| {
             let [x, y, z] = xyz_per_sr.map(|c| c as f32);
@@ -198,7 +207,7 @@ pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Resu
         table_scales: packed(&tables.scales),
         cross_scales: packed(&cross.scales),
     };
-    Ok(TableImage { params, tables, cross, coherent_size, coherent })
+    Ok(TableImage { params, tables, cross, coherent_size, coherent, gaussians })
 }
 
 /// What a uniform says of a material.
@@ -333,7 +342,7 @@ mod tests {
             ($($field:ident)*) => { [$((stringify!($field), offset_of!(TableParams, $field))),*] };
         }
         let fields = offsets!(basis table_count cross_count material shadowing radius_max index_n index_k restricted grid_last
-            first_column first_row factor lobe_columns permittivity pigment table_scales cross_scales);
+            first_column first_row factor unused permittivity pigment table_scales cross_scales);
         let cells = |line: &'static str| Some(line.strip_prefix("//! | ")?.split(" | ").collect::<Vec<_>>());
         let rows = include_str!("shader.rs").lines().filter_map(cells).filter(|cells| cells.len() == 4);
         let stated = rows.skip(1).flat_map(|cells| {

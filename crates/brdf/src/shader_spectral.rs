@@ -47,10 +47,14 @@ use crate::shader::{
 use crate::spectral::{SpectralTables, TABLES_PER_IMAGE};
 use crate::storage::half_scale;
 
-/// WGSL that evaluates spectral tables: `brdf_spectral(wi, wo, wavelength_nm)` at a point,
-/// `brdf_spectral_filtered(wi, wo, wavelength_nm, footprint)` as the mean over a footprint; declares the bindings of group 0. Entry points
+/// WGSL that evaluates spectral tables: `brdf_spectral(wi, wo, wavelength_nm)`; declares the bindings of group 0. Entry points
 /// are put behind it. It has names in common with [`TABLES_WGSL`](crate::shader::TABLES_WGSL), so a module takes one of them.
-pub const SPECTRAL_WGSL: &str = concat!(
+pub const SPECTRAL_WGSL: &str =
+    concat!(include_str!("shaders/optics.wgsl"), "\n", include_str!("shaders/spectral.wgsl"));
+
+/// [`SPECTRAL_WGSL`] with filtered look-ups: `brdf_spectral_filtered(wi, wo, wavelength_nm, footprint)` is the mean over a
+/// footprint, which `footprint_of_light` and `footprint_of_normals` make, and which add.
+pub const SPECTRAL_FILTERED_WGSL: &str = concat!(
     include_str!("shaders/optics.wgsl"),
     "\n",
     include_str!("shaders/spectral.wgsl"),

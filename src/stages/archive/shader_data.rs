@@ -8,7 +8,7 @@ use diffraction_brdf::SpectralTables;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
 use diffraction_brdf::json;
-use diffraction_brdf::shader::{HalfLayers, table_image};
+use diffraction_brdf::shader::{GAUSSIANS, HalfLayers, table_image};
 use diffraction_brdf::shader_spectral::spectral_image;
 use diffraction_build::optics::pigment::Surface;
 
@@ -18,7 +18,7 @@ pub(crate) const INDEX: &str = "textures.json";
 /// The same for spectral tables.
 const SPECTRAL_INDEX: &str = "spectral_textures.json";
 
-/// Writes `params.bin` (the block `TableParams`, 2128 bytes, little-endian), the texels of the three textures row by row and
+/// Writes `params.bin` (the block `TableParams`, 2128 bytes, little-endian), the texels of the textures row by row and
 /// layer by layer without padding, those of coarser levels level by level in files of their own, and [`INDEX`] with their sizes and
 /// formats.
 ///
@@ -32,6 +32,7 @@ pub(crate) fn write_shader_data(folder: &Path, surface: Surface) -> Result<()> {
     write_levels(folder, "tables", &image.tables)?;
     write_levels(folder, "cross_terms", &image.cross)?;
     files::replace(&folder.join("lobe.rgba32f"), bytemuck::cast_slice(&image.coherent))?;
+    files::replace(&folder.join("lobe_gaussians.rgba32f"), bytemuck::cast_slice(&image.gaussians))?;
     let index = json!({
         "params": { "binding": 0, "file": "params.bin", "kind": "uniform buffer" },
         "tables": { "binding": 1, "file": "tables.rgba16f", "kind": "2D array texture",
@@ -42,6 +43,8 @@ pub(crate) fn write_shader_data(folder: &Path, surface: Surface) -> Result<()> {
             "wrap": "clamp to edge", "coarser": coarser("cross_terms", &image.cross) },
         "lobe": { "binding": 3, "file": "lobe.rgba32f", "kind": "2D texture", "format": "RGBA32F",
             "width_height_layers": [columns, rows, 1], "filter": "none: texels are fetched" },
+        "lobe_gaussians": { "binding": 5, "file": "lobe_gaussians.rgba32f", "kind": "2D texture", "format": "RGBA32F",
+            "width_height_layers": [GAUSSIANS, rows, 1], "filter": "none: texels are fetched" },
     });
     json::write(&folder.join(INDEX), &index)
 }

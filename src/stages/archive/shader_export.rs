@@ -200,7 +200,11 @@ fn to_msl(module: &naga::Module, info: &ModuleInfo, entry: &str) -> Result<Vec<u
         let slot = binding.binding as u8;
         let target = msl::BindTarget {
             buffer: (slot == 0).then_some(0),
-            texture: (1..4).contains(&slot).then_some(slot - 1),
+            texture: match slot {
+                1..=3 => Some(slot - 1),
+                5 => Some(3),
+                _ => None,
+            },
             sampler: (slot == 4).then_some(msl::BindSamplerTarget::Resource(0)),
             ..Default::default()
         };

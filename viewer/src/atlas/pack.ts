@@ -42,8 +42,6 @@ export interface TableParams {
   first_column: number;
   first_row: number;
   factor: number;
-  /** Columns of the lobe's image that hold its profile. */
-  lobe_columns: number;
   permittivity: [number, number];
   pigment: [number, number, number, number];
   table_scales: Float32Array;
@@ -229,12 +227,12 @@ async function lobeImage(files: AtlasFiles, folder: string, stored: StoredArray,
   return { width: size[0], height: size[1], texels };
 }
 
-/** The tables of XYZ of a specimen, ready for upload. */
-export async function packTables(files: AtlasFiles, specimen: Specimen, progress: Progress): Promise<PackedTables> {
+/** The tables of XYZ of a specimen, ready for upload; null where it has spectral ones alone. */
+export async function packTables(files: AtlasFiles, specimen: Specimen, progress: Progress): Promise<PackedTables | null> {
   const { tables: stored, optics, pigment } = specimen;
   const { lobe, served } = stored;
   const folder = specimen.name;
-  if (stored.tables.length === 0) throw new Error(`${folder} holds spectral tables alone, and this page draws those of X, Y, Z`);
+  if (stored.tables.length === 0) return null;
   const steps = stored.tables.length + (lobe ? 1 + (lobe.cross?.patches.length ?? 0) : 0);
   let finished = 0;
   const done = () => progress(++finished / steps);
@@ -268,7 +266,6 @@ export async function packTables(files: AtlasFiles, specimen: Specimen, progress
     first_column: served?.first[1] ?? 0,
     first_row: served?.first[0] ?? 0,
     factor: factorField(optics.factor),
-    lobe_columns: coherent.width,
     pigment: pigment ? [...pigment.xyz_per_sr, 1] : [0, 0, 0, 0],
     table_scales: tables.scales,
     cross_scales: cross.scales,

@@ -35,7 +35,9 @@ export interface StoredTables {
   u: Axis;
   v: Axis;
   usable_radius: number;
+  /** None where those of XYZ follow from spectral ones under this light. */
   tables: StoredArray[];
+  derived_under?: { illuminant: StoredIlluminant } | null;
   served?: { size: number; first: [number, number]; range: StoredArray };
   lobe: StoredLobe | null;
 }
@@ -75,7 +77,11 @@ export type StoredMaterial =
   | { dielectric: { n: number } }
   | { conductor: { n: number; k: number } };
 
-export type StoredIlluminant = string | { f?: number; lines?: { wavelength_nm: number; power: number }[]; tabulated?: unknown };
+export type StoredIlluminant =
+  | string
+  | { f: number }
+  | { lines: { wavelength_nm: number; power: number }[] }
+  | { tabulated: { wavelength_nm: number[]; power: number[] } };
 
 export interface Specimen {
   schema: number;

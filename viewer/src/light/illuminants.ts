@@ -1,5 +1,6 @@
 // Lights by their spectra, and the CIE 1931 2 degree observer: what turns a spectrum into XYZ.
 
+import type { StoredIlluminant } from '../atlas/specimen';
 import cie from '../generated/cie.json';
 
 export type Xyz = [number, number, number];
@@ -133,6 +134,33 @@ function cardinals(x: number, count: number): number[] {
 function normalised(nm: number[], weights: Xyz[]): Quadrature {
   const luminous = weights.reduce((sum, weight) => sum + weight[1], 0);
   return { nm, weights: weights.map((weight) => weight.map((c) => c / luminous) as Xyz) };
+}
+
+/** The light that an atlas's tables are made for, as specimen.json writes it. */
+export function illuminantOf(stored: StoredIlluminant): Illuminant {
+  if (typeof stored === 'string') {
+    const name = stored.toUpperCase();
+    if (name === 'D65' || name === 'A' || name === 'E') return illuminant(name, 0, 0);
+    throw new Error(`the light ${stored} is not known to this page`);
+  }
+  if ('lines' in stored) {
+    const lines = stored.lines.map(({ wavelength_nm, power }) => ({ nm: wavelength_nm, power }));
+    return { label: `lines at ${lines.map(({ nm }) => nm).join(', ')} nm`, lines };
+  }
+  if ('f' in stored) {
+    const values = cie.fluorescent[stored.f - 1];
+    return { label: `F${stored.f}`, power: (at) => table(values, cie.fluorescentFirstNm, cie.stepNm, at) };
+  }
+  const { wavelength_nm: at, power } = stored.tabulated;
+  return {
+    label: `a light of ${at.length} wavelengths from ${at[0]} nm`,
+    power: (nm) => {
+      const above = at.findIndex((one) => one >= nm);
+      if (above < 0 || nm < at[0]) return 0;
+      if (at[above] === nm) return power[above];
+      return power[above - 1] + ((nm - at[above - 1]) / (at[above] - at[above - 1])) * (power[above] - power[above - 1]);
+    },
+  };
 }
 
 /**

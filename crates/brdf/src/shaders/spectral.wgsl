@@ -131,34 +131,24 @@ fn cross_value(q: vec3<f32>, t: f32) -> f32 {
     if params.cross_layers == 0u || max(abs(q.x), abs(q.y)) >= params.cross_radius {
         return 0.0;
     }
-    return cross_on(q.xy / params.cross_radius, t, 0.0) / abs(q.z);
-}
-
-// Sum of T_n(2t - 1) patch_n at a position in [-1, 1]², on a level of the mip chain.
-fn cross_on(at: vec2<f32>, t: f32, level: f32) -> f32 {
-    let uv = texel_centred(at, textureDimensions(cross_terms));
+    let uv = texel_centred(q.xy / params.cross_radius, textureDimensions(cross_terms));
     var basis = first_four(2.0 * t - 1.0);
     var sum = 0.0;
     for (var layer = 0u; layer < params.cross_layers; layer = layer + 1u) {
-        let texel = textureSampleLevel(cross_terms, bilinear, uv, layer, level);
+        let texel = textureSampleLevel(cross_terms, bilinear, uv, layer, 0.0);
         sum = sum + dot(basis * params.cross_scales[layer], texel);
         basis = next_four(basis, 2.0 * t - 1.0);
     }
-    return sum;
+    return sum / abs(q.z);
 }
 
 // Sum of T_n(2t - 1) table_n at a position in [-1, 1]².
 fn expansion(at: vec2<f32>, t: f32) -> f32 {
-    return expansion_on(at, t, 0.0);
-}
-
-// The same on a level of the mip chain.
-fn expansion_on(at: vec2<f32>, t: f32, level: f32) -> f32 {
     let uv = texel_centred(at, textureDimensions(tables));
     var basis = first_four(2.0 * t - 1.0);
     var sum = 0.0;
     for (var layer = 0u; layer < params.table_layers; layer = layer + 1u) {
-        let texel = textureSampleLevel(tables, bilinear, uv, layer, level);
+        let texel = textureSampleLevel(tables, bilinear, uv, layer, 0.0);
         sum = sum + dot(basis * params.table_scales[layer], texel);
         basis = next_four(basis, 2.0 * t - 1.0);
     }

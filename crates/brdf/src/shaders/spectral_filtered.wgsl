@@ -31,12 +31,14 @@ fn brdf_spectral_filtered_with(
     if params.lobe_count == 0u {
         return r2 * r2 * diffuse;
     }
-    let width = wavelength_nm / (2.0 * PI * params.lobe_sigma_nm);
+    // A coherence that grows with the wavelength leaves the lobe what it is at the shortest.
+    let grows = params.of_source == 1u;
+    let width = select(wavelength_nm, params.shortest_nm, grows) / (2.0 * PI * params.lobe_sigma_nm);
     var shape = lobe_mean(direct_lobe(change.xy, ellipse_of(footprint)), width);
     if front.factor == VECTOR {
         shape = shape + lobe_mean(image_lobe(wi, wo, footprint), width);
     }
-    return r2 * r2 * diffuse + r2 * coherent_factor(front, wi, wo) * power_at(abs(q.z)) * shape;
+    return r2 * r2 * diffuse + select(r2, 1.0, grows) * coherent_factor(front, wi, wo) * power_at(abs(q.z)) * shape;
 }
 
 fn lobe_mean(place: LobePlace, width: f32) -> f32 {
@@ -91,4 +93,29 @@ fn cross_mean(q: vec3<f32>, t: f32, ellipse: Ellipse) -> f32 {
         }
     }
     return sum / abs(q.z);
+}
+
+// Sums of T_n(2t - 1) table_n, and of patches, at a position in [-1, 1]² on a level of the mip chain.
+fn expansion_on(at: vec2<f32>, t: f32, level: f32) -> f32 {
+    let uv = texel_centred(at, textureDimensions(tables));
+    var basis = first_four(2.0 * t - 1.0);
+    var sum = 0.0;
+    for (var layer = 0u; layer < params.table_layers; layer = layer + 1u) {
+        let texel = textureSampleLevel(tables, bilinear, uv, layer, level);
+        sum = sum + dot(basis * params.table_scales[layer], texel);
+        basis = next_four(basis, 2.0 * t - 1.0);
+    }
+    return sum;
+}
+
+fn cross_on(at: vec2<f32>, t: f32, level: f32) -> f32 {
+    let uv = texel_centred(at, textureDimensions(cross_terms));
+    var basis = first_four(2.0 * t - 1.0);
+    var sum = 0.0;
+    for (var layer = 0u; layer < params.cross_layers; layer = layer + 1u) {
+        let texel = textureSampleLevel(cross_terms, bilinear, uv, layer, level);
+        sum = sum + dot(basis * params.cross_scales[layer], texel);
+        basis = next_four(basis, 2.0 * t - 1.0);
+    }
+    return sum;
 }

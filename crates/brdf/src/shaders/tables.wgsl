@@ -29,8 +29,6 @@ struct TableParams {
     first_row: f32,
     // SCALAR (R G) or VECTOR (first-order vector perturbation).
     factor: u32,
-    // Columns of `lobe` that hold its profile; those behind are for filtered look-ups.
-    lobe_columns: u32,
     // (n + ik)², real and imaginary part.
     permittivity: vec2<f32>,
     // XYZ of the pigment below the structure in 1/sr, and 1 where there is one.
@@ -43,11 +41,11 @@ struct TableParams {
 @group(0) @binding(0) var<uniform> params: TableParams;
 // Half floats, one layer per basis function; texel (row, column) of the whole grid lies at u = -2 + 4 column / grid_last,
 // v = 2 - 4 row / grid_last. Where tables are restricted to scenes, the layer after the last holds low, high and 1 where
-// a texel is covered. Levels below the finest are means, for filtered look-ups.
+// a texel is covered.
 @group(0) @binding(1) var tables: texture_2d_array<f32>;
 // Half floats, one layer per basis function, over [-radius_max, radius_max]².
 @group(0) @binding(2) var cross_terms: texture_2d_array<f32>;
-// 32-bit floats: rows are t from 0 to 1, the first lobe_columns columns the radius from 0 to radius_max.
+// 32-bit floats: rows are t from 0 to 1, columns the radius from 0 to radius_max.
 @group(0) @binding(3) var lobe: texture_2d<f32>;
 // Bilinear, clamped to the edges.
 @group(0) @binding(4) var bilinear: sampler;
@@ -167,29 +165,19 @@ fn lobe_at(radius: f32, w: f32) -> vec3<f32> {
     if radius >= params.radius_max {
         return vec3<f32>(0.0, 0.0, 0.0);
     }
-    let last = vec2<f32>(lobe_size()) - 1.0;
+    let last = vec2<f32>(textureDimensions(lobe)) - 1.0;
     let t = normalised_abs_w(vec3<f32>(radius, 0.0, w));
     return sample(vec2<f32>(t * last.y, radius / params.radius_max * last.x));
 }
 
-// Columns and rows of the lobe's profile.
-fn lobe_size() -> vec2<u32> {
-    return vec2<u32>(params.lobe_columns, textureDimensions(lobe).y);
-}
-
 // Sum of basis_n table_n at a position in [-1, 1]².
 fn expansion(basis: Recurrence, at: vec2<f32>) -> vec3<f32> {
-    return expansion_on(basis, at, 0.0);
-}
-
-// The same on a level of the mip chain.
-fn expansion_on(basis: Recurrence, at: vec2<f32>, level: f32) -> vec3<f32> {
     let uv = table_place(at);
     var sum = vec3<f32>(0.0, 0.0, 0.0);
     var now = basis.first;
     var next = basis.second;
     for (var n = 0u; n < params.table_count; n = n + 1u) {
-        let texel = textureSampleLevel(tables, bilinear, uv, n, level).rgb;
+        let texel = textureSampleLevel(tables, bilinear, uv, n, 0.0).rgb;
         sum = sum + (now * params.table_scales[n / 4u][n % 4u]) * texel;
         let after = basis.forward * next - basis.back * now;
         now = next;
@@ -200,16 +188,12 @@ fn expansion_on(basis: Recurrence, at: vec2<f32>, level: f32) -> vec3<f32> {
 
 // The same for the patch of the cross term.
 fn cross_expansion(basis: Recurrence, at: vec2<f32>) -> vec3<f32> {
-    return cross_expansion_on(basis, at, 0.0);
-}
-
-fn cross_expansion_on(basis: Recurrence, at: vec2<f32>, level: f32) -> vec3<f32> {
     let uv = texel_centred(at, textureDimensions(cross_terms));
     var sum = vec3<f32>(0.0, 0.0, 0.0);
     var now = basis.first;
     var next = basis.second;
     for (var n = 0u; n < params.cross_count; n = n + 1u) {
-        let texel = textureSampleLevel(cross_terms, bilinear, uv, n, level).rgb;
+        let texel = textureSampleLevel(cross_terms, bilinear, uv, n, 0.0).rgb;
         sum = sum + (now * params.cross_scales[n / 4u][n % 4u]) * texel;
         let after = basis.forward * next - basis.back * now;
         now = next;
@@ -227,7 +211,7 @@ fn table_place(at: vec2<f32>) -> vec2<f32> {
 // The coherent lobe at a position in texels (row, column). Bilinear by hand: the lobe spans nine decades,
 // too many for half floats, and filtering 32-bit floats is not everywhere to be had.
 fn sample(at: vec2<f32>) -> vec3<f32> {
-    let last = vec2<i32>(lobe_size()).yx - 1;
+    let last = vec2<i32>(textureDimensions(lobe)).yx - 1;
     let inside = clamp(at, vec2<f32>(0.0, 0.0), vec2<f32>(last));
     let first = max(min(vec2<i32>(inside), last - 1), vec2<i32>(0, 0));
     let second = min(first + 1, last);

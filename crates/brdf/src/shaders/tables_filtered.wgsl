@@ -2,7 +2,10 @@
 // front factor and t are the centre's. Follows tables.wgsl and filtered.wgsl; reads the mip chains of `tables` and
 // `cross_terms` at whole levels, as far as they are there.
 
-// Gaussians whose sum is the lobe's profile: factors of each row lie behind its columns.
+// 32-bit floats: rows are t as those of `lobe`, columns the Gaussians whose sum is its profile, the widest first.
+@group(0) @binding(5) var lobe_gaussians: texture_2d<f32>;
+
+// Number of Gaussians.
 const LOBE_GAUSSIANS: u32 = 8u;
 // Width of the widest one, and that of the narrowest, as shares of the lobe's outer radius.
 const LOBE_WIDEST: f32 = 0.2197802;
@@ -127,7 +130,7 @@ fn profile_at(row: f32, radius: f32) -> vec3<f32> {
     if radius >= params.radius_max {
         return vec3<f32>(0.0, 0.0, 0.0);
     }
-    return sample(vec2<f32>(row, radius / params.radius_max * f32(params.lobe_columns - 1u)));
+    return sample(vec2<f32>(row, radius / params.radius_max * f32(textureDimensions(lobe).x - 1u)));
 }
 
 // Three rings of eight places: Gauss's rule in the squared radius.
@@ -154,12 +157,42 @@ fn lobe_by_gaussians(place: LobePlace, row: f32) -> vec3<f32> {
     let first = max(min(i32(row), last - 1), 0);
     let share = clamp(row - f32(first), 0.0, 1.0);
     for (var k = 0u; k < LOBE_GAUSSIANS; k = k + 1u) {
-        let column = i32(params.lobe_columns + k);
-        let low = textureLoad(lobe, vec2<i32>(column, first), 0).rgb;
-        let high = textureLoad(lobe, vec2<i32>(column, min(first + 1, last)), 0).rgb;
+        let low = textureLoad(lobe_gaussians, vec2<i32>(i32(k), first), 0).rgb;
+        let high = textureLoad(lobe_gaussians, vec2<i32>(i32(k), min(first + 1, last)), 0).rgb;
         let width = params.radius_max * LOBE_WIDEST * exp2(-f32(k) / f32(LOBE_GAUSSIANS - 1u));
         sum = sum + gaussian_mean(place, width) * mix(low, high, share);
     }
     // Signed factors may leave less than nothing in the dark.
     return max(sum, vec3<f32>(0.0, 0.0, 0.0));
+}
+
+// As `expansion` and `cross_expansion`, on a level of the mip chain.
+fn expansion_on(basis: Recurrence, at: vec2<f32>, level: f32) -> vec3<f32> {
+    let uv = table_place(at);
+    var sum = vec3<f32>(0.0, 0.0, 0.0);
+    var now = basis.first;
+    var next = basis.second;
+    for (var n = 0u; n < params.table_count; n = n + 1u) {
+        let texel = textureSampleLevel(tables, bilinear, uv, n, level).rgb;
+        sum = sum + (now * params.table_scales[n / 4u][n % 4u]) * texel;
+        let after = basis.forward * next - basis.back * now;
+        now = next;
+        next = after;
+    }
+    return sum;
+}
+
+fn cross_expansion_on(basis: Recurrence, at: vec2<f32>, level: f32) -> vec3<f32> {
+    let uv = texel_centred(at, textureDimensions(cross_terms));
+    var sum = vec3<f32>(0.0, 0.0, 0.0);
+    var now = basis.first;
+    var next = basis.second;
+    for (var n = 0u; n < params.cross_count; n = n + 1u) {
+        let texel = textureSampleLevel(cross_terms, bilinear, uv, n, level).rgb;
+        sum = sum + (now * params.cross_scales[n / 4u][n % 4u]) * texel;
+        let after = basis.forward * next - basis.back * now;
+        now = next;
+        next = after;
+    }
+    return sum;
 }

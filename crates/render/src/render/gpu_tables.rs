@@ -7,7 +7,7 @@ use super::gpu_layout::{CHUNK_SAMPLES_MAX, Chunk, RUN_SAMPLES_MAX, Run, ShadingS
 use super::wgsl;
 use crate::error::Result;
 use crate::scene::samples::ShadingSamples;
-use diffraction_brdf::shader::{HalfLayers, TableImage};
+use diffraction_brdf::shader::{GAUSSIANS, HalfLayers, TableImage};
 
 /// A table set in the GPU's memory.
 #[derive(Debug)]
@@ -29,9 +29,12 @@ pub fn upload(gpu: &Gpu, image: &TableImage) -> Result<GpuTables> {
         let [rows, columns] = image.coherent_size;
         let coherent = texture(gpu, wgpu::TextureFormat::Rgba32Float, [columns, rows, 1]);
         write_layer(gpu, &coherent, [columns, rows], 0, bytemuck::cast_slice(&image.coherent));
-        let layout = table_layout(gpu);
+        let rows = image.gaussians.len() / GAUSSIANS;
+        let gaussians = texture(gpu, wgpu::TextureFormat::Rgba32Float, [GAUSSIANS, rows, 1]);
+        write_layer(gpu, &gaussians, [GAUSSIANS, rows], 0, bytemuck::cast_slice(&image.gaussians));
+        let layout = table_layout(gpu, true);
         let params = uniform(gpu, bytemuck::bytes_of(&image.params));
-        let group = bind_tables(gpu, &layout, &params, &[tables, cross, coherent]);
+        let group = bind_tables(gpu, &layout, &params, &[tables, cross, coherent], Some(&gaussians));
         GpuTables { layout, group, table_count: image.tables.scales.len() }
     })
 }
@@ -48,12 +51,13 @@ pub(super) fn uniform(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {
     params
 }
 
-/// Group 0 of a table shader: uniform, tables, cross terms and lobe.
+/// Group 0 of a table shader: uniform, tables, cross terms and lobe; for filtered look-ups of X, Y, Z the lobe's Gaussians.
 pub(super) fn bind_tables(
     gpu: &Gpu,
     layout: &wgpu::BindGroupLayout,
     params: &wgpu::Buffer,
     [tables, cross, lobe]: &[wgpu::Texture; 3],
+    gaussians: Option<&wgpu::Texture>,
 ) -> wgpu::BindGroup {
     let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("bilinear"),
@@ -63,25 +67,21 @@ pub(super) fn bind_tables(
     });
     let layers =
         wgpu::TextureViewDescriptor { dimension: Some(wgpu::TextureViewDimension::D2Array), ..Default::default() };
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("tables"),
-        layout,
-        entries: &[
-            entry(0, params.as_entire_binding()),
-            entry(1, wgpu::BindingResource::TextureView(&tables.create_view(&layers))),
-            entry(2, wgpu::BindingResource::TextureView(&cross.create_view(&layers))),
-            entry(3, wgpu::BindingResource::TextureView(&lobe.create_view(&Default::default()))),
-            entry(4, wgpu::BindingResource::Sampler(&sampler)),
-        ],
-    })
+    let views = [tables.create_view(&layers), cross.create_view(&layers), lobe.create_view(&Default::default())];
+    let gaussians = gaussians.map(|texture| texture.create_view(&Default::default()));
+    let mut entries = vec![entry(0, params.as_entire_binding())];
+    entries.extend((1..).zip(&views).map(|(binding, view)| entry(binding, wgpu::BindingResource::TextureView(view))));
+    entries.push(entry(4, wgpu::BindingResource::Sampler(&sampler)));
+    entries.extend(gaussians.iter().map(|view| entry(5, wgpu::BindingResource::TextureView(view))));
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("tables"), layout, entries: &entries })
 }
 
 pub(super) fn entry(binding: u32, resource: wgpu::BindingResource<'_>) -> wgpu::BindGroupEntry<'_> {
     wgpu::BindGroupEntry { binding, resource }
 }
 
-/// Bindings of tables.wgsl and spectral.wgsl, for both kinds of pipeline.
-pub(super) fn table_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
+/// Bindings of tables.wgsl and spectral.wgsl, for both kinds of pipeline; with that of the lobe's Gaussians.
+pub(super) fn table_layout(gpu: &Gpu, has_gaussians: bool) -> wgpu::BindGroupLayout {
     let image = |filterable, view_dimension| wgpu::BindingType::Texture {
         sample_type: wgpu::TextureSampleType::Float { filterable },
         view_dimension,
@@ -97,10 +97,13 @@ pub(super) fn table_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
         image(true, wgpu::TextureViewDimension::D2Array),
         image(false, wgpu::TextureViewDimension::D2),
         wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+        image(false, wgpu::TextureViewDimension::D2),
     ];
+    let count = if has_gaussians { types.len() } else { types.len() - 1 };
     let visibility = wgpu::ShaderStages::COMPUTE | wgpu::ShaderStages::FRAGMENT;
     let entries: Vec<wgpu::BindGroupLayoutEntry> = (0u32..)
         .zip(types)
+        .take(count)
         .map(|(binding, ty)| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None })
         .collect();
     gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("tables"), entries: &entries })

@@ -1,7 +1,7 @@
 //! The shaders' sources: the entry points put behind the one that evaluates tables.
 
-use diffraction_brdf::shader::TABLES_WGSL;
-use diffraction_brdf::shader_spectral::SPECTRAL_WGSL;
+use diffraction_brdf::shader::{TABLES_FILTERED_WGSL, TABLES_WGSL};
+use diffraction_brdf::shader_spectral::{SPECTRAL_FILTERED_WGSL, SPECTRAL_WGSL};
 
 /// Compute entry point [`SHADE_RUNS`].
 const CHECK: &str = include_str!("shaders/check.wgsl");
@@ -56,7 +56,7 @@ pub fn check() -> String {
 
 /// Source that shades the stored surfaces of a frame.
 pub fn frame() -> String {
-    [TABLES_WGSL, FRAME].join("\n")
+    [TABLES_FILTERED_WGSL, FRAME].join("\n")
 }
 
 /// Source that other shading languages are translated from.
@@ -84,12 +84,12 @@ pub(crate) const EVAL_FILTERED: &str = "eval_filtered";
 
 /// Source that evaluates tables of XYZ over footprints of uploaded queries.
 pub fn filtered_check() -> String {
-    [TABLES_WGSL, FILTERED_CHECK, FILTERED_XYZ].join("\n")
+    [TABLES_FILTERED_WGSL, FILTERED_CHECK, FILTERED_XYZ].join("\n")
 }
 
 /// The same for spectral tables.
 pub fn filtered_spectral_check() -> String {
-    [SPECTRAL_WGSL, FILTERED_CHECK, FILTERED_SPECTRAL].join("\n")
+    [SPECTRAL_FILTERED_WGSL, FILTERED_CHECK, FILTERED_SPECTRAL].join("\n")
 }
 
 /// Fragment entry point of [`material_filtered`].
@@ -99,10 +99,10 @@ pub const SHADE_SPECTRAL_FILTERED: &str = "shade_spectral_filtered";
 
 /// As [`material`], over a footprint.
 pub fn material_filtered() -> String {
-    [TABLES_WGSL, MATERIAL_FILTERED].join("\n")
+    [TABLES_FILTERED_WGSL, MATERIAL_FILTERED].join("\n")
 }
 
 /// As [`spectral_material`], over a footprint.
 pub fn spectral_material_filtered() -> String {
-    [SPECTRAL_WGSL, SPECTRAL_MATERIAL_FILTERED].join("\n")
+    [SPECTRAL_FILTERED_WGSL, SPECTRAL_MATERIAL_FILTERED].join("\n")
 }
