@@ -83,13 +83,8 @@ fn good_for(specimen: &SpecimenResult, found: &Statistics) -> String {
     let Some(optics) = specimen.optics.as_ref().filter(|_| side_nm.is_finite()) else { return whole };
     let [shortest_nm, _] = optics.illuminant.reach_nm(optics.wavelength_nm);
     let least = least_uv_radius(side_nm, optics.least_sigma_nm(), shortest_nm);
-    let from = if least < 1.0 {
-        format!(" ({}° from the normal under light along it)", numbers::number(least.asin().to_degrees(), 2))
-    } else {
-        String::new()
-    };
     format!(
-        "{whole}; periods are told from {} on{from} at {shortest_nm:.0} nm: longer ones fit fewer than {WAVES_MIN} times into the \
+        "{whole}; periods are told from {} on at {shortest_nm:.0} nm: longer ones fit fewer than {WAVES_MIN} times into the \
          scan, or are one with the mirror’s light under this coherence",
         numbers::number(least, 2)
     )
