@@ -3,7 +3,6 @@
 mod animation;
 mod closed_forms;
 mod environment;
-mod filtered;
 mod grating;
 mod mesh_files;
 mod meshes;
