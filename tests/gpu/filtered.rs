@@ -25,11 +25,7 @@ use ndarray::Array3;
 use rayon::prelude::*;
 
 use crate::sets::{full_set, gpu, restricted_set, sphere};
-use surfaces::{quantile, tables_config};
-
-#[allow(dead_code)]
-#[path = "../common/surfaces.rs"]
-mod surfaces;
+use crate::surfaces::{quantile, tables_config};
 
 /// Pairs of directions, half of them near the mirror direction.
 const PAIRS: usize = 600;

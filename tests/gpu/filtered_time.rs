@@ -16,11 +16,7 @@ use diffraction_render::scene::gbuffer::{filtered_gbuffer, gbuffer};
 use diffraction_render::scene::model::{Light, Scene, Shape};
 
 use crate::sets::gpu;
-use surfaces::tables_config;
-
-#[allow(dead_code)]
-#[path = "../common/surfaces.rs"]
-mod surfaces;
+use crate::surfaces::tables_config;
 
 /// The bundled corn snake: its tables, and the published method's.
 fn snake(basis: Basis) -> TableSet {

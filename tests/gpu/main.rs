@@ -3,6 +3,10 @@
 #[macro_use]
 #[path = "../common/skip.rs"]
 mod skip;
+// Other test programs use the rest of it.
+#[allow(dead_code)]
+#[path = "../common/surfaces.rs"]
+mod surfaces;
 
 mod agreement;
 mod corruption;

@@ -16,11 +16,7 @@ use diffraction_render::render::gpu_bound_spectral::SpectralBound;
 use diffraction_render::render::gpu_spectral::{SpectralQuery, eval_spectral, upload_spectral};
 
 use crate::sets::gpu;
-use surfaces::{quantile, random, sampled, tables_config};
-
-#[allow(dead_code)]
-#[path = "../common/surfaces.rs"]
-mod surfaces;
+use crate::surfaces::{quantile, random, sampled, tables_config};
 
 const PAIRS: usize = 2_000;
 
