@@ -559,7 +559,7 @@ pub(super) mod tests {
         );
         let bounded = ErrorRow { left_out_per_sr: Some(3e-6), ..row(Region::Grazing, 0) };
         let text = counted_directions(&[row(Region::NearSpecular, 0), bounded]).replace('\u{a0}', " ");
-        assert!(text.ends_with(" lower than the surface by up to 0.000003 /sr, since its windows end."), "{text}");
+        assert!(text.ends_with(" lower than the surface by up to 3.0 × 10⁻⁶ /sr, since its windows end."), "{text}");
     }
 
     #[test]

@@ -141,7 +141,7 @@ fn list_inspect_and_plan_tell_what_there_is_and_what_would_be() {
     assert_eq!(list[0]["versions"][0]["files"], contents(&place.path("out/small/v0001")).len());
 
     let scan = place.call("inspect rough.tif").ended(0);
-    for part in ["80 x 64 samples", "80.0000 x 90.0000 nm", "rms height 29.98", "|(u, v)| = 2.000"] {
+    for part in ["80 x 64 samples", "80.0000 x 90.0000 nm", "rms height 29.98", " to 2.000 at 380 nm: periods"] {
         assert!(scan.stdout.contains(part), "{part}: {}", scan.stdout);
     }
     let atlas = place.call("inspect out/small").ended(0);

@@ -129,7 +129,13 @@ impl<'a> Known<'a> {
         let first = fresh.pairs.len() - missing.len();
         let found = missing.iter().zip(fresh.xyz[first..].iter().copied());
         known.extend(found.map(|(pair, xyz)| (bits(pair), xyz)));
-        let mut all = counted.unwrap_or_else(|| fresh.counted(fixed));
+        let mut all = match counted {
+            None => fresh.counted(fixed),
+            Some(mut known) => {
+                accuracy_reference::bound_groups(input.fields, input.optics, &mut known.groups, &known.pairs)?;
+                known
+            }
+        };
         if !is_counted {
             self.cache.store(&errors_key, &encode_counted(&all));
         }

@@ -57,12 +57,7 @@ pub fn evaluate(
 ) -> Result<Reference> {
     let fixed = errors.pairs.len();
     let ErrorDirections { mut groups, mut pairs } = errors;
-    let mut first = 0;
-    for group in &mut groups {
-        let end = first + group.len();
-        group.left_out_per_sr = left_out_per_sr(fields, optics, &pairs[first..end])?;
-        first = end;
-    }
+    bound_groups(fields, optics, &mut groups, &pairs)?;
     pairs.extend(pictures);
     let counted_as_tables = if optics.dispersion.is_some() { fixed } else { 0 };
     let mut reference = Reference {
@@ -92,6 +87,25 @@ pub fn evaluate(
     }
     reference.xyz.iter_mut().chain(&mut reference.as_tables).for_each(|xyz| *xyz = xyz.map(|x| x * share));
     Ok(reference)
+}
+
+/// Says of each group what the reference may leave out at its pairs, which follow each other group by group.
+///
+/// # Errors
+/// Those of the bound.
+pub fn bound_groups(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    groups: &mut [ErrorGroup],
+    pairs: &[(Vec3, Vec3)],
+) -> Result<()> {
+    let mut first = 0;
+    for group in groups {
+        let end = first + group.len();
+        group.left_out_per_sr = left_out_per_sr(fields, optics, &pairs[first..end])?;
+        first = end;
+    }
+    Ok(())
 }
 
 /// The diffuse part at one `q`: exact, with the annulus's wavelengths, with the nodes in `w` as well.

@@ -14,7 +14,7 @@ use super::prepare::range_nm;
 use crate::ground::null_for_nan;
 use crate::height::HeightField;
 
-pub use periods::Period;
+pub use periods::{Period, WAVES_MIN};
 pub use repetition::is_whole_grating;
 pub use seams::seam_warning;
 pub use slopes::STEEP_SLOPE;
@@ -23,9 +23,6 @@ pub(crate) use wave_scale::{wave_slope_max, wavelength_told_nm};
 
 /// Share of surface that rises too much between samples from which on the reader is warned.
 pub(crate) const AMBIGUOUS_SHARE_WARNED: f64 = 0.01;
-
-/// Fewest waves that make a period: of fewer a scan cannot tell that they repeat.
-pub const WAVES_MIN: f64 = 2.5;
 
 /// Full width at half maximum of an order in (u, v), in wavelengths over the standard deviation of the coherence window.
 const ORDER_WIDTH: f64 = 0.265;

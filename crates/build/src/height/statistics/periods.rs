@@ -6,7 +6,6 @@ use ndarray::Array2;
 use rustfft::num_complex::Complex;
 use serde::{Deserialize, Serialize};
 
-use super::WAVES_MIN;
 use crate::ground::fft::fft2;
 use crate::height::HeightField;
 
@@ -30,6 +29,9 @@ const RANGE_LINES: f64 = 2.5;
 
 /// Half width of a peak as share of its frequency: natural gratings vary by some per cent over a scan.
 const RANGE_SHARE: f64 = 0.05;
+
+/// Fewest waves that make a period: of fewer a scan cannot tell that they repeat.
+pub const WAVES_MIN: f64 = 2.5;
 
 /// Lowest frequency of a peak in lines: so many times a period must be seen, and its lobe clears the origin.
 const LINES_MIN: f64 = WAVES_MIN;

@@ -3,7 +3,7 @@
 use ndarray::Array2;
 use rustfft::num_complex::Complex;
 
-use super::WAVES_MIN;
+use super::periods::WAVES_MIN;
 use crate::ground::fft::fft2;
 use crate::height::HeightField;
 
