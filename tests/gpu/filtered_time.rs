@@ -42,7 +42,7 @@ fn line(what: &str, time: &FrameTime, point: &FrameTime) {
 
 #[test]
 #[ignore = "measures"]
-fn frames_of_one_look_up_and_of_samples() {
+fn measuring_frames_of_one_look_up_and_of_samples() {
     let Some(gpu) = gpu("time of filtered frames") else { return };
     let set = snake(Basis::Chebyshev);
     let published = snake(Basis::Taylor);

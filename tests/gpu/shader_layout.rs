@@ -81,6 +81,7 @@ fn structs_of_spectral_tables_have_the_same_bytes() {
         shortest_nm,
         lobe_sigma_nm,
         cross_radius,
+        of_source,
         table_scales,
         cross_scales
     });

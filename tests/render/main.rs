@@ -3,6 +3,7 @@
 mod animation;
 mod closed_forms;
 mod environment;
+mod filtered;
 mod grating;
 mod mesh_files;
 mod meshes;
