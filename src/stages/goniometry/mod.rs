@@ -1,7 +1,7 @@
 //! Which colours a specimen shows from which angles: what a goniometer would see, looked up in the tables.
 //!
-//! [`goniometry`] evaluates maps over all viewing directions, strips over the angle of the classical set-ups, the brightest
-//! directions with their spectra, and puts what it finds into a sentence. All values are radiance factors: the radiance
+//! [`Goniometry`] has maps over all viewing directions, strips over the angle of the classical set-ups, the brightest
+//! directions with their spectra, and a sentence that says what they show. All values are radiance factors: the radiance
 //! relative to that of a white diffuser in the same light, `π f`.
 
 mod brightest;

@@ -1,7 +1,7 @@
 //! Shading samples that each stand for a piece of a light and of a pixel: what filtered look-ups make pictures of.
 //!
-//! Lights that are small enough take one look-up a pixel. Larger ones, and surroundings, are sampled as ever, and each sample
-//! stands for the directions that are its share. A pixel that shows one smooth piece of surface is one look-up too, over
+//! Lights that are small enough take one look-up a pixel. Of larger ones each sample stands for the directions that are its share;
+//! surroundings are sampled point by point, for means over their samples' shares were measured to add noise. A pixel that shows one smooth piece of surface is one look-up too, over
 //! the (u, v) that it covers: their covariance at the four points of Gauss's rule, whatever turns there: the normal,
 //! the structure's axes, the direction to the viewer. Pixels at an edge are sampled.
 
@@ -13,7 +13,6 @@ use diffraction_brdf::Footprint;
 use diffraction_brdf::direction::{Vec3, dot, normalise, wave_vector_change};
 use diffraction_brdf::error::{Error, Result};
 
-use super::environment::radiance;
 use super::frame::to_local;
 use super::hit::LitHit;
 use super::light::{direction_to, environment_count, sunflower};
@@ -28,8 +27,6 @@ const NODE: f64 = 0.288_675_134_594_812_9;
 const COSINE_MIN: f64 = 0.94;
 /// Places in a pixel at an edge, along a side.
 const EDGE_PLACES: usize = 4;
-/// Largest angular radius in radians that a sample of the surroundings stands for.
-const RADIUS_MAX: f64 = 0.1;
 
 /// Largest angular diameter in degrees of a light that one look-up stands for within a tolerance of the luminance at 95 of 100 pairs of
 /// directions. Errors grow with the square of the angle, and were measured to be below 1e-2 for a lamp of two degrees and below 1e-3
@@ -129,9 +126,7 @@ fn pixel(scene: &Scene, surface: &Surface, lights: &[Piece], [row, column]: [usi
     let around = |hit: &LitHit, index: usize, count: usize| -> Option<Piece> {
         let environment = scene.environment.as_ref()?;
         let (direction, irradiance) = surroundings::sample(environment, &hit.hit, place, index, count)?;
-        let solid_angle = irradiance / radiance(environment, direction);
-        let radius = (solid_angle / std::f64::consts::PI).sqrt().min(RADIUS_MAX);
-        Some(Piece { direction, irradiance, radius })
+        Some(Piece { direction, irradiance, radius: 0.0 })
     };
     let nodes = [[-NODE, -NODE], [NODE, -NODE], [-NODE, NODE], [NODE, NODE]].map(at);
     if let (Some(centre), [Some(a), Some(b), Some(c), Some(d)]) = (at([0.0, 0.0]), nodes) {
