@@ -86,9 +86,12 @@ pub fn too_bright(albedo: &[DirectionalAlbedo], limit: Option<&EnergyLimit>) -> 
     let reasons = "the factor in front of its tables has no bound at grazing angles, so that path tracers want it limited \
                    (`energy_limit` in specimen.json)";
     let Some(most) = above.iter().max_by(|a, b| a.albedo.total_cmp(&b.albedo)) else {
-        let at_grazing = limit?.albedo_at(GRAZING_DEG.to_radians().cos());
+        let limit = limit?;
+        let halves = (0..=(2.0 * GRAZING_DEG) as u32).map(|half| 0.5 * f64::from(half));
+        let albedos = halves.map(|theta_deg| (theta_deg, limit.albedo_at(theta_deg.to_radians().cos())));
+        let (theta_deg, most) = albedos.max_by(|a, b| a.1.total_cmp(&b.1))?;
         return Some(format!(
-            "the surface reflects more light than arrives from some azimuths, {at_grazing:.3} times as much at {GRAZING_DEG} degrees of \
+            "the surface reflects more light than arrives from some azimuths, {most:.3} times as much at {theta_deg} degrees of \
              incidence: {reasons}"
         ));
     };
@@ -252,6 +255,9 @@ pub(super) mod tests {
             println!("{name}: {:.4?}", found.albedo.iter().map(|at| at.albedo).collect::<Vec<_>>());
             assert!(found.albedo.iter().all(|at| at.albedo > 0.0 && at.albedo <= 1.0), "{name}: {:?}", found.albedo);
             assert_eq!(too_bright(&found.albedo, None), None);
+            let limit = EnergyLimit::new(vec![0.01, 0.2, 1.0], vec![0.9, 1.3, 0.5]).unwrap();
+            let text = too_bright(&found.albedo, Some(&limit)).unwrap();
+            assert!(text.contains(" some azimuths, 1.3") && text.contains(" times as much at 78.5 degrees"), "{text}");
         }
     }
 
