@@ -1,5 +1,6 @@
 //! Axes of plots: where values lie between two places, round values to mark, and the lines and numbers drawn there.
 
+use crate::report::numbers::superscript;
 use crate::report::svg::{at, escape, ticks};
 
 /// An axis from one place to another; values beyond its range stand at its ends.
@@ -49,6 +50,17 @@ impl Axis {
         let labelled = |power| if (last - power) % every == 0 { label(power) } else { String::new() };
         (first..=last).map(|power| (10f64.powi(power), labelled(power))).collect()
     }
+}
+
+/// Round values from `low` to `high` for an axis, in units of a power of ten where their digits would not fit, and what its title then
+/// says of them.
+pub(crate) fn ticks_in_powers([low, high]: [f64; 2], wanted: usize) -> (Vec<Tick>, String) {
+    let exponent = high.max(-low).log10().floor() as i32;
+    let power = if (-2..3).contains(&exponent) { 0 } else { exponent };
+    let unit = 10f64.powi(power);
+    let in_units = ticks(low / unit, high / unit, wanted).into_iter();
+    let note = if power == 0 { String::new() } else { format!(" (values × 10{})", superscript(power)) };
+    (in_units.map(|(value, text)| (value * unit, text)).collect(), note)
 }
 
 /// Upright lines of a class over the whole height at the ticks of an axis that runs across, numbers below them.

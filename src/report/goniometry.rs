@@ -3,7 +3,7 @@
 use minijinja::{Value, context};
 use ndarray::Array3;
 
-use crate::report::axes::{Axis, level_lines, marks_below, polyline, title_below};
+use crate::report::axes::{Axis, level_lines, marks_below, polyline, ticks_in_powers, title_below};
 use crate::report::embed::{Album, missing};
 use crate::report::map_frames::map_frame;
 use crate::report::numbers;
@@ -93,12 +93,7 @@ fn spectrum(direction: &BrightDirection) -> String {
     let x = Axis::linear([nm[0], nm[nm.len() - 1]], across);
     let high = direction.radiance_factor.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     let y = Axis::linear([0.0, 1.05 * high], [bottom, top]);
-    let exponent = high.log10().floor() as i32;
-    let power = if (-2..3).contains(&exponent) { 0 } else { exponent };
-    let unit = 10f64.powi(power);
-    let in_units = Axis::linear([0.0, 1.05 * high / unit], [bottom, top]).ticks(3);
-    let ticks: Vec<_> = in_units.into_iter().map(|(value, text)| (value * unit, text)).collect();
-    let factor = if power == 0 { String::new() } else { format!(" (values × 10{})", numbers::superscript(power)) };
+    let (ticks, factor) = ticks_in_powers([0.0, 1.05 * high], 3);
     let mut body = level_lines(&y, &ticks, across, "grid");
     body += &marks_below(&x, &x.ticks(4), bottom);
     body += &title_below(&format!("wavelength in nm{factor}"), across, bottom);

@@ -1,8 +1,8 @@
 //! Measured reflectance in the report: figures per column, curves overlaid, places of the peaks.
 
-use crate::report::axes::{Axis, level_lines, marks_below, polyline, title_below};
+use crate::report::axes::{Axis, level_lines, marks_below, polyline, ticks_in_powers, title_below};
 use crate::report::numbers;
-use crate::report::svg::{at, escape, ticks};
+use crate::report::svg::{at, escape};
 use crate::stages::measured::read::Kind;
 use crate::stages::measured::{CurveResult, MeasuredColumn, MeasuredResult, PeakPair};
 
@@ -175,13 +175,8 @@ fn plot(curve: &CurveResult, label: &str) -> String {
     let (across, bottom) = ([LEFT, LEFT + span], TOP + HEIGHT);
     let x = Axis::linear([first, last], across);
     let y = Axis::linear([low, high], [bottom, TOP]);
-    // Ticks count in units of a power of ten where their digits would not fit.
-    let exponent = high.max(-low).log10().floor() as i32;
-    let power = if (-2..3).contains(&exponent) { 0 } else { exponent };
-    let unit = 10f64.powi(power);
-    let in_units: Vec<_> = ticks(low / unit, high / unit, 4).into_iter().map(|(v, text)| (v * unit, text)).collect();
+    let (in_units, factor) = ticks_in_powers([low, high], 4);
     let title = axis_title(&curve.along);
-    let factor = if power == 0 { String::new() } else { format!(" (values × 10{})", numbers::superscript(power)) };
     let mut body = level_lines(&y, &in_units, across, "grid");
     body += &marks_below(&x, &x.ticks(6), bottom);
     body += &title_below(&format!("{title}{factor}"), across, bottom);
