@@ -6,7 +6,7 @@ use crate::stages::results::{BuildResult, Period, SpecimenResult, SpectralResult
 use diffraction_brdf::dispersion::Origin;
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::accuracy::power_sums::DirectionalAlbedo;
-use diffraction_build::accuracy::rows::{Cause, ErrorRow};
+use diffraction_build::accuracy::rows::{Cause, ErrorRow, promised};
 use diffraction_build::height::statistics::{STEEP_SLOPE, WAVES_MIN, least_uv_radius};
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::optics::dispersive::Dispersive;
@@ -121,7 +121,11 @@ fn look_ups(built: &BuildResult, errors: &[ErrorRow]) -> Option<String> {
             )
         })
     };
-    let kinds = [("linear", LookUp::Linear, Cause::Total), ("cubic", LookUp::Cubic, Cause::TotalCubic)];
+    let kinds = [
+        ("spline", LookUp::Spline, Cause::TotalSpline),
+        ("linear", LookUp::Linear, Cause::Total),
+        ("cubic", LookUp::Cubic, Cause::TotalCubic),
+    ];
     let parts: Vec<String> = kinds.into_iter().filter_map(in_words).collect();
     (!parts.is_empty()).then(|| parts.join("; "))
 }
@@ -194,7 +198,8 @@ pub(crate) fn by_cause(rows: &[ErrorRow]) -> Vec<ErrorRow> {
 
 /// Which directions the errors count, and how much of each group the tables show above the floor.
 pub(crate) fn counted_directions(rows: &[ErrorRow]) -> String {
-    let totals: Vec<&ErrorRow> = rows.iter().filter(|row| row.cause == Cause::Total).collect();
+    let total = promised(rows);
+    let totals: Vec<&ErrorRow> = rows.iter().filter(|row| row.cause == total).collect();
     let [low, high] = totals
         .iter()
         .fold([f64::INFINITY, 0.0f64], |[low, high], row| [low.min(row.floor_per_sr), high.max(row.floor_per_sr)]);
@@ -217,10 +222,8 @@ pub(crate) fn counted_directions(rows: &[ErrorRow]) -> String {
         ),
     };
     let p95 = |cause: Cause| rows.iter().find(|row| row.cause == cause).map_or(f64::NAN, |row| row.p95);
-    let grid = match p95(Cause::Grid) > 0.5 * p95(Cause::Total) {
-        true => {
-            " Most of the total is the grid’s: it arises between texels, and cubic look-ups or a larger tables.size lower it."
-        }
+    let grid = match p95(Cause::Grid) > 0.5 * p95(total) {
+        true => " Most of the total is the grid’s: it arises between texels, and a larger tables.size lowers it.",
         false => "",
     };
     format!(

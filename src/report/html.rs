@@ -11,7 +11,7 @@ use crate::stages::results::{RunResults, SceneResult, SharedSceneResult, Specime
 use crate::stages::viewer::page::REPORT_WITHOUT;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::accuracy::directions::Group;
-use diffraction_build::accuracy::rows::{Cause, ErrorRow};
+use diffraction_build::accuracy::rows::{ErrorRow, promised};
 use diffraction_build::ground::sampling::Region;
 
 const TEMPLATE: &str = include_str!("templates/report.html");
@@ -371,7 +371,8 @@ fn error_view(row: &ErrorRow, first: bool, over: bool) -> Value {
 
 /// The row for the summary: everything together, over the whole hemisphere.
 fn headline_error(rows: &[ErrorRow]) -> Option<&ErrorRow> {
-    let mut totals = rows.iter().filter(|row| row.cause == Cause::Total);
+    let total = promised(rows);
+    let mut totals = rows.iter().filter(|row| row.cause == total);
     let first = totals.clone().next();
     totals.find(|row| row.group == Group::Region(Region::Hemisphere)).or(first)
 }

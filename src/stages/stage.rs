@@ -22,6 +22,9 @@ pub enum Stage {
     /// Transforms and sums.
     #[serde(rename = "build tables")]
     BuildTables,
+    /// Whether tables on few texels suffice for the tolerance.
+    #[serde(rename = "count texels")]
+    CountTexels,
     /// Number format and bits.
     #[serde(rename = "round to the tolerance")]
     Round,
@@ -84,6 +87,7 @@ impl Stage {
             Self::FindCoverage => "find what the scenes reach",
             Self::Plan => "plan",
             Self::BuildTables => "build tables",
+            Self::CountTexels => "count texels",
             Self::Round => "round to the tolerance",
             Self::StoreTables => "store tables",
             Self::ReadBack => "read back",
@@ -124,6 +128,7 @@ mod tests {
             FindCoverage,
             Plan,
             BuildTables,
+            CountTexels,
             Round,
             StoreTables,
             ReadBack,

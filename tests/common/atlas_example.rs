@@ -69,6 +69,7 @@ fn check_values(tables: &TableSet, seed: u64) -> Vec<CheckValue> {
             wi: from_angles_deg(angles[0], angles[1]),
             wo: from_angles_deg(angles[2], angles[3]),
             xyz: worked.xyz,
+            xyz_spline: None,
         }
     };
     (0..20).map(check).collect()

@@ -6,14 +6,15 @@ use std::sync::OnceLock;
 use crate::direction::{Vec3, Xyz};
 use crate::energy::EnergyLimit;
 use crate::error::{Error, Result};
-use crate::evaluate::{self, Interpolation};
-use crate::filtered::{Pyramids, brdf_xyz_filtered, spectral_filtered};
+use crate::evaluate::{self, Interpolation, LookUp};
+use crate::filtered::{Pyramids, brdf_xyz_filtered_by, spectral_filtered};
 use crate::footprint::Footprint;
 use crate::sampling::Sampler;
 use crate::specimen::{self, CheckValue, SpecimenRecord};
 use crate::spectral::SpectralTables;
 use crate::spectral_light::UnderLight;
 use crate::spectrum::Illuminant;
+use crate::splines::Splines;
 use crate::table_set::TableSet;
 
 /// The BRDF that a table set holds. Frame, sign and units: see the [crate's page](crate).
@@ -30,6 +31,8 @@ pub struct Brdf {
     sampler: OnceLock<Sampler>,
     pyramids: OnceLock<Pyramids>,
     spectral_pyramids: OnceLock<Pyramids>,
+    splines: OnceLock<Splines>,
+    spectral_splines: OnceLock<Splines>,
 }
 
 /// A direction drawn by [`Brdf::sample`].
@@ -79,6 +82,8 @@ impl Brdf {
             sampler: OnceLock::new(),
             pyramids: OnceLock::new(),
             spectral_pyramids: OnceLock::new(),
+            splines: OnceLock::new(),
+            spectral_splines: OnceLock::new(),
         })
     }
 
@@ -96,21 +101,26 @@ impl Brdf {
             sampler: OnceLock::new(),
             pyramids: OnceLock::new(),
             spectral_pyramids: OnceLock::new(),
+            splines: OnceLock::new(),
+            spectral_splines: OnceLock::new(),
         })
     }
 
-    /// The same BRDF with other look-ups: linear ones are what graphics hardware gives and what check values are of, cubic
-    /// ones read four times as many texels and err less between them.
+    /// The same BRDF with other look-ups: linear ones are what graphics hardware gives and `check_values` have as `xyz`; cubic
+    /// ones read four times as many texels and err less between them; splines read as many coefficients, which are made of the
+    /// tables at the first look-up, err least, and keep the tolerance that the tables were made with.
     ///
     /// ```
     /// # mod tiny { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tiny_atlas/mod.rs")); }
     /// use diffraction_brdf::{Brdf, Interpolation};
     /// # let tables = tiny::tiny_tables();
     /// let linear = Brdf::new(tables)?;
-    /// let cubic = linear.clone().with_interpolation(Interpolation::Cubic);
     /// let [wi, wo] = [[0.6, 0.0, 0.8], [-0.28, 0.0, 0.96]];
-    /// let [a, b] = [linear.eval(wi, wo)[1], cubic.eval(wi, wo)[1]];
-    /// assert!(a != b && (a / b - 1.0).abs() < 0.1);
+    /// for other in [Interpolation::Cubic, Interpolation::Spline] {
+    ///     let closer = linear.clone().with_interpolation(other);
+    ///     let [a, b] = [linear.eval(wi, wo)[1], closer.eval(wi, wo)[1]];
+    ///     assert!(a != b && (a / b - 1.0).abs() < 0.1);
+    /// }
     /// # Ok::<(), diffraction_brdf::Error>(())
     /// ```
     pub fn with_interpolation(self, interpolation: Interpolation) -> Self {
@@ -155,7 +165,26 @@ impl Brdf {
     /// Zero for directions that are not above the surface, not a number where the tables have no answer ([`Self::answers`]).
     /// Values may be slightly negative where the tables are.
     pub fn eval(&self, wi: Vec3, wo: Vec3) -> Xyz {
-        self.limited(evaluate::brdf_xyz(&self.tables, self.interpolation, wi, wo), wi, wo)
+        self.limited(evaluate::brdf_xyz_by(&self.tables, self.look_up(), wi, wo), wi, wo)
+    }
+
+    /// Splines' coefficients are made at the first look-up.
+    fn look_up(&self) -> LookUp<'_> {
+        match self.interpolation {
+            Interpolation::Spline if self.tables.restriction.is_none() => {
+                LookUp::Splines(self.splines.get_or_init(|| Splines::new(&self.tables.tables)))
+            }
+            interpolation => LookUp::Values(interpolation),
+        }
+    }
+
+    fn spectral_look_up(&self, tables: &SpectralTables) -> LookUp<'_> {
+        match self.interpolation {
+            Interpolation::Spline => {
+                LookUp::Splines(self.spectral_splines.get_or_init(|| Splines::new(&tables.images)))
+            }
+            interpolation => LookUp::Values(interpolation),
+        }
     }
 
     fn limited(&self, xyz: Xyz, wi: Vec3, wo: Vec3) -> Xyz {
@@ -192,7 +221,7 @@ impl Brdf {
     /// ```
     pub fn eval_filtered(&self, wi: Vec3, wo: Vec3, footprint: Footprint) -> Xyz {
         let pyramids = self.pyramids.get_or_init(|| Pyramids::new(&self.tables));
-        let xyz = brdf_xyz_filtered(&self.tables, pyramids, self.interpolation, [wi, wo], footprint);
+        let xyz = brdf_xyz_filtered_by(&self.tables, pyramids, self.look_up(), [wi, wo], footprint);
         self.limited(xyz, wi, wo)
     }
 
@@ -210,7 +239,8 @@ impl Brdf {
         let tables = self.spectral_tables()?;
         tables.check_wavelengths(wavelengths_nm)?;
         let pyramids = self.spectral_pyramids.get_or_init(|| Pyramids::of_spectral(tables));
-        Ok(spectral_filtered(tables, pyramids, self.interpolation, [wi, wo], footprint, wavelengths_nm))
+        let look_up = self.spectral_look_up(tables);
+        Ok(spectral_filtered(tables, pyramids, look_up, [wi, wo], footprint, wavelengths_nm))
     }
 
     /// [`Self::eval`] for slices of directions, on all threads with the feature `rayon`.
@@ -247,7 +277,7 @@ impl Brdf {
     pub fn eval_wavelengths(&self, wi: Vec3, wo: Vec3, wavelengths_nm: &[f64]) -> Result<Vec<f64>> {
         let tables = self.spectral_tables()?;
         tables.check_wavelengths(wavelengths_nm)?;
-        Ok(tables.eval(self.interpolation, wi, wo, wavelengths_nm))
+        Ok(tables.eval_by(self.spectral_look_up(tables), wi, wo, wavelengths_nm))
     }
 
     /// The BRDF under any light, from the spectral tables: its `eval` gives XYZ in 1/sr relative to that light.
@@ -256,7 +286,8 @@ impl Brdf {
     /// [`Error::Call`] for a specimen without spectral tables, a light that the eye does not see, and laser lines shorter
     /// than the tables answer for.
     pub fn xyz_under(&self, illuminant: &Illuminant) -> Result<UnderLight<'_>> {
-        self.spectral_tables()?.under(self.interpolation, illuminant)
+        let tables = self.spectral_tables()?;
+        tables.under_by(self.spectral_look_up(tables), illuminant)
     }
 
     /// The spectral tables; `None` where the atlas holds none.

@@ -5,6 +5,7 @@ use ndarray::{Array3, ArrayView3};
 use crate::chebyshev;
 use crate::direction::{Vec3, Xyz, normalised_abs_w, wave_vector_change};
 use crate::front_factor::{Factor, image_radius2};
+use crate::splines::{Splines, through_values};
 use crate::table_set::{Basis, Lobe, Restriction, TableSet};
 
 /// How values between texels are found.
@@ -14,15 +15,45 @@ pub enum Interpolation {
     Bilinear,
     /// Four by four texels, the cubic through each four: for offline use.
     Cubic,
+    /// The cubic B-spline through all texels: what `FORMAT.md` describes, and the tolerance is meant for. Tables restricted to scenes
+    /// and those of the lobe, which are finer, are looked up as by [`Self::Cubic`].
+    Spline,
+}
+
+/// How the tables are looked up: straight from their values, or from splines' coefficients that were made of them.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum LookUp<'a> {
+    Values(Interpolation),
+    Splines(&'a Splines),
+}
+
+impl LookUp<'_> {
+    /// The kind.
+    pub(crate) fn interpolation(self) -> Interpolation {
+        match self {
+            Self::Values(interpolation) => interpolation,
+            Self::Splines(_) => Interpolation::Spline,
+        }
+    }
 }
 
 /// XYZ of the BRDF in 1/sr; zero for directions not above the surface, not a number for those that the tables do not
 /// cover (see [`answers`]).
 pub fn brdf_xyz(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> Xyz {
+    brdf_xyz_by(set, LookUp::Values(interpolation), wi, wo)
+}
+
+/// [`brdf_xyz`] by [`Interpolation::Spline`] with the coefficients made before: many times faster. Those of another set give
+/// numbers without meaning.
+pub fn brdf_xyz_by_splines(set: &TableSet, splines: &Splines, wi: Vec3, wo: Vec3) -> Xyz {
+    brdf_xyz_by(set, LookUp::Splines(splines), wi, wo)
+}
+
+pub(crate) fn brdf_xyz_by(set: &TableSet, look_up: LookUp, wi: Vec3, wo: Vec3) -> Xyz {
     if !(wi[2] > 0.0 && wo[2] > 0.0) {
         return [0.0; 3];
     }
-    let (front, [diffuse, coherent]) = (set.front_factor, parts(set, interpolation, wi, wo));
+    let (front, [diffuse, coherent]) = (set.front_factor, parts(set, look_up, wi, wo));
     combined(front.diffuse(wi, wo), front.coherent(wi, wo), diffuse, coherent)
 }
 
@@ -34,7 +65,7 @@ pub fn brdf_xyz_polarised(set: &TableSet, interpolation: Interpolation, wi: Vec3
     if !(wi[2] > 0.0 && wo[2] > 0.0) {
         return Some([[0.0; 3]; 4]);
     }
-    let [diffuse, coherent] = parts(set, interpolation, wi, wo);
+    let [diffuse, coherent] = parts(set, LookUp::Values(interpolation), wi, wo);
     Some(std::array::from_fn(|kind| combined(front.diffuse[kind], front.coherent[kind], diffuse, coherent)))
 }
 
@@ -43,9 +74,9 @@ fn combined(front_diffuse: f64, front_coherent: f64, diffuse: Xyz, coherent: Xyz
 }
 
 /// Diffuse part with the cross term, and coherent lobe, for two directions above the surface: without what stands in front.
-fn parts(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> [Xyz; 2] {
-    let q = wave_vector_change(wi, wo);
-    let tables = diffuse_window_power(set, interpolation, q);
+fn parts(set: &TableSet, look_up: LookUp, wi: Vec3, wo: Vec3) -> [Xyz; 2] {
+    let (q, interpolation) = (wave_vector_change(wi, wo), look_up.interpolation());
+    let tables = diffuse_window_power_by(set, look_up, q);
     let Some(lobe) = &set.lobe else { return [tables, [0.0; 3]] };
     let cross = cross_window_power(lobe, interpolation, q);
     [std::array::from_fn(|c| tables[c] + cross[c]), coherent_lobe(set, lobe, interpolation, wi, wo)]
@@ -75,13 +106,17 @@ pub fn window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xy
 
 /// The tables' part of [`window_power`], without the lobe; not a number where they have no answer.
 pub fn diffuse_window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) -> Xyz {
+    diffuse_window_power_by(set, LookUp::Values(interpolation), q)
+}
+
+pub(crate) fn diffuse_window_power_by(set: &TableSet, look_up: LookUp, q: Vec3) -> Xyz {
     let w = q[2].abs();
     let size = set.size() as f64 - 1.0;
     let mut at = [(2.0 - q[1]) / 4.0 * size, (q[0] + 2.0) / 4.0 * size];
     let mut t = normalised_abs_w(q);
     if let Some(restriction) = &set.restriction {
         at = [at[0] - restriction.first[0] as f64, at[1] - restriction.first[1] as f64];
-        match share_of_range(restriction, interpolation, at, t) {
+        match share_of_range(restriction, look_up.interpolation(), at, t) {
             Some(share) => t = share,
             None => return [f64::NAN; 3],
         }
@@ -91,13 +126,20 @@ pub fn diffuse_window_power(set: &TableSet, interpolation: Interpolation, q: Vec
         // I_p w^p / w².
         Basis::Taylor => (0..set.tables.len()).map(|p| w.powi(p as i32 - 2)).collect(),
     };
-    expansion(&set.tables, &basis, interpolation, at)
+    match look_up {
+        LookUp::Splines(splines) => weighed(splines.values(at), &basis),
+        LookUp::Values(Interpolation::Spline) if set.restriction.is_none() => {
+            weighed(set.tables.iter().map(|table| through_values(table.view(), at)), &basis)
+        }
+        LookUp::Values(interpolation) => expansion(&set.tables, &basis, interpolation, at),
+    }
 }
 
 /// Whether the tables can answer for a pair of directions: always where they cover every direction, or where one of
 /// the two is not above the surface and there is nothing to look up.
 pub fn answers(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> bool {
-    !(wi[2] > 0.0 && wo[2] > 0.0)
+    set.restriction.is_none()
+        || !(wi[2] > 0.0 && wo[2] > 0.0)
         || diffuse_window_power(set, interpolation, wave_vector_change(wi, wo)).iter().all(|value| !value.is_nan())
 }
 
@@ -165,15 +207,19 @@ pub fn cross_window_power(lobe: &Lobe, interpolation: Interpolation, q: Vec3) ->
 
 /// `Σ basis_n table_n` at a position in texels (row, column).
 fn expansion(tables: &[Array3<f32>], basis: &[f64], interpolation: Interpolation, at: [f64; 2]) -> Xyz {
+    weighed(tables.iter().map(|table| sample(table.view(), interpolation, at)), basis)
+}
+
+/// `Σ basis_n value_n`.
+fn weighed(values: impl Iterator<Item = Xyz>, basis: &[f64]) -> Xyz {
     let mut sum = [0.0; 3];
-    for (table, factor) in tables.iter().zip(basis) {
-        let value = sample(table.view(), interpolation, at);
+    for (value, factor) in values.zip(basis) {
         sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += factor * value);
     }
     sum
 }
 
-/// One table at a position in texels (row, column), clamped to its edges.
+/// One table at a position in texels (row, column), clamped to its edges; splines, which are of whole tables, as cubics.
 pub fn sample(table: ArrayView3<f32>, interpolation: Interpolation, at: [f64; 2]) -> Xyz {
     let (rows, columns, _) = table.dim();
     let (row, wy) = stencil(interpolation, at[0], rows);
@@ -191,7 +237,7 @@ pub fn sample(table: ArrayView3<f32>, interpolation: Interpolation, at: [f64; 2]
     sum
 }
 
-/// First texel and weights along one axis.
+/// First texel and weights along one axis; those of cubics for splines, whose weights are of coefficients.
 pub fn stencil(interpolation: Interpolation, at: f64, count: usize) -> (usize, [f64; 4]) {
     let at = at.clamp(0.0, (count - 1) as f64);
     if interpolation == Interpolation::Bilinear || count < 4 {

@@ -10,7 +10,7 @@ use ndarray::Array3;
 
 use crate::chebyshev;
 use crate::direction::{Vec3, Xyz, max_abs_w, normalised_abs_w, wave_vector_change};
-use crate::evaluate::{Interpolation, cross_window_power, diffuse_window_power, stencil};
+use crate::evaluate::{Interpolation, LookUp, cross_window_power, diffuse_window_power_by, stencil};
 use crate::footprint::Footprint;
 use crate::front_factor::Factor;
 use crate::lobe_mean::LobeEllipse;
@@ -51,6 +51,16 @@ pub fn brdf_xyz_filtered(
     set: &TableSet,
     pyramids: &Pyramids,
     interpolation: Interpolation,
+    directions: [Vec3; 2],
+    footprint: Footprint,
+) -> Xyz {
+    brdf_xyz_filtered_by(set, pyramids, LookUp::Values(interpolation), directions, footprint)
+}
+
+pub(crate) fn brdf_xyz_filtered_by(
+    set: &TableSet,
+    pyramids: &Pyramids,
+    look_up: LookUp,
     [wi, wo]: [Vec3; 2],
     footprint: Footprint,
 ) -> Xyz {
@@ -59,7 +69,8 @@ pub fn brdf_xyz_filtered(
     }
     let q = wave_vector_change(wi, wo);
     let [diffuse, coherent] = [set.front_factor.diffuse(wi, wo), set.front_factor.coherent(wi, wo)];
-    let tables = diffuse_mean(set, pyramids, interpolation, q, footprint);
+    let interpolation = look_up.interpolation();
+    let tables = diffuse_mean(set, pyramids, look_up, q, footprint);
     let Some(lobe) = &set.lobe else { return tables.map(|value| diffuse * value) };
     let cross = cross_mean(lobe, pyramids, interpolation, q, footprint);
     let mut coherent_mean = lobe_mean(lobe, interpolation, LobeEllipse::direct([q[0], q[1]], footprint), q[2]);
@@ -71,14 +82,8 @@ pub fn brdf_xyz_filtered(
 }
 
 /// Mean of the tables' part, without what stands in front of it; not a number where they have no answer for a part of it.
-fn diffuse_mean(
-    set: &TableSet,
-    pyramids: &Pyramids,
-    interpolation: Interpolation,
-    q: Vec3,
-    footprint: Footprint,
-) -> Xyz {
-    let at_points = || mean_of_points(q, footprint, |q| diffuse_window_power(set, interpolation, q));
+fn diffuse_mean(set: &TableSet, pyramids: &Pyramids, look_up: LookUp, q: Vec3, footprint: Footprint) -> Xyz {
+    let at_points = || mean_of_points(q, footprint, |q| diffuse_window_power_by(set, look_up, q));
     if set.restriction.is_some() {
         return at_points();
     }
@@ -91,7 +96,7 @@ fn diffuse_mean(
         let ellipse = Ellipse::new([2.0 - q[1], q[0] + 2.0].map(|x| x * texels_per_unit), footprint, texels_per_unit);
         expansion_mean(&set.tables, &pyramids.tables, &basis, ellipse, Beyond::Edge)
     };
-    as_interpolated(interpolation, footprint, texels_per_unit, at_points, by_texels)
+    as_interpolated(look_up.interpolation(), footprint, texels_per_unit, at_points, by_texels)
 }
 
 /// A mean from linear look-ups texel by texel, or, of a small ellipse, from cubic ones at a few points.
@@ -216,7 +221,14 @@ impl FilteredSpectral<'_> {
         footprint: Footprint,
         wavelengths_nm: &[f64],
     ) -> Vec<f64> {
-        spectral_filtered(self.tables, &self.pyramids, interpolation, [wi, wo], footprint, wavelengths_nm)
+        spectral_filtered(
+            self.tables,
+            &self.pyramids,
+            LookUp::Values(interpolation),
+            [wi, wo],
+            footprint,
+            wavelengths_nm,
+        )
     }
 }
 
@@ -231,7 +243,7 @@ impl SpectralTables {
 pub(crate) fn spectral_filtered(
     tables: &SpectralTables,
     pyramids: &Pyramids,
-    interpolation: Interpolation,
+    look_up: LookUp,
     [wi, wo]: [Vec3; 2],
     footprint: Footprint,
     wavelengths_nm: &[f64],
@@ -251,7 +263,7 @@ pub(crate) fn spectral_filtered(
         let inside = r > 0.0 && r <= 1.0 + 1e-9;
         let Some([diffuse, coherent]) = tables.front_at(&pair, nm).filter(|_| inside) else { return f64::NAN };
         let (q, scaled) = (q.map(|part| part * r.min(1.0)), footprint.scaled(r.min(1.0)));
-        let mean = r.powi(4) * diffuse * spectral_diffuse_mean(tables, pyramids, interpolation, q, scaled);
+        let mean = r.powi(4) * diffuse * spectral_diffuse_mean(tables, pyramids, look_up, q, scaled);
         let Some(lobe) = &tables.lobe else { return mean };
         let (share, width) = lobe.share_and_width(tables.shortest_nm, nm);
         let shape: f64 = ellipses.iter().map(|ellipse| ellipse.gaussian_mean(width)).sum();
@@ -264,16 +276,17 @@ pub(crate) fn spectral_filtered(
 fn spectral_diffuse_mean(
     tables: &SpectralTables,
     pyramids: &Pyramids,
-    interpolation: Interpolation,
+    look_up: LookUp,
     q: Vec3,
     footprint: Footprint,
 ) -> f64 {
+    let interpolation = look_up.interpolation();
     let texels_per_unit = (tables.size() as f64 - 1.0) / 4.0;
     let by_texels = || {
         let ellipse = Ellipse::new([2.0 - q[1], q[0] + 2.0].map(|x| x * texels_per_unit), footprint, texels_per_unit);
         [packed_mean(&tables.images, tables.count, &pyramids.tables, ellipse, Beyond::Edge, q)]
     };
-    let at_points = || mean_of_points(q, footprint, |q| [tables.diffuse_at(interpolation, q)]);
+    let at_points = || mean_of_points(q, footprint, |q| [tables.diffuse_at(look_up, q)]);
     let [diffuse] = as_interpolated(interpolation, footprint, texels_per_unit, at_points, by_texels);
     let Some(cross) = tables.lobe.as_ref().and_then(|lobe| lobe.cross.as_ref()) else { return diffuse };
     let texels_per_unit = (cross.images[0].dim().0 as f64 - 1.0) / (2.0 * cross.radius_max);

@@ -39,8 +39,11 @@ pub struct CheckValue {
     pub wi: Vec3,
     /// Unit vector to the viewer.
     pub wo: Vec3,
-    /// The BRDF in 1/sr, evaluated from the stored (rounded) tables.
+    /// The BRDF in 1/sr, evaluated from the stored (rounded) tables by linear look-ups.
     pub xyz: Xyz,
+    /// The same by splines; absent where these are not what `FORMAT.md` describes, and in older atlases.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub xyz_spline: Option<Xyz>,
 }
 
 /// What a reader needs of `specimen.json`; the file holds more, which is passed over.

@@ -12,8 +12,9 @@ use crate::chebyshev;
 use crate::direction::{Vec3, normalised_abs_w, wave_vector_change};
 use crate::dispersion::Dispersion;
 use crate::error::{Error, Result};
-use crate::evaluate::{Interpolation, sample};
+use crate::evaluate::{Interpolation, LookUp, sample};
 use crate::front_factor::{Factor, FrontFactor, image_radius2};
+use crate::splines::through_values;
 
 /// Tables in one image: its channels.
 pub const TABLES_PER_IMAGE: usize = 3;
@@ -94,15 +95,19 @@ impl SpectralTables {
     /// The BRDF in 1/sr at each wavelength in nm, for unit vectors to the light and to the viewer; zero for directions not
     /// above the surface, not a number for wavelengths shorter than the tables'.
     pub fn eval(&self, interpolation: Interpolation, wi: Vec3, wo: Vec3, wavelengths_nm: &[f64]) -> Vec<f64> {
+        self.eval_by(LookUp::Values(interpolation), wi, wo, wavelengths_nm)
+    }
+
+    pub(crate) fn eval_by(&self, look_up: LookUp, wi: Vec3, wo: Vec3, wavelengths_nm: &[f64]) -> Vec<f64> {
         if !(wi[2] > 0.0 && wo[2] > 0.0) {
             return vec![0.0; wavelengths_nm.len()];
         }
         let pair = Pair::of(self.front_factor, wi, wo);
-        wavelengths_nm.iter().map(|&nm| self.eval_pair(interpolation, &pair, nm)).collect()
+        wavelengths_nm.iter().map(|&nm| self.eval_pair(look_up, &pair, nm)).collect()
     }
 
     /// [`Self::eval`] at one wavelength for directions above the surface.
-    pub(crate) fn eval_pair(&self, interpolation: Interpolation, pair: &Pair, wavelength_nm: f64) -> f64 {
+    pub(crate) fn eval_pair(&self, look_up: LookUp, pair: &Pair, wavelength_nm: f64) -> f64 {
         let r = self.shortest_nm / wavelength_nm;
         // The wavelength itself may differ by rounding.
         if !(r > 0.0 && r <= 1.0 + 1e-9) {
@@ -110,9 +115,9 @@ impl SpectralTables {
         }
         let Some([front_diffuse, front_coherent]) = self.front_at(pair, wavelength_nm) else { return f64::NAN };
         let q = pair.q.map(|part| part * r.min(1.0));
-        let mut diffuse = self.diffuse_at(interpolation, q);
+        let mut diffuse = self.diffuse_at(look_up, q);
         let Some(lobe) = &self.lobe else { return r.powi(4) * front_diffuse * diffuse };
-        diffuse += lobe.cross.as_ref().map_or(0.0, |cross| cross.value(interpolation, q));
+        diffuse += lobe.cross.as_ref().map_or(0.0, |cross| cross.value(look_up.interpolation(), q));
         let (share, width) = lobe.share_and_width(self.shortest_nm, wavelength_nm);
         let shape = |radius: f64| (-(radius / width).powi(2)).exp();
         let shape = shape(pair.radius) + pair.image_radius.map_or(0.0, shape);
@@ -129,20 +134,26 @@ impl SpectralTables {
     /// The tables' part alone at a wavelength in nm, in 1/sr: without the cross term, the lobe, `D` and `r⁴`.
     pub fn diffuse(&self, interpolation: Interpolation, wi: Vec3, wo: Vec3, wavelength_nm: f64) -> f64 {
         let r = (self.shortest_nm / wavelength_nm).min(1.0);
-        self.diffuse_at(interpolation, wave_vector_change(wi, wo).map(|part| part * r))
+        self.diffuse_at(LookUp::Values(interpolation), wave_vector_change(wi, wo).map(|part| part * r))
     }
 
-    pub(crate) fn diffuse_at(&self, interpolation: Interpolation, q: Vec3) -> f64 {
+    pub(crate) fn diffuse_at(&self, look_up: LookUp, q: Vec3) -> f64 {
         let basis = chebyshev::shifted_values(self.count, normalised_abs_w(q));
         let size = self.size() as f64 - 1.0;
         let at = [(2.0 - q[1]) / 4.0 * size, (q[0] + 2.0) / 4.0 * size];
-        packed_expansion(&self.images, &basis, interpolation, at)
+        match look_up {
+            LookUp::Splines(splines) => packed_sum(splines.values(at), &basis),
+            LookUp::Values(Interpolation::Spline) => {
+                packed_sum(self.images.iter().map(|image| through_values(image.view(), at)), &basis)
+            }
+            LookUp::Values(interpolation) => packed_expansion(&self.images, &basis, interpolation, at),
+        }
     }
 
     /// `|P|² / (λ0² A w²)` at `q = (u, v, w)` and the shortest wavelength in 1/sr: what tables, cross term and lobe hold,
     /// without what stands in front of them.
     pub fn window_power(&self, interpolation: Interpolation, q: Vec3) -> f64 {
-        let diffuse = self.diffuse_at(interpolation, q);
+        let diffuse = self.diffuse_at(LookUp::Values(interpolation), q);
         let Some(lobe) = &self.lobe else { return diffuse };
         let shape = (-(TAU * lobe.sigma_nm * q[0].hypot(q[1]) / self.shortest_nm).powi(2)).exp();
         let cross = lobe.cross.as_ref().map_or(0.0, |cross| cross.value(interpolation, q));
@@ -255,10 +266,14 @@ impl SpectralCross {
 
 /// `Σ basis_n table_n` of packed tables at a position in texels (row, column).
 fn packed_expansion(images: &[Array3<f32>], basis: &[f64], interpolation: Interpolation, at: [f64; 2]) -> f64 {
-    images.iter().zip(basis.chunks(TABLES_PER_IMAGE)).fold(0.0, |sum, (image, basis)| {
-        let values = sample(image.view(), interpolation, at);
-        sum + basis.iter().zip(values).map(|(b, value)| b * value).sum::<f64>()
-    })
+    packed_sum(images.iter().map(|image| sample(image.view(), interpolation, at)), basis)
+}
+
+/// `Σ basis_n value_n` of packed values.
+fn packed_sum(images: impl Iterator<Item = [f64; TABLES_PER_IMAGE]>, basis: &[f64]) -> f64 {
+    images
+        .zip(basis.chunks(TABLES_PER_IMAGE))
+        .fold(0.0, |sum, (values, basis)| sum + basis.iter().zip(values).map(|(b, value)| b * value).sum::<f64>())
 }
 
 /// What a pair of directions above the surface has at every wavelength.

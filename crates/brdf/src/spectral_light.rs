@@ -4,7 +4,7 @@ use std::f64::consts::SQRT_2;
 
 use crate::direction::{Vec3, Xyz, max_abs_w};
 use crate::error::Result;
-use crate::evaluate::Interpolation;
+use crate::evaluate::{Interpolation, LookUp};
 use crate::spectral::{Pair, SpectralTables};
 use crate::spectrum::{Illuminant, Lags, SpectralQuadrature, uniform_wavenumbers};
 
@@ -20,7 +20,7 @@ const RADIUS_MIN: f64 = 0.02;
 #[derive(Debug, Clone)]
 pub struct UnderLight<'a> {
     tables: &'a SpectralTables,
-    interpolation: Interpolation,
+    look_up: LookUp<'a>,
     /// From the outside in: inner radius in (u, v), and the wavelengths from there on outwards.
     rings: Vec<(f64, SpectralQuadrature)>,
 }
@@ -33,13 +33,17 @@ impl SpectralTables {
     /// [`Error::Call`](crate::Error::Call) for laser lines shorter than the tables' wavelengths, and a light that the eye
     /// does not see.
     pub fn under(&self, interpolation: Interpolation, illuminant: &Illuminant) -> Result<UnderLight<'_>> {
+        self.under_by(LookUp::Values(interpolation), illuminant)
+    }
+
+    pub(crate) fn under_by<'a>(&'a self, look_up: LookUp<'a>, illuminant: &Illuminant) -> Result<UnderLight<'a>> {
         if let Illuminant::Lines(lines) = illuminant {
             self.check_wavelengths(&lines.iter().map(|line| line.wavelength_nm).collect::<Vec<_>>())?;
         }
         let range_nm = [self.shortest_nm, self.longest_nm];
         let with_weights = |(inner, count)| Ok((inner, uniform_wavenumbers(illuminant, range_nm, count)?));
         let rings = self.ring_counts(illuminant, range_nm).into_iter().map(with_weights).collect::<Result<_>>()?;
-        Ok(UnderLight { tables: self, interpolation, rings })
+        Ok(UnderLight { tables: self, look_up, rings })
     }
 
     /// From the outside in: inner radius in (u, v) of an annulus, and how many wavelengths resolve the pulses of its directions.
@@ -70,7 +74,7 @@ impl UnderLight<'_> {
         let ring = self.rings.iter().find(|(inner, _)| radius >= *inner);
         let Some((_, SpectralQuadrature { wavelengths_nm, weights })) = ring else { return [f64::NAN; 3] };
         for (nm, weight) in wavelengths_nm.iter().zip(weights) {
-            let value = self.tables.eval_pair(self.interpolation, &pair, *nm);
+            let value = self.tables.eval_pair(self.look_up, &pair, *nm);
             xyz.iter_mut().zip(weight).for_each(|(sum, weight)| *sum += weight * value);
         }
         xyz

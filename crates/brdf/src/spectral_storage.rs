@@ -39,6 +39,9 @@ pub struct SpectralCheckValue {
     pub wavelength_nm: Vec<f64>,
     /// The BRDF in 1/sr at each, from linear look-ups in the stored tables.
     pub brdf: Vec<f64>,
+    /// The same by splines; empty in older atlases.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub brdf_spline: Vec<f64>,
 }
 
 /// Everything needed to read the spectral tables of a specimen again, apart from its material.

@@ -3,6 +3,7 @@
 use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 
+use crate::evaluate::Interpolation;
 use crate::front_factor::FrontFactor;
 use crate::material::Material;
 
@@ -106,6 +107,16 @@ impl TableSet {
             None => self.tables.first().map_or(0, |table| table.dim().0),
         }
     }
+
+    /// The look-up that `FORMAT.md` describes for such tables, and for which their errors are promised: by splines; linear
+    /// where each texel has a range of its own, and of the published method.
+    pub fn look_up(&self) -> Interpolation {
+        match (&self.restriction, self.basis) {
+            (None, Basis::Chebyshev) => Interpolation::Spline,
+            _ => Interpolation::Bilinear,
+        }
+    }
+
     /// What keeps the set from being evaluated, in words: shapes that do not fit, numbers that are not finite. A set that
     /// passes is evaluated everywhere without a panic.
     pub(crate) fn check(&self) -> Result<(), String> {

@@ -32,15 +32,20 @@ class Checked(NamedTuple):
 
 
 def check_specimen(specimen: Specimen) -> Iterator[Checked]:
-    """Evaluates the check values of one specimen, with linear look-ups, as they are meant."""
-    checks = specimen.check_values
-    wi, wo, expected = (np.array([check[key] for check in checks], float).reshape(-1, 3) for key in ("wi", "wo", "xyz"))
-    yield Checked("X, Y, Z", len(checks), difference(specimen.eval(wi, wo), expected))
-    if specimen.has_spectral:
-        checks = specimen.about["spectral"]["check_values"]
-        pairs = [(specimen.eval_wavelengths(c["wi"], c["wo"], c["wavelength_nm"]), np.array(c["brdf"])) for c in checks]
-        largest = [difference(found[None], expected[None]) for found, expected in pairs]
-        yield Checked("wavelengths", sum(len(c["brdf"]) for c in checks), float(np.max(largest, initial=0)))
+    """Evaluates the check values of one specimen, by each look-up that they state."""
+    for lookup, key, spectral_key in (("linear", "xyz", "brdf"), ("spline", "xyz_spline", "brdf_spline")):
+        checks = [check for check in specimen.check_values if check.get(key) is not None]
+        if checks or key == "xyz":
+            wi, wo, expected = (np.array([check[name] for check in checks], float).reshape(-1, 3) for name in ("wi", "wo", key))
+            yield Checked(f"X, Y, Z, {lookup}", len(checks), difference(specimen.eval(wi, wo, lookup=lookup), expected))
+        if not specimen.has_spectral:
+            continue
+        checks = [check for check in specimen.about["spectral"]["check_values"] if check.get(spectral_key)]
+        if checks or spectral_key == "brdf":
+            found = [specimen.eval_wavelengths(c["wi"], c["wo"], c["wavelength_nm"], lookup=lookup) for c in checks]
+            largest = [difference(value[None], np.array(c[spectral_key])[None]) for value, c in zip(found, checks)]
+            count = sum(len(c[spectral_key]) for c in checks)
+            yield Checked(f"wavelengths, {lookup}", count, float(np.max(largest, initial=0)))
 
 
 def difference(found: np.ndarray, expected: np.ndarray) -> float:
@@ -60,7 +65,7 @@ def check(atlas: Atlas) -> bool:
             fine &= checked.met
             largest, count = float(np.maximum(largest, checked.largest)), count + checked.count
             word = "met" if checked.met else "NOT MET"
-            print(f"{name:{width}}  {checked.count:4} {checked.what:11}  largest difference {checked.largest:.1e}  {word}")
+            print(f"{name:{width}}  {checked.count:4} {checked.what:19}  largest difference {checked.largest:.1e}  {word}")
     print(f"{count} check values of {len(atlas)} specimens, largest difference {largest:.1e}, allowed {TOLERANCE:.0e}")
     return fine and count > 0
 

@@ -36,37 +36,37 @@ class FilteredTables:
         cross = tables.lobe.cross if tables.lobe else None
         self.cross_pyramid = Pyramid(cross) if cross is not None else None
 
-    def brdf(self, wi: Vector, wo: Vector, covariance: NDArray, cubic: bool) -> NDArray:
+    def brdf(self, wi: Vector, wo: Vector, covariance: NDArray, lookup: str) -> NDArray:
         """(direction, 3): X, Y, Z in 1/sr; `covariance` has the shape (direction, 3)."""
         value = np.zeros((len(wi[0]), 3), wi[0].dtype)
         (above,) = np.nonzero((wi[2] > 0) & (wo[2] > 0))
         if len(above):
             wi, wo = (tuple(d[above].astype(float) for d in direction) for direction in (wi, wo))
-            value[above] = self._above(wi, wo, tuple(covariance[above].T), cubic)
+            value[above] = self._above(wi, wo, tuple(covariance[above].T), lookup)
         return value
 
-    def _above(self, wi: Vector, wo: Vector, covariance: Covariance, cubic: bool) -> NDArray:
+    def _above(self, wi: Vector, wo: Vector, covariance: Covariance, lookup: str) -> NDArray:
         tables, lobe = self.tables, self.tables.lobe
         diffuse_factor, coherent_factor = factors(tables.optics, wi, wo)
         u, v, w = -(wi[0] + wo[0]), -(wi[1] + wo[1]), wi[2] + wo[2]
         axes = axes_of(*covariance)
-        value = self._diffuse(u, v, w, axes, cubic)
+        value = self._diffuse(u, v, w, axes, lookup)
         if lobe is None:
             return diffuse_factor[:, None] * value
         if lobe.cross is not None:
             value += cross_mean(
-                self.cross_pyramid, lobe.radius_max, u, v, w, axes, cubic,
-                lambda u, v, w: lobe.cross_at(u, v, w, normalised_abs_w(u * u + v * v, w), cubic),
+                self.cross_pyramid, lobe.radius_max, u, v, w, axes, lookup,
+                lambda u, v, w: lobe.cross_at(u, v, w, normalised_abs_w(u * u + v * v, w), lookup),
             )
-        coherent = self._lobe_mean(LobeEllipses.direct(u, v, axes), w, cubic)
+        coherent = self._lobe_mean(LobeEllipses.direct(u, v, axes), w, lookup)
         if tables.optics.vector:
-            coherent += self._lobe_mean(LobeEllipses.image(wi, wo, covariance), w, cubic)
+            coherent += self._lobe_mean(LobeEllipses.image(wi, wo, covariance), w, lookup)
         return diffuse_factor[:, None] * value + coherent_factor[:, None] * coherent
 
-    def _diffuse(self, u: NDArray, v: NDArray, w: NDArray, axes: Axes, cubic: bool) -> NDArray:
+    def _diffuse(self, u: NDArray, v: NDArray, w: NDArray, axes: Axes, lookup: str) -> NDArray:
         tables = self.tables
         by_points = lambda those: mean_of_points(
-            u[those], v[those], w[those], _some(axes, those), lambda u, v, w: tables.diffuse(u, v, w, cubic)
+            u[those], v[those], w[those], _some(axes, those), lambda u, v, w: tables.diffuse(u, v, w, lookup)
         )
         if self.pyramid is None:
             return by_points(np.arange(len(u)))
@@ -81,9 +81,9 @@ class FilteredTables:
             at = ((x + 2) * per_unit, (2 - y) * per_unit)
             return self.pyramid.means(basis, at, on_image(_some(axes, those), per_unit), edge=True)
 
-        return as_interpolated(cubic, axes, per_unit, 3, by_points, by_texels)
+        return as_interpolated(lookup, axes, per_unit, 3, by_points, by_texels)
 
-    def _lobe_mean(self, ellipses: LobeEllipses, w: NDArray, cubic: bool) -> NDArray:
+    def _lobe_mean(self, ellipses: LobeEllipses, w: NDArray, lookup: str) -> NDArray:
         lobe = self.tables.lobe
         image = lobe.coherent.image(0)
         rows, columns, _ = image.shape
@@ -94,12 +94,12 @@ class FilteredTables:
         ellipses = ellipses.subset(those)
         radius = ellipses.radius()
         # At the centre's t.
-        first, shares = stencil(normalised_abs_w(radius * radius, w[those]) * (rows - 1), rows, cubic)
+        first, shares = stencil(normalised_abs_w(radius * radius, w[those]) * (rows - 1), rows, lookup)
         profile = sum(share[:, None, None] * image[first + k] for k, share in enumerate(shares))
         position = np.arange(len(those))[:, None]
 
         def at(radius: NDArray) -> NDArray:
-            column, shares = stencil(radius / lobe.radius_max * (columns - 1), columns, cubic)
+            column, shares = stencil(radius / lobe.radius_max * (columns - 1), columns, lookup)
             return sum(share[..., None] * profile[position, column + k] for k, share in enumerate(shares))
 
         value[those] = ellipses.mean(lobe.radius_max, at)
@@ -114,24 +114,24 @@ class FilteredSpectral:
         self.pyramid = Pyramid(tables.layers)
         self.cross_pyramid = Pyramid(tables.cross) if tables.cross is not None else None
 
-    def brdf(self, wi: Vector, wo: Vector, covariance: NDArray, wavelength_nm: NDArray, cubic: bool) -> NDArray:
+    def brdf(self, wi: Vector, wo: Vector, covariance: NDArray, wavelength_nm: NDArray, lookup: str) -> NDArray:
         """(direction, wavelength): the BRDF in 1/sr."""
         value = np.zeros((len(wi[0]), wavelength_nm.shape[-1]), wi[0].dtype)
         (above,) = np.nonzero((wi[2] > 0) & (wo[2] > 0))
         if len(above):
             wi, wo = (tuple(d[above].astype(float) for d in direction) for direction in (wi, wo))
             nm = np.broadcast_to(wavelength_nm, value.shape)[above]
-            value[above] = self._above(wi, wo, covariance[above], nm, cubic)
+            value[above] = self._above(wi, wo, covariance[above], nm, lookup)
         return value
 
-    def _above(self, wi: Vector, wo: Vector, covariance: NDArray, nm: NDArray, cubic: bool) -> NDArray:
+    def _above(self, wi: Vector, wo: Vector, covariance: NDArray, nm: NDArray, lookup: str) -> NDArray:
         tables, shape = self.tables, nm.shape
         diffuse_factor, coherent_factor = tables.front(wi, wo, nm)
         r = np.minimum(tables.shortest_nm / nm, 1)
         u, v, w = -(wi[0] + wo[0]), -(wi[1] + wo[1]), wi[2] + wo[2]
         scaled = [(r * part[:, None]).ravel() for part in (u, v, w)]
         axes = axes_of(*((r * r * part[:, None]).ravel() for part in covariance.T))
-        value = r**4 * diffuse_factor * self._diffuse(*scaled, axes, cubic).reshape(shape)
+        value = r**4 * diffuse_factor * self._diffuse(*scaled, axes, lookup).reshape(shape)
         if tables.power is not None:
             share, lobe_nm = tables.lobe_at(nm)
             width = lobe_nm / (2 * np.pi * tables.lobe_sigma_nm)
@@ -143,12 +143,12 @@ class FilteredSpectral:
             value += share * coherent_factor * tables.power_at(scaled[2]).reshape(shape) * form
         return value
 
-    def _diffuse(self, u: NDArray, v: NDArray, w: NDArray, axes: Axes, cubic: bool) -> NDArray:
+    def _diffuse(self, u: NDArray, v: NDArray, w: NDArray, axes: Axes, lookup: str) -> NDArray:
         tables, per_unit = self.tables, (self.tables.size - 1) / 4
 
         def table(u: NDArray, v: NDArray, w: NDArray) -> NDArray:
             t = normalised_abs_w(u * u + v * v, w)
-            return tables.layers.look_up(chebyshev(t, tables.layers.count), (u + 2) * per_unit, (2 - v) * per_unit, cubic)
+            return tables.layers.look_up(chebyshev(t, tables.layers.count), (u + 2) * per_unit, (2 - v) * per_unit, lookup)
 
         def by_points(those: NDArray) -> NDArray:
             return mean_of_points(u[those], v[those], w[those], _some(axes, those), table)
@@ -159,17 +159,17 @@ class FilteredSpectral:
             at = ((x + 2) * per_unit, (2 - y) * per_unit)
             return self.pyramid.means(basis, at, on_image(_some(axes, those), per_unit), edge=True)
 
-        value = as_interpolated(cubic, axes, per_unit, 1, by_points, by_texels)
+        value = as_interpolated(lookup, axes, per_unit, 1, by_points, by_texels)
         if tables.cross is not None:
             value += cross_mean(
-                self.cross_pyramid, tables.cross_radius, u, v, w, axes, cubic,
-                lambda u, v, w: tables.cross_at(u, v, w, normalised_abs_w(u * u + v * v, w), cubic)[:, None],
+                self.cross_pyramid, tables.cross_radius, u, v, w, axes, lookup,
+                lambda u, v, w: tables.cross_at(u, v, w, normalised_abs_w(u * u + v * v, w), lookup)[:, None],
             )
         return value[:, 0]
 
 
 def cross_mean(
-    pyramid: Pyramid, radius_max: float, u: NDArray, v: NDArray, w: NDArray, axes: Axes, cubic: bool,
+    pyramid: Pyramid, radius_max: float, u: NDArray, v: NDArray, w: NDArray, axes: Axes, lookup: str,
     value: Callable[[NDArray, NDArray, NDArray], NDArray],
 ) -> NDArray:
     """(position, channel): mean of a cross term over `|w|`; beyond its patches it is 0."""
@@ -190,7 +190,7 @@ def cross_mean(
     (those,) = np.nonzero(np.maximum(np.abs(u), np.abs(v)) < reach)
     if len(those):
         part = lambda by: lambda some: by(those[some])
-        mean[those] = as_interpolated(cubic, _some(axes, those), per_unit, patches.channels, part(by_points), part(by_texels))
+        mean[those] = as_interpolated(lookup, _some(axes, those), per_unit, patches.channels, part(by_points), part(by_texels))
     return mean
 
 
@@ -200,12 +200,12 @@ def on_image(axes: Axes, per_unit: float) -> Axes:
 
 
 def as_interpolated(
-    cubic: bool, axes: Axes, per_unit: float, channels: int,
+    lookup: str, axes: Axes, per_unit: float, channels: int,
     by_points: Callable[[NDArray], NDArray], by_texels: Callable[[NDArray], NDArray],
 ) -> NDArray:
     """(position, channel): means from linear look-ups texel by texel, or, of small ellipses, from cubic ones at a few points."""
     semi_axis = 2 * np.sqrt(axes.major) * per_unit
-    share = np.clip(2 - semi_axis / CUBIC_MAX, 0, 1) if cubic else np.zeros(len(semi_axis))
+    share = np.clip(2 - semi_axis / CUBIC_MAX, 0, 1) if lookup != "linear" else np.zeros(len(semi_axis))
     value = np.zeros((len(share), channels))
     for of, by in ((share, by_points), (1 - share, by_texels)):
         (those,) = np.nonzero(of > 0)

@@ -38,12 +38,14 @@ def read_image(folder: Path, entry: dict) -> NDArray[np.float32]:
 class Layers:
     """Images of one size, texel by texel: what a look-up reads lies together in memory."""
 
-    def __init__(self, images: Sequence[NDArray[np.float32]]):
-        """From images of shape [row, column, channel]."""
+    def __init__(self, images: Sequence[NDArray], whole: bool = False):
+        """From images of shape [row, column, channel]; `whole` where they cover the square [-2, 2] of (u, v), which splines are for."""
         self.rows, self.columns, self.channels = images[0].shape
         self.count = len(images)
         if any(image.shape != images[0].shape for image in images) or min(self.rows, self.columns) < 2:
             raise AtlasError("images of one stack must have one size of at least 2 x 2 texels")
+        self.whole = whole
+        self._splines: NDArray | None = None
         #: [texel, channel times layer]: the layers of a channel are neighbours.
         self.texels = np.ascontiguousarray(np.stack(images, axis=-1).reshape(self.rows * self.columns, -1))
 
@@ -51,19 +53,29 @@ class Layers:
         """One of the images, [row, column, channel]."""
         return self.texels.reshape(self.rows, self.columns, self.channels, self.count)[..., layer]
 
-    def look_up(self, basis: NDArray, column: NDArray, row: NDArray, cubic: bool = False) -> NDArray:
+    def splines(self) -> NDArray[np.float64]:
+        """Coefficients of the cubic B-splines through whole images, laid out as the texels; made once."""
+        if self._splines is None:
+            image = self.texels.reshape(self.rows, self.columns, -1)
+            self._splines = coefficients(image).reshape(self.rows * self.columns, -1)
+        return self._splines
+
+    def look_up(self, basis: NDArray, column: NDArray, row: NDArray, lookup: str = "linear") -> NDArray:
         """Sum over n of `basis[:, n]` times layer n at positions in texels: shape (position, channel)."""
-        first_column, across = stencil(column, self.columns, cubic)
-        first_row, down = stencil(row, self.rows, cubic)
+        by_splines = lookup == "spline" and self.whole
+        source = self.splines() if by_splines else self.texels
+        along = spline_stencil if by_splines else lambda at, count: stencil(at, count, lookup)
+        first_column, across = along(column, self.columns)
+        first_row, down = along(row, self.rows)
         corner = first_row * self.columns + first_column
         dtype = np.result_type(column, np.float32)
-        texels = np.empty((len(corner), self.texels.shape[1]), np.float32)
-        product = texels if dtype == np.float32 else np.empty(texels.shape, dtype)
+        texels = np.empty((len(corner), source.shape[1]), source.dtype)
+        product = texels if dtype == source.dtype else np.empty(texels.shape, np.result_type(dtype, source.dtype))
         total = np.zeros(texels.shape, dtype)
         for dy, weight_y in enumerate(down):
             for dx, weight_x in enumerate(across):
                 # Into one buffer; `mode` spares a check of every index, which the stencil keeps in range.
-                self.texels.take(corner + (dy * self.columns + dx), axis=0, out=texels, mode="clip")
+                source.take(corner + (dy * self.columns + dx), axis=0, out=texels, mode="clip")
                 np.multiply(texels, (weight_x * weight_y)[:, None], out=product)
                 total += product
         if self.count == 1 and basis is None:
@@ -71,10 +83,10 @@ class Layers:
         return np.einsum("pck,pk->pc", total.reshape(-1, self.channels, self.count), basis)
 
 
-def stencil(at: NDArray, count: int, cubic: bool) -> tuple[NDArray, tuple[NDArray, ...]]:
+def stencil(at: NDArray, count: int, lookup: str) -> tuple[NDArray, tuple[NDArray, ...]]:
     """First texel, and weights of it and those after it, at positions in texels along an axis of `count` of them."""
     at = np.clip(at, 0, count - 1)
-    if not cubic or count < 4:
+    if lookup == "linear" or count < 4:
         first = np.minimum(at.astype(np.intp), count - 2)
         x = at - first.astype(at.dtype)
         return first, (1 - x, x)
@@ -83,6 +95,59 @@ def stencil(at: NDArray, count: int, cubic: bool) -> tuple[NDArray, tuple[NDArra
     # Lagrange's cubic through the nodes 0, 1, 2, 3.
     a, b, c = x - 1, x - 2, x - 3
     return first, (-a * b * c / 6, x * b * c / 2, -x * a * c / 2, x * a * b / 6)
+
+
+#: The pole of the filter that turns values into a spline's coefficients, and from how many of them it starts.
+POLE, START = np.sqrt(3) - 2, 41
+#: Texels beyond the rim of the disc from which on values are held: tables are zero beyond three, and the step must not ring.
+HELD_TEXELS = 2
+
+
+def coefficients(image: NDArray) -> NDArray[np.float64]:
+    """Coefficients of the cubic B-splines through a square image [row, column, channel], as FORMAT.md tells."""
+    size = len(image)
+    middle = (size - 1) / 2
+    x, y = np.meshgrid(np.arange(size) - middle, np.arange(size) - middle)
+    radius = np.maximum(np.hypot(x, y), 1)
+    # Halves away from zero, as the program rounds.
+    held = lambda at: np.where(radius > middle + HELD_TEXELS, at * (middle + HELD_TEXELS) / radius, at)
+    column, row = (np.clip(np.floor(middle + held(at) + 0.5).astype(np.intp), 0, size - 1) for at in (x, y))
+    found = image[row, column].astype(float)
+    return _filtered(_filtered(found).swapaxes(0, 1)).swapaxes(0, 1)
+
+
+def _filtered(lines: NDArray) -> NDArray:
+    """Along the first axis, which goes on mirrored at its ends."""
+    last = len(lines) - 1
+    mirrored = np.arange(START) % (2 * last)
+    mirrored = np.minimum(mirrored, 2 * last - mirrored)
+    lines[0] = np.tensordot(POLE ** np.arange(START), lines[mirrored], axes=1)
+    for k in range(1, last + 1):
+        lines[k] += POLE * lines[k - 1]
+    lines[last] = POLE / (POLE * POLE - 1) * (lines[last] + POLE * lines[last - 1])
+    for k in range(last - 1, -1, -1):
+        lines[k] = POLE * (lines[k + 1] - lines[k])
+    lines *= 6
+    return lines
+
+
+def spline_stencil(at: NDArray, count: int) -> tuple[NDArray, tuple[NDArray, ...]]:
+    """First of four coefficients, and their weights, at positions along an axis of `count`; mirrored at its ends."""
+    at = np.clip(at, 0, count - 1)
+    whole = at.astype(np.intp)
+    f = at - whole.astype(at.dtype)
+    g = 1 - f
+    weights = [g**3 / 6, 2 / 3 - f * f + f**3 / 2, 2 / 3 - g * g + g**3 / 2, f**3 / 6]
+    if count < 5:
+        raise AtlasError("splines need images of at least five texels a side")
+    first = np.clip(whole - 1, 0, count - 4)
+    out = [np.zeros_like(f) for _ in range(4)]
+    for k, weight in enumerate(weights):
+        index = np.abs(whole - 1 + k)
+        index = np.minimum(index, 2 * (count - 1) - index) - first
+        for slot in range(4):
+            out[slot] += np.where(index == slot, weight, 0)
+    return first, tuple(out)
 
 
 def chebyshev(t: NDArray, count: int) -> NDArray:

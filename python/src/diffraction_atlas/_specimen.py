@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import threading
 from pathlib import Path
-from typing import Any, Callable, Literal, NamedTuple
+from typing import Any, Callable, Literal, NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,7 +28,7 @@ FEW = 512
 #: Look-ups at a time of spectral tables.
 LOOK_UPS = 16384
 
-Lookup = Literal["linear", "cubic"]
+Lookup = Literal["linear", "cubic", "spline"]
 
 
 class Sample(NamedTuple):
@@ -97,7 +97,7 @@ class Specimen:
 
     @property
     def check_values(self) -> list[dict[str, Any]]:
-        """Directions with X, Y, Z from linear look-ups, to test an implementation with."""
+        """Directions to test an implementation with: X, Y, Z from linear look-ups as `xyz`, and by splines as `xyz_spline`."""
         return self.about["check_values"]
 
     def eval(
@@ -105,14 +105,15 @@ class Specimen:
     ) -> NDArray:
         """X, Y, Z of the BRDF in 1/sr: shape (..., 3).
 
-        `lookup` says how values between texels are found: "linear" as graphics hardware does and as check values are, "cubic" from sixteen texels, with less
-        error between them. `energy_limit` divides by what keeps every direction from reflecting more than arrives, where the specimen needs it.
+        `lookup` says how values between texels are found: "linear" as graphics hardware does, "cubic" from sixteen texels, with less error between them,
+        "spline" by the cubic B-spline through all of them, which keeps the tolerance that the tables were made with (its coefficients, twice the tables'
+        memory, are made at the first such call; the lobe, and tables made for certain scenes, are looked up as by "cubic"). `energy_limit` divides by what keeps every direction from reflecting more than arrives, where the specimen needs it.
         """
-        cubic = _is_cubic(lookup)
+        lookup = _known(lookup)
         limit = self._limit if energy_limit else None
 
         def evaluate(wi: Vector, wo: Vector) -> NDArray:
-            value = self._tables.brdf(wi, wo, cubic)
+            value = self._tables.brdf(wi, wo, lookup)
             return value if limit is None else value * limit.factor(wi[2], wo[2])[:, None]
 
         return over_pairs(evaluate, wi, wo, 3)
@@ -133,13 +134,13 @@ class Specimen:
         `cos_theta_i E`. `footprint` adds what else a look-up stands for, such as a pixel on a curved surface. Tables and lobe are averaged over the ellipse, at the centre's
         factor and |w|: within 0.1 % for the sun, 1 % for a lamp two degrees wide, at 95 of 100 directions; sample much larger lights instead.
         """
-        cubic = _is_cubic(lookup)
+        lookup = _known(lookup)
         wi, wo = as_directions("wi", wi), as_directions("wo", wo)
         covariance = self._covariance(wi, angular_diameter_deg, footprint)
         limit, filtered = self._limit if energy_limit else None, self._filtered
 
         def evaluate(wi: Vector, wo: Vector, covariance: NDArray) -> NDArray:
-            value = filtered.brdf(wi, wo, covariance, cubic)
+            value = filtered.brdf(wi, wo, covariance, lookup)
             return value if limit is None else value * limit.factor(wi[2], wo[2])[:, None]
 
         return over_pairs(evaluate, wi, wo, 3, covariance, FEW)
@@ -159,14 +160,14 @@ class Specimen:
         `wavelengths_nm` has the shape (wavelengths,), or (..., wavelengths) where each pair of directions has its own. A light's size or a footprint make it a
         mean, as in `eval_filtered`.
         """
-        tables, cubic = self._spectral_tables, _is_cubic(lookup)
+        tables, lookup = self._spectral_tables, _known(lookup)
         nm = np.atleast_1d(np.asarray(wavelengths_nm, float))
         tables.check_wavelengths(nm)
         chunk = max(1, LOOK_UPS // max(1, nm.shape[-1]))
         if footprint is None and not np.any(angular_diameter_deg):
             if nm.ndim == 1:
-                return over_pairs(lambda wi, wo: tables.brdf(wi, wo, nm, cubic), wi, wo, nm.shape[-1], None, chunk)
-            evaluate = lambda wi, wo, nm: tables.brdf(wi, wo, nm, cubic)
+                return over_pairs(lambda wi, wo: tables.brdf(wi, wo, nm, lookup), wi, wo, nm.shape[-1], None, chunk)
+            evaluate = lambda wi, wo, nm: tables.brdf(wi, wo, nm, lookup)
             return over_pairs(evaluate, wi, wo, nm.shape[-1], nm, chunk)
         wi, wo = as_directions("wi", wi), as_directions("wo", wo)
         covariance = self._covariance(wi, angular_diameter_deg, footprint)
@@ -175,7 +176,7 @@ class Specimen:
         filtered = self._filtered_spectral
 
         def evaluate_filtered(wi: Vector, wo: Vector, both: NDArray) -> NDArray:
-            return filtered.brdf(wi, wo, both[:, :3], both[:, 3:], cubic)
+            return filtered.brdf(wi, wo, both[:, :3], both[:, 3:], lookup)
 
         chunk = max(1, FEW // max(1, nm.shape[-1]))
         return over_pairs(evaluate_filtered, wi, wo, nm.shape[-1], np.concatenate(both, axis=-1), chunk)
@@ -186,7 +187,7 @@ class Specimen:
         `illuminant` is "D65", "A", "E", "F1" to "F12", a pair of arrays (wavelength in nm, relative power), or `Lines`. Values are relative to that light: a white matt
         surface has Y = 1/pi. The light counts from the tables' shortest wavelength to their longest.
         """
-        tables, cubic, light = self._spectral_tables, _is_cubic(lookup), self._under(illuminant)
+        tables, lookup, light = self._spectral_tables, _known(lookup), self._under(illuminant)
 
         def evaluate(wi: Vector, wo: Vector) -> NDArray:
             value = np.zeros((len(wi[0]), 3), wi[0].dtype)
@@ -198,7 +199,7 @@ class Specimen:
                 for start in range(0, len(those), step):
                     part = those[start : start + step]
                     pair = [tuple(d[part] for d in direction) for direction in (wi, wo)]
-                    spectrum = tables.brdf(*pair, sums.wavelength_nm, cubic)
+                    spectrum = tables.brdf(*pair, sums.wavelength_nm, lookup)
                     value[part] = spectrum @ sums.weights.astype(spectrum.dtype)
             return value
 
@@ -247,7 +248,7 @@ class Specimen:
                 pair = [tuple(d[above].astype(float) for d in direction) for direction in (wi, wo)]
                 value[above] = sampler.pdf(*pair)
                 if tables.range is not None:
-                    value[above[~np.isfinite(tables.brdf(*pair, False)).all(axis=1)]] = 0
+                    value[above[~np.isfinite(tables.brdf(*pair, "linear")).all(axis=1)]] = 0
             return value
 
         return over_pairs(density, as_directions("wi", wi).astype(float), as_directions("wo", wo).astype(float), None, None, FEW)
@@ -292,10 +293,10 @@ class Specimen:
         return self._once(f"_under {illuminant.upper()}", lambda: UnderLight(tables, illuminant))
 
 
-def _is_cubic(lookup: str) -> bool:
-    if lookup not in ("linear", "cubic"):
-        raise ValueError(f'lookup is "linear" or "cubic", not {lookup!r}')
-    return lookup == "cubic"
+def _known(lookup: str) -> str:
+    if lookup not in get_args(Lookup):
+        raise ValueError(f'lookup is "linear", "cubic" or "spline", not {lookup!r}')
+    return lookup
 
 
 def read_about(folder: Path) -> dict[str, Any]:

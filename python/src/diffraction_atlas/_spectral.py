@@ -14,12 +14,12 @@ from ._optics import Optics, Vector, factors, image_radius2
 WAVELENGTH_SLACK = 1e-9
 
 
-def unpacked(folder: Path, entries: list[dict], count: int) -> Layers:
+def unpacked(folder: Path, entries: list[dict], count: int, whole: bool = False) -> Layers:
     """Tables that lie three to a file, as layers of one channel."""
     images = [read_image(folder, entry) for entry in entries]
     if len(images) != -(-count // 3):
         raise AtlasError(f"{folder}: {count} tables do not lie in {len(images)} files")
-    return Layers([images[n // 3][:, :, n % 3, None] for n in range(count)])
+    return Layers([images[n // 3][:, :, n % 3, None] for n in range(count)], whole)
 
 
 class Dispersion:
@@ -68,7 +68,7 @@ class SpectralTables:
         self.shortest_nm, self.longest_nm = float(stored["shortest_nm"]), float(stored["longest_nm"])
         self.sigma_nm = float(stored["sigma_nm"])
         self.half_height_range_nm = float(stored["half_height_range_nm"])
-        self.layers = unpacked(folder, stored["images"], stored["tables"])
+        self.layers = unpacked(folder, stored["images"], stored["tables"], whole=True)
         self.size = self.layers.columns
         self.dispersion = Dispersion(stored["dispersion"]) if stored.get("dispersion") else None
         lobe = stored.get("lobe")
@@ -93,7 +93,7 @@ class SpectralTables:
                 "optics.wavelength_nm of the manifest sets where they begin"
             )
 
-    def brdf(self, wi: Vector, wo: Vector, wavelength_nm: NDArray, cubic: bool) -> NDArray:
+    def brdf(self, wi: Vector, wo: Vector, wavelength_nm: NDArray, lookup: str) -> NDArray:
         """(direction, wavelength): the BRDF in 1/sr. `wavelength_nm` has the shape (wavelength,) or (direction, wavelength)."""
         dtype, count = wi[0].dtype, wavelength_nm.shape[-1]
         value = np.zeros((len(wi[0]), count), dtype)
@@ -102,7 +102,7 @@ class SpectralTables:
             return value
         nm = wavelength_nm if wavelength_nm.ndim == 1 else wavelength_nm[above]
         wi, wo = (tuple(d[above] for d in direction) for direction in (wi, wo))
-        value[above] = self._above(wi, wo, nm, cubic)
+        value[above] = self._above(wi, wo, nm, lookup)
         return value
 
     def front(self, wi: Vector, wo: Vector, nm: NDArray) -> tuple[NDArray, NDArray]:
@@ -111,14 +111,14 @@ class SpectralTables:
         index = None if self.dispersion is None else self.dispersion.index(np.asarray(nm, float))
         return factors(self.optics, *pair, index)
 
-    def _above(self, wi: Vector, wo: Vector, nm: NDArray, cubic: bool) -> NDArray:
+    def _above(self, wi: Vector, wo: Vector, nm: NDArray, lookup: str) -> NDArray:
         dtype = wi[0].dtype
         diffuse_factor, coherent_factor = self.front(wi, wo, nm)
         q = [(-(wi[0] + wo[0]))[:, None], (-(wi[1] + wo[1]))[:, None], (wi[2] + wo[2])[:, None]]
         r = np.minimum(self.shortest_nm / nm, 1).astype(dtype)
         shape = (len(wi[0]), nm.shape[-1])
         u, v, w = (np.ascontiguousarray(np.broadcast_to(r * part, shape)).reshape(-1) for part in q)
-        value = self.diffuse(u, v, w, cubic).reshape(shape)
+        value = self.diffuse(u, v, w, lookup).reshape(shape)
         value *= r**4 * diffuse_factor
         if self.power is not None:
             share, nm = self.lobe_at(nm)
@@ -146,22 +146,22 @@ class SpectralTables:
         first = np.minimum(at.astype(np.intp), last - 1)
         return self.power[first] + (at - first.astype(w.dtype)) * (self.power[first + 1] - self.power[first])
 
-    def diffuse(self, u: NDArray, v: NDArray, w: NDArray, cubic: bool) -> NDArray:
+    def diffuse(self, u: NDArray, v: NDArray, w: NDArray, lookup: str) -> NDArray:
         """Tables and cross term at (u', v', |w'|), arrays of one shape (position,)."""
         half = (self.size - 1) / 4
         t = normalised_abs_w(u * u + v * v, w)
-        value = self.layers.look_up(chebyshev(t, self.layers.count), (u + 2) * half, (2 - v) * half, cubic)[:, 0]
+        value = self.layers.look_up(chebyshev(t, self.layers.count), (u + 2) * half, (2 - v) * half, lookup)[:, 0]
         if self.cross is not None:
-            value += self.cross_at(u, v, w, t, cubic)
+            value += self.cross_at(u, v, w, t, lookup)
         return value
 
-    def cross_at(self, u: NDArray, v: NDArray, w: NDArray, t: NDArray, cubic: bool) -> NDArray:
+    def cross_at(self, u: NDArray, v: NDArray, w: NDArray, t: NDArray, lookup: str) -> NDArray:
         """The cross term, over `|w'|`."""
         value, radius = np.zeros_like(u), self.cross_radius
         (inside,) = np.nonzero(np.maximum(np.abs(u), np.abs(v)) < radius)
         if len(inside):
             half = (self.cross.columns - 1) / (2 * radius)
             basis = chebyshev(t[inside], self.cross.count)
-            patches = self.cross.look_up(basis, (u[inside] + radius) * half, (radius - v[inside]) * half, cubic)
+            patches = self.cross.look_up(basis, (u[inside] + radius) * half, (radius - v[inside]) * half, lookup)
             value[inside] = patches[:, 0] / w[inside]
         return value

@@ -12,10 +12,11 @@ use crate::manifest;
 use crate::manifest::illuminant;
 use crate::stages::archive::specimen_file;
 use crate::stages::ingest::{Scans, ingest};
+use diffraction_brdf::Brdf;
 use diffraction_brdf::atlas;
 use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::{self, Error};
-use diffraction_brdf::evaluate::{Interpolation, answers, brdf_xyz, brdf_xyz_polarised};
+use diffraction_brdf::evaluate::{Interpolation, answers, brdf_xyz_polarised};
 use diffraction_brdf::files;
 use diffraction_brdf::front_factor::{Factor, FrontFactor};
 use diffraction_brdf::json;
@@ -63,7 +64,7 @@ pub(crate) struct EvalArgs {
     #[arg(long)]
     pub polarised: bool,
     /// How values between texels are found (with --method tables)
-    #[arg(long, value_enum, default_value_t = Lookup::Cubic)]
+    #[arg(long, value_enum, default_value_t = Lookup::Spline)]
     pub interpolation: Lookup,
     /// Write here in place of stdout
     #[arg(long, value_name = "FILE")]
@@ -87,8 +88,10 @@ pub(crate) enum Method {
 pub(crate) enum Lookup {
     /// Two by two texels, as graphics hardware does
     Bilinear,
-    /// Four by four texels: closest to the scan where the grid is fine enough
+    /// Four by four texels
     Cubic,
+    /// The cubic B-spline through all texels: closest to the scan, and what the atlas's FORMAT.md describes
+    Spline,
 }
 
 impl Lookup {
@@ -96,6 +99,7 @@ impl Lookup {
         match self {
             Self::Bilinear => Interpolation::Bilinear,
             Self::Cubic => Interpolation::Cubic,
+            Self::Spline => Interpolation::Spline,
         }
     }
 }
@@ -243,7 +247,8 @@ fn from_tables(atlas: &Path, args: &EvalArgs, pairs: &[(Vec3, Vec3)]) -> Result<
         let values: Vec<[Xyz; 4]> = pairs.par_iter().map(value).collect();
         return Ok(polarised_table(&values));
     }
-    Ok(xyz_table(pairs.par_iter().map(|&(wi, wo)| brdf_xyz(&set, interpolation, wi, wo)).collect::<Vec<_>>()))
+    let brdf = Brdf::new(set)?.with_interpolation(interpolation);
+    Ok(xyz_table(pairs.par_iter().map(|&(wi, wo)| brdf.eval(wi, wo)).collect::<Vec<_>>()))
 }
 
 /// From the spectral tables: single wavelengths, or X, Y, Z under a light.

@@ -278,6 +278,7 @@ fn look_ups_in_words(forecast: &Forecast, tolerance: f64) -> String {
         let kind = match look_up {
             LookUp::Linear => "linear",
             LookUp::Cubic => "cubic",
+            LookUp::Spline => "spline",
         };
         let grown = (size_needed as f64 / forecast.size as f64).powi(2);
         parts.push(if error <= tolerance {

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::format_look_ups::between_texels;
 use super::format_spectral::spectral_section;
 use super::specimen_file::{self, SpecimenFile};
 use super::worked::{Lookup, WorkedNumber, work_number};
@@ -45,7 +46,7 @@ pub fn format_md(example: &SpecimenFile, worked: Option<&WorkedNumber>) -> Strin
         factors(example),
         use_in_a_renderer(example),
         worked.map_or(String::new(), |worked| worked_number(example, worked)),
-        spectral_section(example.spectral.as_ref()),
+        spectral_section(example.spectral.as_ref(), tables.derived_under.is_some()),
     ];
     sections.iter().filter(|section| !section.is_empty()).map(String::as_str).collect::<Vec<_>>().join("\n")
 }
@@ -71,7 +72,8 @@ specimen stand in its `specimen.json`, and each EXR header repeats what concerns
 - `optics.sigma_nm`, `lobe_sigma_nm`, `source_deg`: the coherence that the tables were made for. They hold its blur, the lobe's too:
   nothing of it is left to evaluate.
 - `spectral`: tables of single wavelengths, see the end of this page; absent where there are none.
-- `check_values`: directions and X, Y, Z to test an implementation with, from linear look-ups in double precision; no energy limit.
+- `check_values`: directions to test an implementation with, no energy limit: `xyz_spline` by the look-up of this page, where that is by
+  splines, `xyz` by linear ones, both in double precision.
 - `errors`: measured errors of Y against the reference, by cause (`what`) and region, relative to the value itself: quantiles
   `p50`, `p95`, `p99` and `worst` of the `directions` that are brighter than `floor_per_sr`, and `relative_l2` over all
   directions. `lit_share` is the share of the region that the tables show lit; of `dark_directions` others that were
@@ -103,12 +105,12 @@ fn files_and_axes(tables: &StoredTables) -> String {
   Texels beyond the disc of radius 2 are 0, but for a rim of three that interpolation at its edge reads.
 {lobe}- Value = stored number x `scale`; every file has its own `scale`, a power of two. Treat the images as data: no colour
   management, no gamma.
-- First and last texel *centres* lie on the ends of the axis. Between centres interpolate linearly in both axes. A sampler
-  whose coordinates run from 0 to 1 over the *edges* of the image wants `s = (c + 0.5) / {size}`,
-  `c = {last} (u + 2) / 4`; likewise for rows.
-",
+- First and last texel *centres* lie on the ends of the axis: `c = {last} (u + 2) / 4`, likewise for rows. A sampler whose coordinates
+  run from 0 to 1 over the *edges* of the image wants `s = (c + 0.5) / {size}`.
+{between}",
         count = tables.tables.len(),
         last = size.saturating_sub(1),
+        between = between_texels(tables.basis, size),
     )
 }
 
@@ -123,7 +125,7 @@ This atlas holds spectral tables alone, those of the last section. `tables.table
 read `power exp(-(2 pi sigma r / lambda)^2)`.
 
 Throughout, `(u, v, w) = -wi - wo`; both directions must lie above the surface, otherwise `f = 0`. `T_0 = 1`, `T_1 = x`,
-`T_n = 2 x T_(n-1) - T_(n-2)`. Value = stored number x `scale`; between texel centres interpolate linearly in both axes.
+`T_n = 2 x T_(n-1) - T_(n-2)`. Value = stored number x `scale`.
 "
     .to_owned()
 }
@@ -216,8 +218,9 @@ fn evaluation(tables: &StoredTables) -> String {
 In one line: `{formula}`.
 
 Values may lie slightly below 0, where tables and rounding leave it so: clamp before sampling in proportion to them, not before summing.
-Texels count from the top row on; loaders that turn images over give row 0 last. Where look-ups are called cubic, four by four texels
-stand for two by two: along each axis Lagrange's cubic through four, from the texel `clamp(floor(c) - 1, 0, n - 4)` of `n` on.
+Texels count from the top row on; loaders that turn images over give row 0 last. Where look-ups are called cubic, and for lobe and cross
+patches beside splines, four by four texels stand for two by two: along each axis Lagrange's cubic through four, from the texel
+`clamp(floor(c) - 1, 0, n - 4)` of `n` on.
 ",
         formula = tables.formula
     )

@@ -1,9 +1,12 @@
 //! The section of `FORMAT.md` on spectral tables.
 
+use super::format_look_ups::between_texels;
 use diffraction_brdf::spectral_storage::{StoredSpectral, StoredSpectralLobe};
+use diffraction_build::tables::model::Basis;
 
-/// The section for a specimen's spectral tables; empty where there are none.
-pub(super) fn spectral_section(spectral: Option<&StoredSpectral>) -> String {
+/// The section for a specimen's spectral tables; empty where there are none. `alone` where there are no others, whose look-ups the page
+/// tells.
+pub(super) fn spectral_section(spectral: Option<&StoredSpectral>, alone: bool) -> String {
     let Some(spectral) = spectral else { return String::new() };
     let StoredSpectral { shortest_nm, longest_nm, tables, .. } = spectral;
     let size = spectral.xi_per_nm.samples;
@@ -29,12 +32,13 @@ pub(super) fn spectral_section(spectral: Option<&StoredSpectral>) -> String {
 - X, Y, Z under a light of spectrum `S`: `sum f S x / sum S y` and so on over wavelengths from {shortest_nm} to {longest_nm} nm,
   `x`, `y`, `z` the observer's. Steps have to resolve the orders: for a direction `rho` from the mirror's, in wavenumber
   `1 / lambda`, Gaussian pulses of the deviation `1 / (2 pi sqrt(2) spectral.sigma_nm rho)` or wider.
-- `spectral.check_values`: directions with wavelengths and `f`, from linear look-ups.
-",
+- `spectral.check_values`: directions with wavelengths and `f`: `brdf_spline` by splines, `brdf` by linear look-ups.
+{between}",
         count = spectral.images.len(),
         share = if grows { "" } else { "r^2 " },
         lobe_nm = if grows { "lambda_0" } else { "lambda" },
         last = size.saturating_sub(1),
+        between = if alone { between_texels(Basis::Chebyshev, size) } else { "- Look-ups between texels are those of Files.\n".to_owned() },
         lobe = spectral.lobe.as_ref().map_or(String::new(), lobe_files),
     )
 }

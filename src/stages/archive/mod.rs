@@ -1,6 +1,7 @@
 //! The atlas on disk: what a version's files hold, how one is published, checked, compared, and read by others.
 
 pub mod diff;
+mod format_look_ups;
 pub mod format_md;
 mod format_spectral;
 pub mod publish;

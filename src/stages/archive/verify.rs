@@ -9,11 +9,11 @@ use super::verify_files::{VerifyReport, verify_files};
 use super::verify_scans::{AgainstScans, ReferenceCheck, Sampling, against_scans};
 use crate::error::Result;
 use crate::stages::config::RunConfig;
-use diffraction_brdf::SpectralTables;
 use diffraction_brdf::atlas;
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::specimen::CheckValue;
 use diffraction_brdf::spectral_storage::{SpectralCheckValue, read_spectral};
+use diffraction_brdf::{SpectralTables, Xyz};
 use diffraction_build::ground::metrics;
 use diffraction_build::tables::model::TableSet;
 
@@ -111,20 +111,31 @@ fn check_specimen(folder: &Path, run: Option<&RunConfig>, sampling: Sampling) ->
 
 /// Largest deviation of a stored check value from the tables evaluated now, relative to its Y.
 fn deviation(set: &TableSet, value: &CheckValue) -> f64 {
-    let now = brdf_xyz(set, Interpolation::Bilinear, value.wi, value.wo);
     let scale = value.xyz[1].abs().max(f64::MIN_POSITIVE);
+    let of = |(look_up, then): (Interpolation, Xyz)| {
+        let now = brdf_xyz(set, look_up, value.wi, value.wo);
+        (0..3).map(move |c| (now[c] - then[c]).abs() / scale)
+    };
+    let by_splines = value.xyz_spline.map(|xyz| (Interpolation::Spline, xyz));
     // A NaN is the worst of all.
-    metrics::quantiles((0..3).map(|c| (now[c] - value.xyz[c]).abs() / scale).collect()).worst
+    metrics::quantiles(std::iter::once((Interpolation::Bilinear, value.xyz)).chain(by_splines).flat_map(of).collect())
+        .worst
 }
 
 /// The same for a check value of spectral tables, relative to its largest.
 fn spectral_deviation(tables: &SpectralTables, value: &SpectralCheckValue) -> f64 {
-    let now = tables.eval(Interpolation::Bilinear, value.wi, value.wo, &value.wavelength_nm);
     let scale = value.brdf.iter().fold(f64::MIN_POSITIVE, |largest, brdf| largest.max(brdf.abs()));
-    if now.len() != value.brdf.len() {
-        return f64::NAN;
+    let kinds = [(Interpolation::Bilinear, &value.brdf), (Interpolation::Spline, &value.brdf_spline)];
+    let stated = kinds.iter().filter(|(look_up, then)| *look_up == Interpolation::Bilinear || !then.is_empty());
+    let mut deviations = Vec::new();
+    for (look_up, then) in stated {
+        let now = tables.eval(*look_up, value.wi, value.wo, &value.wavelength_nm);
+        if now.len() != then.len() {
+            return f64::NAN;
+        }
+        deviations.extend(now.iter().zip(then.iter()).map(|(now, then)| (now - then).abs() / scale));
     }
-    metrics::quantiles(now.iter().zip(&value.brdf).map(|(now, then)| (now - then).abs() / scale).collect()).worst
+    metrics::quantiles(deviations).worst
 }
 
 impl Verified {

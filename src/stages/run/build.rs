@@ -11,10 +11,12 @@ use crate::stages::measured::{self, Measurement};
 use crate::stages::stage::Stage;
 use diffraction_brdf::files;
 use diffraction_brdf::storage::{StoredTables, read_tables};
+use diffraction_build::accuracy::texels;
 use diffraction_build::optics::pigment::{Pigment, Surface, pigment};
 use diffraction_build::tables::coverage::budget::Cost;
 use diffraction_build::tables::coverage::ranges::Coverage;
 use diffraction_build::tables::input::BuildInput;
+use diffraction_build::tables::look_ups::tried_first;
 use diffraction_build::tables::model::{BuildRecord, TableSet, TablesConfig};
 use diffraction_build::tables::plan::{BuildPlan, plan_for};
 use diffraction_build::tables::resolution::lobe_radius;
@@ -34,6 +36,8 @@ pub(super) struct Ingested {
 /// What is going to be computed.
 pub(super) struct Planned<'a> {
     pub(super) input: BuildInput<'a>,
+    /// What the manifest asks of the tables; `input` has the size that was chosen.
+    pub(super) asked: &'a TablesConfig,
     /// What the tables are restricted to; `None` for every direction.
     pub(super) coverage: Option<Coverage>,
     pub(super) plan: BuildPlan,
@@ -82,11 +86,30 @@ pub(super) fn ingest(job: &Job, clock: &mut Clock) -> Step<Ingested> {
     Ok(Ingested { scans, measurement, tables, scenes: asked::pictured_scenes(config, &specimen.name) })
 }
 
-/// Plans the tables, for the scenes alone where they are restricted to them.
-pub(super) fn plan<'a>(job: &Job<'a>, ingested: &'a Ingested, clock: &mut Clock) -> Step<Planned<'a>> {
+/// The settings with which tables are tried first, on fewer texels than the tolerance may ask for; `None` where that is not to be
+/// decided: the size is given, or tables are restricted to scenes, or there are none of X, Y, Z.
+pub(super) fn on_fewer_texels(job: &Job, ingested: &Ingested) -> Option<TablesConfig> {
+    let asked = &ingested.tables;
+    let may_try = job.config.cover.is_all() && job.config.hold.xyz;
+    let size = tried_first(&ingested.scans.optics, asked).filter(|_| may_try)?;
+    Some(TablesConfig { size: Some(size), ..asked.clone() })
+}
+
+/// Whether tables have texels enough for the tolerance.
+pub(super) fn suffice(built: &Built, tables: &TablesConfig, clock: &mut Clock) -> Step<bool> {
+    clock.stage(Stage::CountTexels, || Ok(texels::suffice(texels::spline_error(&built.set), tables.tolerance)))
+}
+
+/// Plans the tables with these settings, for the scenes alone where they are restricted to them.
+pub(super) fn plan<'a>(
+    job: &Job<'a>,
+    ingested: &'a Ingested,
+    tables: &'a TablesConfig,
+    clock: &mut Clock,
+) -> Step<Planned<'a>> {
     let optics = &ingested.scans.optics;
     let fields = &ingested.scans.fields;
-    let input = BuildInput::new(fields, optics, &ingested.tables);
+    let input = BuildInput::new(fields, optics, tables);
     let coverage = match job.config.cover {
         Cover::All => None,
         Cover::Scenes | Cover::Named(_) => {
@@ -95,7 +118,7 @@ pub(super) fn plan<'a>(job: &Job<'a>, ingested: &'a Ingested, clock: &mut Clock)
         }
     };
     let plan = clock.stage(Stage::Plan, || plan_for(&input, coverage.clone()))?;
-    Ok(Planned { input, coverage, plan, known: Known::new(job.cache, fields) })
+    Ok(Planned { input, asked: &ingested.tables, coverage, plan, known: Known::new(job.cache, fields) })
 }
 
 /// Builds the tables, or finds them in the cache.

@@ -1,5 +1,6 @@
 //! Directions with values, stored for testing other programs.
 
+use diffraction_brdf::Xyz;
 use diffraction_brdf::direction::{Vec3, angles_deg, from_angles_deg};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::specimen::CheckValue;
@@ -24,7 +25,7 @@ pub(super) fn check_values(set: &TableSet, counted: &[(Vec3, Vec3)]) -> Vec<Chec
     let value = |[theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg]: [f64; 4]| {
         let (wi, wo) = (from_angles_deg(theta_i_deg, phi_i_deg), from_angles_deg(theta_r_deg, phi_r_deg));
         let xyz = brdf_xyz(set, Interpolation::Bilinear, wi, wo);
-        CheckValue { theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, wi, wo, xyz }
+        CheckValue { theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, wi, wo, xyz, xyz_spline: by_splines(set, wi, wo) }
     };
     let anywhere = |index: usize| {
         let [a, b, c, d] = sampling::four(index);
@@ -54,5 +55,11 @@ fn value_at(set: &TableSet, wi: Vec3, wo: Vec3) -> CheckValue {
         wi,
         wo,
         xyz: brdf_xyz(set, Interpolation::Bilinear, wi, wo),
+        xyz_spline: by_splines(set, wi, wo),
     }
+}
+
+/// The value by splines, where these are what tables of this kind are promised for.
+fn by_splines(set: &TableSet, wi: Vec3, wo: Vec3) -> Option<Xyz> {
+    (set.look_up() == Interpolation::Spline).then(|| brdf_xyz(set, Interpolation::Spline, wi, wo))
 }

@@ -1,22 +1,40 @@
 //! One specimen from its scans to its finished folder.
 
-use super::build::{build, ingest, plan, store};
+use super::build::{build, ingest, on_fewer_texels, plan, store, suffice};
 use super::clock::{Clock, Step};
 use super::describe::{Described, describe};
 use super::job::Job;
 use super::measure::measure;
 use super::spectral::{derived, spectral};
 
-/// Ingested, planned, built, stored, with spectral tables, measured, described: each step takes what the one before found out.
+/// Ingested, planned, built (on fewer texels first, where these may suffice), stored, with spectral tables, measured, described: each step takes what the one before found out.
 /// Where spectral tables alone are stored, those of X, Y, Z come from them.
 pub(super) fn run_specimen(job: &Job, clock: &mut Clock) -> Step<Described> {
     let ingested = ingest(job, clock)?;
-    let planned = plan(job, &ingested, clock)?;
-    let stored = match job.config.hold.xyz {
-        false => None,
-        true => {
+    let fewer = on_fewer_texels(job, &ingested);
+    let tried = match &fewer {
+        None => None,
+        Some(fewer) => {
+            let planned = plan(job, &ingested, fewer, clock)?;
             let built = build(&planned, clock)?;
-            Some(store(job, &planned, built, clock)?)
+            suffice(&built, fewer, clock)?.then_some((planned, built))
+        }
+    };
+    let (planned, stored) = match tried {
+        Some((planned, built)) => {
+            let stored = store(job, &planned, built, clock)?;
+            (planned, Some(stored))
+        }
+        None => {
+            let planned = plan(job, &ingested, &ingested.tables, clock)?;
+            let stored = match job.config.hold.xyz {
+                false => None,
+                true => {
+                    let built = build(&planned, clock)?;
+                    Some(store(job, &planned, built, clock)?)
+                }
+            };
+            (planned, stored)
         }
     };
     let spectral = spectral(job, &planned, clock)?;

@@ -15,14 +15,15 @@ use diffraction_brdf::files;
 use diffraction_brdf::spectral_storage::{SpectralCheckValue, StoredSpectral, read_spectral};
 use diffraction_brdf::storage::StoredTables;
 use diffraction_build::accuracy::directions::DIRECTIONS;
-use diffraction_build::accuracy::spectral::{Places, evaluate, rows};
+use diffraction_build::accuracy::spectral::{Places, evaluate, rows, spline_error};
+use diffraction_build::accuracy::texels;
 use diffraction_build::ground::sampling::{Region, direction_pairs};
 use diffraction_build::optics::pigment::pigment;
 use diffraction_build::tables::coverage::budget::Cost;
 use diffraction_build::tables::model::BuildRecord;
-use diffraction_build::tables::plan::plan;
+use diffraction_build::tables::plan::{BuildPlan, plan};
 use diffraction_build::tables::resolution::lobe_radius;
-use diffraction_build::tables::spectral::{SpectralInput, build_spectral_planned};
+use diffraction_build::tables::spectral::{SpectralBuilt, SpectralInput, build_spectral_planned};
 
 /// Pairs of directions of each region with check values.
 const CHECKED_PAIRS: usize = 4;
@@ -50,14 +51,27 @@ pub(super) fn spectral(job: &Job, planned: &Planned, clock: &mut Clock) -> Step<
     if !job.config.hold.spectral || obstacle.is_some() {
         return Ok(None);
     }
-    let settings = SpectralInput::new(planned.input.optics, planned.input.tables);
-    let input = settings.of(&planned.input);
+    let whole = SpectralInput::new(planned.input.optics, planned.asked);
+    let fewer = whole.on_fewer_texels(planned.asked);
     let stopwatch = Stopwatch::start();
-    let (plan, built) = clock.stage(Stage::BuildSpectral, || {
+    let lobe_radius = lobe_radius(planned.input.optics);
+    let built = |settings: &SpectralInput| -> Result<(BuildPlan, SpectralBuilt)> {
+        let input = settings.of(&planned.input);
         let plan = plan(&input)?;
-        let built = build_spectral_planned(&input, &plan, &settings, &|_| ())?;
+        let built = build_spectral_planned(&input, &plan, settings, &|_| ())?;
         Ok((plan, built))
+    };
+    let (settings, (plan, built)) = clock.stage(Stage::BuildSpectral, || {
+        if let Some(fewer) = fewer {
+            let found = built(&fewer)?;
+            if texels::suffice(spline_error(&found.1.tables, lobe_radius), planned.asked.tolerance) {
+                return Ok((fewer, found));
+            }
+        }
+        let found = built(&whole)?;
+        Ok((whole, found))
     })?;
+    let input = settings.of(&planned.input);
     let time = stopwatch.read(Stage::BuildSpectral, None);
     let (stored, tables, stored_bytes) = clock.stage(Stage::StoreSpectral, || {
         let stored = built.write(&job.folder, &settings)?;
@@ -69,7 +83,7 @@ pub(super) fn spectral(job: &Job, planned: &Planned, clock: &mut Clock) -> Step<
     let errors = match job.config.report.reference {
         false => Vec::new(),
         true => clock.stage(Stage::MeasureSpectral, || {
-            let places = Places::drawn(&tables, lobe_radius(planned.input.optics), DIRECTIONS);
+            let places = Places::drawn(&tables, lobe_radius, DIRECTIONS);
             let reference = evaluate(&input, &plan, settings.optics_at_each(), tables.count, &places)?;
             Ok(rows(&places, &reference, &tables, &built.tables))
         })?,
@@ -126,6 +140,7 @@ fn check_values(tables: &SpectralTables) -> Vec<SpectralCheckValue> {
             wi,
             wo,
             brdf: tables.eval(Interpolation::Bilinear, wi, wo, &wavelength_nm),
+            brdf_spline: tables.eval(Interpolation::Spline, wi, wo, &wavelength_nm),
             wavelength_nm: wavelength_nm.clone(),
         })
         .collect()

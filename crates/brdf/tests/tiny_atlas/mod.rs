@@ -5,7 +5,7 @@ use diffraction_brdf::atlas::{self, AtlasIndex, SpecimenEntry};
 use diffraction_brdf::front_factor::Factor;
 use diffraction_brdf::specimen::{CheckValue, SCHEMA};
 use diffraction_brdf::table_set::Storage;
-use diffraction_brdf::{Basis, Brdf, FrontFactor, Lobe, Material, TableSet, files, json, storage};
+use diffraction_brdf::{Basis, Brdf, FrontFactor, Interpolation, Lobe, Material, TableSet, files, json, storage};
 use ndarray::Array3;
 use serde_json::json;
 use std::path::Path;
@@ -62,6 +62,7 @@ pub fn write_tiny_atlas(root: &Path) {
             wi,
             wo,
             xyz: brdf.eval(wi, wo),
+            xyz_spline: Some(brdf.clone().with_interpolation(Interpolation::Spline).eval(wi, wo)),
         }
     };
     let record = json!({

@@ -6,4 +6,5 @@ pub mod power_sums;
 pub mod reference;
 pub mod rows;
 pub mod spectral;
+pub mod texels;
 pub mod thinned;

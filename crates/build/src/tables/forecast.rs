@@ -50,7 +50,7 @@ pub struct Forecast {
     /// Whether it was asked for.
     pub storage_asked: bool,
     /// What look-ups between the texels will err by.
-    pub look_ups: [LookUpForecast; 2],
+    pub look_ups: [LookUpForecast; 3],
 }
 
 /// Nanoseconds per elementary operation on one thread, measured on a server processor of 2023; another machine scales all

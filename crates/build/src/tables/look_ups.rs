@@ -2,12 +2,15 @@
 //!
 //! What a surface does is blurred by the coherence window: the sharpest thing in tables is a line of the window's own width, a
 //! Gaussian of the deviation `w` in (u, v). Between texels `Δ` apart a linear look-up errs at its peak by `Δ²/8` times the second
-//! derivative, `1/w²`, a cubic through four texels by `3/128 Δ⁴` times the fourth, `3/w⁴`; the two axes add. At the wavelength that
+//! derivative, `1/w²`, a cubic through four texels by `3/128 Δ⁴` times the fourth, `3/w⁴`, a cubic B-spline through all of them by
+//! `Δ⁴/384` times it; the two axes add. At the wavelength that
 //! the eye sees best that is what 95 % of lit directions keep, by a factor of about two: `docs/accuracy.md` has it measured.
 
 use serde::Serialize;
 
-use super::resolution::lobe_width;
+use super::model::{Basis, TablesConfig};
+use super::plan::AUTOMATIC_SIZE_MAX;
+use super::resolution::{lobe_width, narrowest_blur, resolving_size};
 use crate::optics::config::OpticsConfig;
 
 /// What the eye sees best, in nm.
@@ -24,6 +27,8 @@ pub enum LookUp {
     Linear,
     /// Through four texels a side.
     Cubic,
+    /// By the cubic B-spline through all texels.
+    Spline,
 }
 
 /// What a kind of look-up errs by.
@@ -38,14 +43,15 @@ pub struct LookUpForecast {
 }
 
 impl LookUp {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Linear, Self::Cubic];
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Linear, Self::Cubic, Self::Spline];
 
     /// Order of the error in the distance of texels over the line's deviation, and the error at a ratio of 1.
     fn law(self) -> (i32, f64) {
         match self {
             Self::Linear => (2, 1.0 / 8.0),
             Self::Cubic => (4, 9.0 / 128.0),
+            Self::Spline => (4, 1.0 / 128.0),
         }
     }
 
@@ -56,11 +62,33 @@ impl LookUp {
     }
 }
 
-/// What look-ups in tables of this size err by.
-pub(super) fn look_up_forecasts(optics: &OpticsConfig, size: usize, tolerance: f64) -> [LookUpForecast; 2] {
+/// Standard deviation in (u, v) of what blurs a line at the wavelength that the eye sees best.
+fn brightest_blur(optics: &OpticsConfig) -> f64 {
     let [low_nm, high_nm] = optics.illuminant.reach_nm(optics.wavelength_nm);
     let nm = BRIGHTEST_NM.clamp(low_nm, high_nm);
-    let ratio = 4.0 / (size - 1) as f64 / lobe_width(optics.body_coherence().sigma_nm_at(nm), nm);
+    lobe_width(optics.body_coherence().sigma_nm_at(nm), nm)
+}
+
+/// Room that the law is given where it chooses a size: lines of different heights side by side err by up to twice as much.
+const ROOM: f64 = 2.0;
+
+/// Texels a side at which tables for every direction are tried before the grid that the tolerance asks for at worst: enough
+/// for splines through lines that lie side by side, as those of a snake's skin; orders that stand alone, as a grating's, need more.
+/// `None` where the size is given, or would not be less.
+pub fn tried_first(optics: &OpticsConfig, tables: &TablesConfig) -> Option<usize> {
+    if tables.size.is_some() || tables.basis != Basis::Chebyshev {
+        return None;
+    }
+    let (order, at_one) = LookUp::Spline.law();
+    let texel = brightest_blur(optics) * (tables.tolerance / (ROOM * at_one)).powf(1.0 / f64::from(order));
+    // Wider texels would hold means.
+    let size = 2 * (2.0 / texel.min(narrowest_blur(optics))).ceil().min(SIZE_MAX) as usize + 1;
+    (size < resolving_size(optics, tables.tolerance).min(AUTOMATIC_SIZE_MAX)).then_some(size)
+}
+
+/// What look-ups in tables of this size err by.
+pub(super) fn look_up_forecasts(optics: &OpticsConfig, size: usize, tolerance: f64) -> [LookUpForecast; 3] {
+    let ratio = 4.0 / (size - 1) as f64 / brightest_blur(optics);
     LookUp::ALL.map(|look_up| {
         let (order, at_one) = look_up.law();
         let error = at_one * ratio.powi(order);
@@ -77,7 +105,7 @@ mod tests {
     use diffraction_brdf::spectrum::Illuminant;
 
     /// Largest error of look-ups on a line of the deviation `w`, relative to its peak, with the line anywhere between texels.
-    fn measured(interpolation: Interpolation, size: usize, w: f64) -> f64 {
+    fn measured(look_up: LookUp, size: usize, w: f64) -> f64 {
         let texel = 4.0 / (size - 1) as f64;
         let line = |x: f64| (-0.5 * (x / w).powi(2)).exp();
         let mut worst = 0.0f64;
@@ -85,31 +113,45 @@ mod tests {
             let centre = f64::from(shift) / 16.0 * texel;
             for place in 0..40 {
                 let at = (size / 2) as f64 + f64::from(place) / 20.0 - 1.0;
-                let (first, weights) = stencil(interpolation, at, size);
                 let value = |index: usize| line(-2.0 + index as f64 * texel - centre);
-                let found: f64 =
-                    weights.iter().enumerate().map(|(i, weight)| weight * value((first + i).min(size - 1))).sum();
+                let found = match look_up {
+                    LookUp::Spline => by_spline(at, value),
+                    LookUp::Linear => by_stencil(stencil(Interpolation::Bilinear, at, size), size, value),
+                    LookUp::Cubic => by_stencil(stencil(Interpolation::Cubic, at, size), size, value),
+                };
                 worst = worst.max((found - line(-2.0 + at * texel - centre)).abs());
             }
         }
         worst
     }
 
+    fn by_stencil((first, weights): (usize, [f64; 4]), size: usize, value: impl Fn(usize) -> f64) -> f64 {
+        weights.iter().enumerate().map(|(i, weight)| weight * value((first + i).min(size - 1))).sum()
+    }
+
+    /// The spline through values around a place: coefficients are `√3 Σ z^|k| value_k`.
+    fn by_spline(at: f64, value: impl Fn(usize) -> f64) -> f64 {
+        let (whole, f) = (at.floor() as usize, at - at.floor());
+        let z = 3f64.sqrt() - 2.0;
+        let cubed = |x: f64| x.max(0.0).powi(3);
+        let spline = |x: f64| (cubed(2.0 - x.abs()) - 4.0 * cubed(1.0 - x.abs())) / 6.0;
+        let coefficient = |k: usize| -> f64 {
+            3f64.sqrt() * (k - 20..=k + 20).map(|j| z.powi(j.abs_diff(k) as i32) * value(j)).sum::<f64>()
+        };
+        (whole - 1..=whole + 2).map(|k| coefficient(k) * spline(whole as f64 + f - k as f64)).sum()
+    }
+
     #[test]
     fn a_line_errs_as_the_law_says() {
         let optics = OpticsConfig::ideal(Illuminant::D65, 4_000.0, Edge::Tile, Windows::Grid);
         let w = lobe_width(4_000.0, BRIGHTEST_NM);
-        for size in [801, 1601, 3201] {
+        for size in [1601, 3201] {
             for found in look_up_forecasts(&optics, size, 1e-3) {
-                let interpolation = match found.look_up {
-                    LookUp::Linear => Interpolation::Bilinear,
-                    LookUp::Cubic => Interpolation::Cubic,
-                };
-                let measured = measured(interpolation, size, w);
+                let measured = measured(found.look_up, size, w);
                 assert!((measured / found.error - 1.0).abs() < 0.1, "{size} {found:?} {measured:e}");
                 // Tables of the size that is named keep the tolerance, those a tenth smaller do not.
                 let [enough, less] = [1.02, 0.9]
-                    .map(|share| self::measured(interpolation, (share * found.size_needed as f64) as usize | 1, w));
+                    .map(|share| self::measured(found.look_up, (share * found.size_needed as f64) as usize | 1, w));
                 assert!(enough <= 1e-3 && less > 1e-3, "{size} {found:?}: {enough:e} {less:e}");
             }
         }

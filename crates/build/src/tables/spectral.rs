@@ -6,6 +6,7 @@
 use super::build::{Summed, summed};
 use super::input::BuildInput;
 use super::lobe::power_over_t;
+use super::look_ups::tried_first;
 use super::model::{Advance, Basis, BuildRecord, TablesConfig};
 use super::plan::{AUTOMATIC_SIZE_MAX, BuildPlan, plan};
 use super::resolution::{lobe_radius, resolving_size};
@@ -62,6 +63,13 @@ pub struct SpectralBuilt {
 }
 
 impl SpectralInput {
+    /// The same on fewer texels, which suffice where lines lie side by side ([`tried_first`]); `None` where the size is given, or would
+    /// not be less.
+    pub fn on_fewer_texels(&self, tables: &TablesConfig) -> Option<Self> {
+        let size = Some(tried_first(&self.optics, tables)?);
+        Some(Self { tables: TablesConfig { size, ..self.tables.clone() }, ..self.clone() })
+    }
+
     /// From the optics and settings of the tables of XYZ.
     pub fn new(optics: &OpticsConfig, tables: &TablesConfig) -> Self {
         let [shortest_nm, longest_nm] = range_nm(optics);
