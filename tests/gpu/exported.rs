@@ -9,7 +9,7 @@ use diffraction_atlas::stages::archive::specimen_file;
 use diffraction_brdf::Atlas;
 use diffraction_brdf::direction::{Vec3, dot};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
-use diffraction_brdf::shader_spectral::spectral_image;
+use diffraction_brdf::shader_spectral::promised_spectral_image;
 use diffraction_build::ground::colour::xyz_to_linear_srgb;
 use diffraction_render::render::cpu;
 use diffraction_render::render::gpu_bound::bound_image;
@@ -89,7 +89,7 @@ fn spectral_tables_are_exported_with_their_shader() {
     }
     let atlas = Atlas::open(&published().config.atlas_root).unwrap();
     let brdf = atlas.brdf("wave").unwrap();
-    let image = spectral_image(brdf.spectral().unwrap()).unwrap();
+    let image = promised_spectral_image(brdf.spectral().unwrap()).unwrap();
     assert_eq!(read("spectral_params.bin"), bytemuck::bytes_of(&image.params));
     assert_eq!(read("spectral_tables.rgba16f"), bytemuck::cast_slice::<_, u8>(&image.tables.texels));
 }
@@ -106,7 +106,7 @@ fn exported_files_are_all_that_an_engine_needs() {
     let drawn = engine::draw(&exported, "wave", SIDE as u32).unwrap();
     let (_, set) = specimen_file::load(&published().version.join("wave")).unwrap();
     let samples = samples();
-    let expected = cpu::shade(&samples, &|wi, wo| brdf_xyz(&set, Interpolation::Bilinear, wi, wo));
+    let expected = cpu::shade(&samples, &|wi, wo| brdf_xyz(&set, Interpolation::Spline, wi, wo));
     let bound = bound_image(Surface::without_pigment(&set), &samples);
     // The largest share of what is allowed, for a CPU that is off by a factor.
     let worst = |factor: f64| {

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use bytemuck::Zeroable;
-use diffraction_brdf::shader::{HalfLayers, TableImage, table_image};
-use diffraction_brdf::shader_spectral::{SpectralImage, spectral_image};
+use diffraction_brdf::shader::{HalfLayers, TableImage, promised_image, table_image};
+use diffraction_brdf::shader_spectral::{SpectralImage, promised_spectral_image, spectral_image};
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_brdf::{Brdf, Factor, Footprint, Interpolation, SpectralTables, Vec3};
 use diffraction_build::ground::sampling::{Region, direction_pairs, plane};
@@ -298,6 +298,38 @@ fn a_point_is_looked_up_as_a_point() {
     println!("points: {errors:?}");
     // Halves, and places on a grid of 1/256 texel.
     assert!(errors[0] < 3e-4 && errors[1] < 5e-3, "{errors:?}");
+}
+
+/// With coefficients on the finest level a point is the spline's, by four linear fetches, and a light's mean that of the spline, by
+/// seven: within what halves, places on a grid of 1/256 texel, and seven places leave.
+#[test]
+fn coefficients_are_looked_up_as_splines() {
+    let Some(gpu) = gpu("splines") else { return };
+    let Specimen { brdf, spectral } = snake();
+    let brdf = brdf.clone().with_interpolation(Interpolation::Spline);
+    let image = promised_image(brdf.tables(), None).unwrap();
+    let tables = upload_spectral(gpu, &promised_spectral_image(spectral).unwrap()).unwrap();
+    let mut values = table_image(brdf.tables(), None).unwrap();
+    values.params.look_up = 1;
+    for (angle, bound) in [(0.0, 5e-3), LIGHTS[0], LIGHTS[1]] {
+        let queries = queries(angle, [0.0; 3]);
+        let expected = exact(&brdf, &queries);
+        let errors = percentiles(&found(gpu, &image, &queries), &expected);
+        println!("splines, {angle} degrees: {:.1e} / {:.1e}", errors[0], errors[1]);
+        assert!(errors[1] < bound, "{angle} degrees: {errors:?}");
+        let smoothed = percentiles(&found(gpu, &values, &queries), &expected);
+        assert!(angle > 0.5 || smoothed[1] > 3.0 * bound, "values for coefficients, {angle} degrees: {smoothed:?}");
+    }
+    let queries = queries(0.0, [0.0; 3]);
+    let at = |query: &FilteredQuery| {
+        let (wi, wo, _) = footprint(query);
+        spectral.eval(Interpolation::Spline, wi, wo, &[f64::from(query.wavelength_nm)])[0]
+    };
+    let expected: Vec<f64> = queries.par_iter().map(at).collect();
+    let found: Vec<f64> = eval_spectral_filtered(gpu, &tables, &queries).unwrap().into_iter().map(f64::from).collect();
+    let errors = percentiles(&found, &expected);
+    println!("splines at one wavelength: {:.1e} / {:.1e}", errors[0], errors[1]);
+    assert!(errors[1] < 1e-2, "{errors:?}");
 }
 
 /// A small ball, whose pixels are filtered by how normals turn in them: the same samples on the CPU and on the GPU.

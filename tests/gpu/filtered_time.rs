@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use diffraction_brdf::Factor;
-use diffraction_brdf::shader::table_image;
+use diffraction_brdf::shader::{promised_image, table_image};
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::read::{ReadConfig, read_scan};
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
@@ -47,21 +47,29 @@ fn measuring_frames_of_one_look_up_and_of_samples() {
     let set = snake(Basis::Chebyshev);
     let published = snake(Basis::Taylor);
     let [tables, published] = [&set, &published].map(|set| upload(gpu, &table_image(set, None).unwrap()).unwrap());
+    let splines = upload(gpu, &promised_image(&set, None).unwrap()).unwrap();
     println!("{:?}", gpu.info().adapter);
     for diameter_deg in [0.53, 2.0] {
         let light = Light { angular_diameter_deg: diameter_deg, ..Light::point([0.5, 0.4, 1.0]) };
         let scene = |light_samples| Scene { light_samples, ..Scene::still("time", Shape::Snake, vec![light], 256) };
         let sampled = |tables, count| Frame::new(gpu, tables, &gbuffer(&scene(count)).unwrap(), 1.0).unwrap();
         let one = Frame::new(gpu, &tables, &filtered_gbuffer(&scene(1)).unwrap(), 1.0).unwrap();
+        let spline_point = sampled(&splines, 1);
+        let of_splines = Frame::new(gpu, &splines, &filtered_gbuffer(&scene(1)).unwrap(), 1.0).unwrap();
         let frames = [1, 16, 64, 256].map(|count| sampled(&tables, count));
         let [of_published, more] = [1, 16].map(|count| sampled(&published, count));
         let plan = FramePlan { warm_up: 1, batches: 9, batch: 1 };
-        let [point, few, some, many, filtered, old, old_few] =
-            time_frames([&frames[0], &frames[1], &frames[2], &frames[3], &one, &of_published, &more], plan).unwrap();
+        let [point, few, some, many, filtered, old, old_few, spline, of_spline] = time_frames(
+            [&frames[0], &frames[1], &frames[2], &frames[3], &one, &of_published, &more, &spline_point, &of_splines],
+            plan,
+        )
+        .unwrap();
         println!("| {diameter_deg} degrees | tables | frame | pair | of a point |");
         for (what, time) in [
             ("point", &point),
             ("one filtered look-up", &filtered),
+            ("point by splines", &spline),
+            ("one filtered look-up of splines", &of_spline),
             ("16 samples", &few),
             ("64 samples", &some),
             ("256 samples", &many),

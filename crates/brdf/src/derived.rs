@@ -16,6 +16,7 @@ use crate::material::reflectance;
 use crate::parallel;
 use crate::spectral::{SpectralCross, SpectralLobe, SpectralTables, TABLES_PER_IMAGE};
 use crate::spectrum::{Illuminant, SpectralQuadrature, filtered_wavenumbers, uniform_wavenumbers};
+use crate::splines::Splines;
 use crate::table_set::{Basis, Lobe, TableSet};
 
 /// Texels beyond the rim of the disc that are filled, as in tables that are built.
@@ -45,6 +46,8 @@ type Ring = (f64, SpectralQuadrature);
 /// A stack of packed tables over a square of (u', v'), and how the wavelength enters.
 struct Stack<'a> {
     images: &'a [Array3<f32>],
+    /// Of images over the whole square of (u', v').
+    splines: Option<Splines>,
     count: usize,
     half_width: f64,
     /// Power of `r` in front of a value.
@@ -60,7 +63,7 @@ struct Square {
 }
 
 impl SpectralTables {
-    /// Tables of X, Y, Z under a light, on the grid of these and as many: what a builder makes from the scan, here from cubic
+    /// Tables of X, Y, Z under a light, on the grid of these and as many: what a builder makes from the scan, here from spline
     /// look-ups along the ray of wavelengths. A material's colour at normal incidence is in them, the lobe's at every angle.
     ///
     /// It takes seconds for tables of the usual size.
@@ -94,7 +97,8 @@ impl SpectralTables {
                 })
             }
         };
-        let stack = Stack { images: &self.images, count: self.count, half_width: 2.0, power: 4 };
+        let splines = Some(Splines::new(&self.images));
+        let stack = Stack { images: &self.images, splines, count: self.count, half_width: 2.0, power: 4 };
         let size = self.size();
         let square = Square { size, half_width: 2.0, radius_max: 2.0 + RIM_TEXELS * 4.0 / (size - 1) as f64 };
         Ok(TableSet {
@@ -164,7 +168,8 @@ impl SpectralTables {
         let half = (cross.images[0].dim().0 - 1) as f64 / 2.0;
         let size = 2 * (radius_max / cross.radius_max * half).ceil() as usize + 1;
         // One power of `r` goes with `|w'|`, over which the patches stand.
-        let stack = Stack { images: &cross.images, count: cross.count, half_width: cross.radius_max, power: 3 };
+        let stack =
+            Stack { images: &cross.images, splines: None, count: cross.count, half_width: cross.radius_max, power: 3 };
         self.summed(&stack, Square { size, half_width: radius_max, radius_max: f64::INFINITY }, ring)
     }
 
@@ -217,13 +222,19 @@ impl SpectralTables {
 }
 
 impl Stack<'_> {
-    /// The tables at `(u', v')`, by cubic look-ups; false where there is nothing.
+    /// The tables at `(u', v')`, by splines or cubics; false where there is nothing.
     fn look_up(&self, [u, v]: [f64; 2], tables: &mut [f64]) -> bool {
         if u.abs().max(v.abs()) >= self.half_width && self.half_width < 2.0 {
             return false;
         }
         let size = self.images[0].dim().0;
         let at = |x: f64| (self.half_width + x) / (2.0 * self.half_width) * (size - 1) as f64;
+        if let Some(splines) = &self.splines {
+            for (sums, value) in tables.chunks_exact_mut(TABLES_PER_IMAGE).zip(splines.values([at(-v), at(u)])) {
+                sums.copy_from_slice(&value);
+            }
+            return true;
+        }
         let (row, wy) = stencil(Interpolation::Cubic, at(-v), size);
         let (column, wx) = stencil(Interpolation::Cubic, at(u), size);
         tables.fill(0.0);

@@ -28,7 +28,7 @@
 //! | 36 | f32 | `grid_last` | texels along u of the whole grid, less one |
 //! | 40, 44 | f32 | `first_column`, `first_row` | where in the whole grid the tables begin |
 //! | 48 | u32 | `factor` | 0 scalar, 1 vector |
-//! | 52 | u32 | `unused` | 0 |
+//! | 52 | u32 | `look_up` | 0 linear; 1 splines, whose coefficients the finest level of `tables` holds |
 //! | 56 | vec2 f32 | `permittivity` | `(n + ik)²` |
 //! | 64 | vec4 f32 | `pigment` | X, Y, Z in 1/sr, and 1; zeros for the BRDF alone |
 //! | 80 | 64 x vec4 f32 | `table_scales` | value = texel times scale, four layers to a vector |
@@ -39,16 +39,24 @@ use half::f16;
 use ndarray::{Array3, ArrayView1, ArrayView3};
 
 use crate::error::{Error, Result};
+use crate::evaluate::Interpolation;
 use crate::front_factor::Factor;
 use crate::lobe_gaussians;
 pub use crate::lobe_gaussians::GAUSSIANS;
 use crate::material::Material;
 use crate::mips;
+use crate::splines::Splines;
 use crate::storage::half_scale;
 use crate::table_set::{Basis, Restriction, TableSet};
 
 /// WGSL that evaluates tables; declares the bindings of group 0. Entry points are put behind it.
-pub const TABLES_WGSL: &str = concat!(include_str!("shaders/optics.wgsl"), "\n", include_str!("shaders/tables.wgsl"));
+pub const TABLES_WGSL: &str = concat!(
+    include_str!("shaders/optics.wgsl"),
+    "\n",
+    include_str!("shaders/tables.wgsl"),
+    "\n",
+    include_str!("shaders/splines.wgsl")
+);
 
 /// [`TABLES_WGSL`] with filtered look-ups: `brdf_xyz_filtered(wi, wo, footprint)` is the mean over a footprint, which
 /// `footprint_of_light` and `footprint_of_normals` make, and which add. Has one binding more.
@@ -56,6 +64,8 @@ pub const TABLES_FILTERED_WGSL: &str = concat!(
     include_str!("shaders/optics.wgsl"),
     "\n",
     include_str!("shaders/tables.wgsl"),
+    "\n",
+    include_str!("shaders/splines.wgsl"),
     "\n",
     include_str!("shaders/filtered.wgsl"),
     "\n",
@@ -96,8 +106,8 @@ pub struct TableParams {
     pub first_row: f32,
     /// 0 for the scalar factor, 1 for the vector one.
     pub factor: u32,
-    /// Fills what follows to its alignment.
-    pub unused: u32,
+    /// 0 for linear look-ups, 1 for splines.
+    pub look_up: u32,
     /// Permittivity `(n + ik)²`, real and imaginary part.
     pub permittivity: [f32; 2],
     /// XYZ of the pigment below in 1/sr, and 1 where there is one.
@@ -152,13 +162,28 @@ pub fn peak(table: &Array3<f32>) -> f32 {
     table.iter().fold(0.0, |peak, value| value.abs().max(peak))
 }
 
-/// Converts a table set for upload; `pigment_xyz_per_sr` is what pictures show below the structure, none for the BRDF alone.
+/// Converts a table set for linear look-ups; `pigment_xyz_per_sr` is what pictures show below the structure, none for the BRDF alone.
 ///
 /// # Errors
 /// `Error::Limit` for more layers or larger tables than every GPU takes, or if a number is not finite.
 pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Result<TableImage> {
+    image_of(set, pigment_xyz_per_sr, None)
+}
+
+/// [`table_image`] for the look-ups that such tables are promised for ([`TableSet::look_up`]): where these are splines, the finest level
+/// holds their coefficients, of which the shader makes four linear fetches a table.
+///
+/// # Errors
+/// As [`table_image`].
+pub fn promised_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Result<TableImage> {
+    let splines = (set.look_up() == Interpolation::Spline).then(|| Splines::new(&set.tables));
+    image_of(set, pigment_xyz_per_sr, splines.as_ref())
+}
+
+fn image_of(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>, splines: Option<&Splines>) -> Result<TableImage> {
     let MaterialFields { material, index, permittivity } = material_fields(set.front_factor.material);
-    let mut tables = half_layers(&set.tables, "tables", usize::from(set.restriction.is_some()))?;
+    let mut tables =
+        half_layers(&set.tables, splines.map(Splines::coefficients), "tables", usize::from(set.restriction.is_some()))?;
     let first = set.restriction.as_ref().map_or([0; 2], |restriction| restriction.first);
     if let Some(Restriction { range, .. }) = &set.restriction {
         check_finite(range, "ranges")?;
@@ -173,7 +198,8 @@ pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Resu
     let (cross, coherent_size, coherent, radius_max, cross_count) = match &set.lobe {
         None => (black_layer(), [1, 1], vec![[0.0; 4]], 0.0, 0),
         Some(lobe) => {
-            let cross = if lobe.cross.is_empty() { black_layer() } else { half_layers(&lobe.cross, "cross terms", 0)? };
+            let cross =
+                if lobe.cross.is_empty() { black_layer() } else { half_layers(&lobe.cross, None, "cross terms", 0)? };
             let (rows, columns, _) = lobe.coherent.dim();
             check_side(rows.max(columns), "the coherent lobe")?;
             check_finite(&lobe.coherent, "the coherent lobe")?;
@@ -198,7 +224,7 @@ pub fn table_image(set: &TableSet, pigment_xyz_per_sr: Option<[f64; 3]>) -> Resu
         first_column: first[1] as f32,
         first_row: first[0] as f32,
         factor: factor_field(set.front_factor.factor),
-        unused: 0,
+        look_up: u32::from(splines.is_some()),
         permittivity,
         pigment: pigment_xyz_per_sr.map_or([0.0; 4], |xyz_per_sr| {
             let [x, y, z] = xyz_per_sr.map(|c| c as f32);
@@ -251,8 +277,13 @@ pub(crate) fn black_layer() -> HalfLayers {
     HalfLayers { size: [1, 1], texels: vec![[f16::ZERO; 4]], scales: vec![1.0], coarser: Vec::new() }
 }
 
-/// `spare` layers more will follow.
-fn half_layers(layers: &[Array3<f32>], what: &str, spare: usize) -> Result<HalfLayers> {
+/// Layers with their means on coarser levels; `coefficients` stand for them on the finest. `spare` layers more will follow.
+fn half_layers(
+    layers: &[Array3<f32>],
+    coefficients: Option<&[Array3<f32>]>,
+    what: &str,
+    spare: usize,
+) -> Result<HalfLayers> {
     let (rows, columns, _) = layers.first().map_or((0, 0, 3), Array3::dim);
     check_side(rows.max(columns), what)?;
     if layers.is_empty() || layers.len() + spare > LAYERS_MAX {
@@ -271,12 +302,13 @@ fn half_layers(layers: &[Array3<f32>], what: &str, spare: usize) -> Result<HalfL
             ));
         }
         check_finite(layer, what)?;
-        let scale = half_scale(peak(layer));
+        let finest = coefficients.map_or(layer, |coefficients| &coefficients[n]);
+        let scale = half_scale(peak(layer).max(peak(finest)));
         let halves = |level: ArrayView3<f32>| -> Vec<[f16; 4]> {
             let half = |value: f32| f16::from_f32(value / scale);
             level.rows().into_iter().map(|xyz| [half(xyz[0]), half(xyz[1]), half(xyz[2]), f16::ZERO]).collect()
         };
-        out.texels.extend(halves(layer.view()));
+        out.texels.extend(halves(finest.view()));
         out.scales.push(scale);
         if spare > 0 {
             continue;
@@ -324,7 +356,7 @@ mod tests {
             f16::from_f32(4001.0 / (1.0 + (r * 9 + c * 3 + k) as f32)).to_f32() * scale
         });
         assert_eq!(half_scale(peak(&table)), scale);
-        let layers = half_layers(std::slice::from_ref(&table), "tables", 0).unwrap();
+        let layers = half_layers(std::slice::from_ref(&table), None, "tables", 0).unwrap();
         for (texel, value) in layers.texels.iter().zip(table.rows()) {
             for c in 0..3 {
                 assert_eq!(texel[c].to_f32() * scale, value[c]);
@@ -342,7 +374,7 @@ mod tests {
             ($($field:ident)*) => { [$((stringify!($field), offset_of!(TableParams, $field))),*] };
         }
         let fields = offsets!(basis table_count cross_count material shadowing radius_max index_n index_k restricted grid_last
-            first_column first_row factor unused permittivity pigment table_scales cross_scales);
+            first_column first_row factor look_up permittivity pigment table_scales cross_scales);
         let cells = |line: &'static str| Some(line.strip_prefix("//! | ")?.split(" | ").collect::<Vec<_>>());
         let rows = include_str!("shader.rs").lines().filter_map(cells).filter(|cells| cells.len() == 4);
         let stated = rows.skip(1).flat_map(|cells| {
@@ -356,11 +388,11 @@ mod tests {
     #[test]
     fn what_no_gpu_takes_is_refused() {
         let layer = Array3::<f32>::zeros((1, 1, 3));
-        assert!(half_layers(&vec![layer.clone(); 256], "tables", 0).is_ok());
-        assert!(half_layers(&vec![layer.clone(); 257], "tables", 0).is_err());
-        assert!(half_layers(&vec![layer.clone(); 256], "tables", 1).is_err());
-        assert!(half_layers(&[], "tables", 0).is_err());
-        assert!(half_layers(&[layer.clone(), Array3::zeros((2, 2, 3))], "tables", 0).is_err());
-        assert!(half_layers(&[layer + f32::NAN], "tables", 0).is_err());
+        assert!(half_layers(&vec![layer.clone(); 256], None, "tables", 0).is_ok());
+        assert!(half_layers(&vec![layer.clone(); 257], None, "tables", 0).is_err());
+        assert!(half_layers(&vec![layer.clone(); 256], None, "tables", 1).is_err());
+        assert!(half_layers(&[], None, "tables", 0).is_err());
+        assert!(half_layers(&[layer.clone(), Array3::zeros((2, 2, 3))], None, "tables", 0).is_err());
+        assert!(half_layers(&[layer + f32::NAN], None, "tables", 0).is_err());
     }
 }

@@ -26,7 +26,8 @@
 //! | 44 | f32 | `lobe_sigma_nm` | coherence of the light at the shortest wavelength; 0 without a lobe |
 //! | 48 | f32 | `cross_radius` | half the side of the patches; 0 without any |
 //! | 52 | u32 | `of_source` | 1 where that coherence grows in proportion to the wavelength |
-//! | 56 | u32 | `unused` | 0, twice |
+//! | 56 | u32 | `look_up` | 0 linear; 1 splines, whose coefficients the finest level of `tables` holds |
+//! | 60 | u32 | `unused` | 0 |
 //! | 64 | 64 x vec4 f32 | `table_scales` | value = texel times scale, a layer's four tables to a vector |
 //! | 1088 | 64 x vec4 f32 | `cross_scales` | likewise |
 //!
@@ -45,12 +46,18 @@ use crate::shader::{
     material_fields, packed,
 };
 use crate::spectral::{SpectralTables, TABLES_PER_IMAGE};
+use crate::splines::Splines;
 use crate::storage::half_scale;
 
 /// WGSL that evaluates spectral tables: `brdf_spectral(wi, wo, wavelength_nm)`; declares the bindings of group 0. Entry points
 /// are put behind it. It has names in common with [`TABLES_WGSL`](crate::shader::TABLES_WGSL), so a module takes one of them.
-pub const SPECTRAL_WGSL: &str =
-    concat!(include_str!("shaders/optics.wgsl"), "\n", include_str!("shaders/spectral.wgsl"));
+pub const SPECTRAL_WGSL: &str = concat!(
+    include_str!("shaders/optics.wgsl"),
+    "\n",
+    include_str!("shaders/spectral.wgsl"),
+    "\n",
+    include_str!("shaders/splines.wgsl")
+);
 
 /// [`SPECTRAL_WGSL`] with filtered look-ups: `brdf_spectral_filtered(wi, wo, wavelength_nm, footprint)` is the mean over a
 /// footprint, which `footprint_of_light` and `footprint_of_normals` make, and which add.
@@ -58,6 +65,8 @@ pub const SPECTRAL_FILTERED_WGSL: &str = concat!(
     include_str!("shaders/optics.wgsl"),
     "\n",
     include_str!("shaders/spectral.wgsl"),
+    "\n",
+    include_str!("shaders/splines.wgsl"),
     "\n",
     include_str!("shaders/filtered.wgsl"),
     "\n",
@@ -99,8 +108,10 @@ pub struct SpectralParams {
     pub cross_radius: f32,
     /// 1 where `lobe_sigma_nm` grows in proportion to the wavelength, as under a source of fixed size.
     pub of_source: u32,
+    /// 0 for linear look-ups, 1 for splines.
+    pub look_up: u32,
     /// Fills what follows to its alignment.
-    pub unused: [u32; 2],
+    pub unused: u32,
     /// Scale of each table, a layer's four to a vector.
     pub table_scales: [[f32; 4]; LAYERS_MAX / 4],
     /// Scale of each patch.
@@ -136,12 +147,25 @@ pub struct SpectralImage {
 /// [`Error::Limit`] for more than 256 tables or larger ones than every GPU takes, for a lobe's power of more than 33 million
 /// values, or if a number is not finite.
 pub fn spectral_image(tables: &SpectralTables) -> Result<SpectralImage> {
-    let images = four_to_a_layer(&tables.images, tables.count, "spectral tables")?;
+    image_of(tables, None)
+}
+
+/// [`spectral_image`] for look-ups by splines, which `FORMAT.md` describes: the finest level holds their coefficients.
+///
+/// # Errors
+/// As [`spectral_image`].
+pub fn promised_spectral_image(tables: &SpectralTables) -> Result<SpectralImage> {
+    image_of(tables, Some(&Splines::new(&tables.images)))
+}
+
+fn image_of(tables: &SpectralTables, splines: Option<&Splines>) -> Result<SpectralImage> {
+    let coefficients = splines.map(Splines::coefficients);
+    let images = four_to_a_layer(&tables.images, coefficients, tables.count, "spectral tables")?;
     let lobe = tables.lobe.as_ref();
     let cross = lobe.and_then(|lobe| lobe.cross.as_ref());
     let patches = match cross {
         None => black_layer(),
-        Some(cross) => four_to_a_layer(&cross.images, cross.count, "patches of the spectral cross term")?,
+        Some(cross) => four_to_a_layer(&cross.images, None, cross.count, "patches of the spectral cross term")?,
     };
     let (power_size, power) = lobe.map_or(Ok(([1, 1], vec![0.0])), |lobe| rows_of_power(&lobe.power))?;
     let params = SpectralParams {
@@ -154,6 +178,7 @@ pub fn spectral_image(tables: &SpectralTables) -> Result<SpectralImage> {
         lobe_sigma_nm: lobe.map_or(0.0, |lobe| lobe.sigma_nm as f32),
         of_source: u32::from(lobe.is_some_and(|lobe| lobe.is_of_source)),
         cross_radius: cross.map_or(0.0, |cross| cross.radius_max as f32),
+        look_up: u32::from(splines.is_some()),
         table_scales: packed(&images.scales),
         cross_scales: packed(&patches.scales),
         ..SpectralParams::zeroed()
@@ -167,8 +192,13 @@ pub fn spectral_image(tables: &SpectralTables) -> Result<SpectralImage> {
     Ok(SpectralImage { params: params.at(material), tables: images, cross: patches, power_size, power })
 }
 
-/// Repacks `count` tables of images with three to an image.
-fn four_to_a_layer(images: &[Array3<f32>], count: usize, what: &str) -> Result<HalfLayers> {
+/// Repacks `count` tables of images with three to an image; `coefficients`, packed alike, stand for them on the finest level.
+fn four_to_a_layer(
+    images: &[Array3<f32>],
+    coefficients: Option<&[Array3<f32>]>,
+    count: usize,
+    what: &str,
+) -> Result<HalfLayers> {
     let (rows, columns, _) = images.first().map_or((0, 0, TABLES_PER_IMAGE), Array3::dim);
     check_side(rows.max(columns), what)?;
     if count == 0 || count > LAYERS_MAX {
@@ -192,9 +222,10 @@ fn four_to_a_layer(images: &[Array3<f32>], count: usize, what: &str) -> Result<H
     let mut out =
         HalfLayers { size: [rows, columns], texels: black([rows, columns]), scales: Vec::new(), coarser: Vec::new() };
     for n in 0..count {
-        let table = images[n / TABLES_PER_IMAGE].index_axis(Axis(2), n % TABLES_PER_IMAGE).insert_axis(Axis(2));
-        let scale = half_scale(table.iter().fold(0.0, |peak, value| value.abs().max(peak)));
-        put(&mut out.texels, n, table, scale);
+        let [table, finest] = [images, coefficients.unwrap_or(images)]
+            .map(|images| images[n / TABLES_PER_IMAGE].index_axis(Axis(2), n % TABLES_PER_IMAGE).insert_axis(Axis(2)));
+        let scale = half_scale(table.iter().chain(finest).fold(0.0, |peak, value| value.abs().max(peak)));
+        put(&mut out.texels, n, finest, scale);
         for (index, level) in mips::coarser(table).iter().enumerate() {
             if n == 0 {
                 let (rows, columns, _) = level.dim();

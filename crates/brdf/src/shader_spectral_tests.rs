@@ -98,7 +98,7 @@ fn the_uniform_lies_as_its_table_says() {
         ($($field:ident)*) => { [$((stringify!($field), offset_of!(SpectralParams, $field))),*] };
     }
     let fields = offsets!(table_layers cross_layers lobe_count material factor shadowing index_n index_k permittivity
-        shortest_nm lobe_sigma_nm cross_radius of_source unused table_scales cross_scales);
+        shortest_nm lobe_sigma_nm cross_radius of_source look_up unused table_scales cross_scales);
     let cells = |line: &'static str| Some(line.strip_prefix("//! | ")?.split(" | ").collect::<Vec<_>>());
     let rows = include_str!("shader_spectral.rs").lines().filter_map(cells).filter(|cells| cells.len() == 4);
     let stated = rows.skip(1).flat_map(|cells| {

@@ -230,7 +230,7 @@ mod tests {
         let table = table(41);
         let mut other = table.clone();
         for ((row, column, _), value) in other.indexed_iter_mut() {
-            if (row as f64 - 20.0).hypot(column as f64 - 20.0) > 22.0 {
+            if (row as f64 - 20.0).hypot(column as f64 - 20.0) > 23.0 {
                 *value = 1e6;
             }
         }

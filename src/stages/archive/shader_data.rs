@@ -8,8 +8,8 @@ use diffraction_brdf::SpectralTables;
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
 use diffraction_brdf::json;
-use diffraction_brdf::shader::{GAUSSIANS, HalfLayers, table_image};
-use diffraction_brdf::shader_spectral::spectral_image;
+use diffraction_brdf::shader::{GAUSSIANS, HalfLayers, promised_image};
+use diffraction_brdf::shader_spectral::promised_spectral_image;
 use diffraction_build::optics::pigment::Surface;
 
 /// Name of the file that describes the others.
@@ -26,7 +26,7 @@ const SPECTRAL_INDEX: &str = "spectral_textures.json";
 /// `Error::Limit` for tables that do not fit every GPU; the disk's.
 pub(crate) fn write_shader_data(folder: &Path, surface: Surface) -> Result<()> {
     files::create_folder(folder)?;
-    let image = table_image(surface.tables, surface.pigment.map(|pigment| pigment.xyz_per_sr))?;
+    let image = promised_image(surface.tables, surface.pigment.map(|pigment| pigment.xyz_per_sr))?;
     let [rows, columns] = image.coherent_size;
     files::replace(&folder.join("params.bin"), bytemuck::bytes_of(&image.params))?;
     write_levels(folder, "tables", &image.tables)?;
@@ -55,7 +55,7 @@ pub(crate) fn write_shader_data(folder: &Path, surface: Surface) -> Result<()> {
 /// # Errors
 /// `Error::Limit` for tables that do not fit every GPU; the disk's.
 pub(crate) fn write_spectral_data(folder: &Path, tables: &SpectralTables) -> Result<()> {
-    let image = spectral_image(tables)?;
+    let image = promised_spectral_image(tables)?;
     let [rows, columns] = image.power_size;
     files::replace(&folder.join("spectral_params.bin"), bytemuck::bytes_of(&image.params))?;
     write_levels(folder, "spectral_tables", &image.tables)?;

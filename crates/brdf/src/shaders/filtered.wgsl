@@ -68,6 +68,15 @@ fn taps_of(ellipse: Ellipse, texels_per_unit: f32, level_max: f32) -> Taps {
     return Taps(level, 1.0 - ring, axes.x * ellipse.axis, axes.y * vec2<f32>(-ellipse.axis.y, ellipse.axis.x));
 }
 
+// Linear fetches of coefficients blur by 1/6 of a squared texel, the spline itself by 1/3: an ellipse that is so much larger makes the
+// difference up.
+fn for_coefficients(ellipse: Ellipse, texels_per_unit: f32) -> Ellipse {
+    return Ellipse(ellipse.axis, ellipse.variances + 1.0 / (6.0 * texels_per_unit * texels_per_unit));
+}
+
+// Larger variance of an ellipse in squared texels up to which it is a point for a spline.
+const SPLINE_POINT_MAX: f32 = 0.003;
+
 // Share of an ellipse's variance that a level's blur may take: with it a ring alone has the fourth moment of an even disc.
 const BLUR_SHARE: f32 = 0.1835;
 // Likewise along the longer axis of a narrow ellipse.

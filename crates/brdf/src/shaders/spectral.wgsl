@@ -33,6 +33,8 @@ struct SpectralParams {
     cross_radius: f32,
     // 1 where lobe_sigma_nm grows in proportion to the wavelength, as under a source of fixed size.
     of_source: u32,
+    // LINEAR, or SPLINES where the finest level of `tables` holds coefficients of splines in place of values.
+    look_up: u32,
     // Value of a table = texel times scale: the scales of a layer's four tables to a vector.
     table_scales: array<vec4<f32>, 64>,
     cross_scales: array<vec4<f32>, 64>,
@@ -135,7 +137,7 @@ fn cross_value(q: vec3<f32>, t: f32) -> f32 {
     var basis = first_four(2.0 * t - 1.0);
     var sum = 0.0;
     for (var layer = 0u; layer < params.cross_layers; layer = layer + 1u) {
-        let texel = textureSampleLevel(cross_terms, bilinear, uv, layer, 0.0);
+        let texel = cross_texel(uv, layer);
         sum = sum + dot(basis * params.cross_scales[layer], texel);
         basis = next_four(basis, 2.0 * t - 1.0);
     }
@@ -145,11 +147,24 @@ fn cross_value(q: vec3<f32>, t: f32) -> f32 {
 // Sum of T_n(2t - 1) table_n at a position in [-1, 1]².
 fn expansion(at: vec2<f32>, t: f32) -> f32 {
     let uv = texel_centred(at, textureDimensions(tables));
+    if params.look_up == SPLINES {
+        return expansion_by_splines(spline_places(uv), t);
+    }
     var basis = first_four(2.0 * t - 1.0);
     var sum = 0.0;
     for (var layer = 0u; layer < params.table_layers; layer = layer + 1u) {
         let texel = textureSampleLevel(tables, bilinear, uv, layer, 0.0);
         sum = sum + dot(basis * params.table_scales[layer], texel);
+        basis = next_four(basis, 2.0 * t - 1.0);
+    }
+    return sum;
+}
+
+fn expansion_by_splines(places: SplinePlaces, t: f32) -> f32 {
+    var basis = first_four(2.0 * t - 1.0);
+    var sum = 0.0;
+    for (var layer = 0u; layer < params.table_layers; layer = layer + 1u) {
+        sum = sum + dot(basis * params.table_scales[layer], spline_texel(places, layer));
         basis = next_four(basis, 2.0 * t - 1.0);
     }
     return sum;

@@ -50,7 +50,15 @@ fn lobe_mean(place: LobePlace, width: f32) -> f32 {
 
 fn expansion_mean(q: vec3<f32>, t: f32, ellipse: Ellipse) -> f32 {
     let size = textureDimensions(tables);
-    let taps = taps_of(ellipse, 0.25 * (f32(size.x) - 1.0), coarsest_level(size));
+    let texels_per_unit = 0.25 * (f32(size.x) - 1.0);
+    var taps = taps_of(ellipse, texels_per_unit, coarsest_level(size));
+    // Coarser levels hold values.
+    if params.look_up == SPLINES && taps.level == 0.0 {
+        if ellipse.variances.x * texels_per_unit * texels_per_unit < SPLINE_POINT_MAX {
+            return expansion(0.5 * q.xy, t);
+        }
+        taps = taps_of(for_coefficients(ellipse, texels_per_unit), texels_per_unit, 0.0);
+    }
     var sum = 0.0;
     var place = vec2<f32>(0.0, 0.0);
     var weight = taps.centre;

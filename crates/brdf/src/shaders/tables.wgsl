@@ -29,6 +29,8 @@ struct TableParams {
     first_row: f32,
     // SCALAR (R G) or VECTOR (first-order vector perturbation).
     factor: u32,
+    // LINEAR, or SPLINES where the finest level of `tables` holds coefficients of splines in place of values.
+    look_up: u32,
     // (n + ik)², real and imaginary part.
     permittivity: vec2<f32>,
     // XYZ of the pigment below the structure in 1/sr, and 1 where there is one.
@@ -173,12 +175,28 @@ fn lobe_at(radius: f32, w: f32) -> vec3<f32> {
 // Sum of basis_n table_n at a position in [-1, 1]².
 fn expansion(basis: Recurrence, at: vec2<f32>) -> vec3<f32> {
     let uv = table_place(at);
+    if params.look_up == SPLINES {
+        return expansion_by_splines(basis, spline_places(uv));
+    }
     var sum = vec3<f32>(0.0, 0.0, 0.0);
     var now = basis.first;
     var next = basis.second;
     for (var n = 0u; n < params.table_count; n = n + 1u) {
         let texel = textureSampleLevel(tables, bilinear, uv, n, 0.0).rgb;
         sum = sum + (now * params.table_scales[n / 4u][n % 4u]) * texel;
+        let after = basis.forward * next - basis.back * now;
+        now = next;
+        next = after;
+    }
+    return sum;
+}
+
+fn expansion_by_splines(basis: Recurrence, places: SplinePlaces) -> vec3<f32> {
+    var sum = vec3<f32>(0.0, 0.0, 0.0);
+    var now = basis.first;
+    var next = basis.second;
+    for (var n = 0u; n < params.table_count; n = n + 1u) {
+        sum = sum + (now * params.table_scales[n / 4u][n % 4u]) * spline_texel(places, n).rgb;
         let after = basis.forward * next - basis.back * now;
         now = next;
         next = after;
@@ -193,7 +211,7 @@ fn cross_expansion(basis: Recurrence, at: vec2<f32>) -> vec3<f32> {
     var now = basis.first;
     var next = basis.second;
     for (var n = 0u; n < params.cross_count; n = n + 1u) {
-        let texel = textureSampleLevel(cross_terms, bilinear, uv, n, 0.0).rgb;
+        let texel = cross_texel(uv, n).rgb;
         sum = sum + (now * params.cross_scales[n / 4u][n % 4u]) * texel;
         let after = basis.forward * next - basis.back * now;
         now = next;
@@ -212,6 +230,9 @@ fn table_place(at: vec2<f32>) -> vec2<f32> {
 // too many for half floats, and filtering 32-bit floats is not everywhere to be had.
 fn sample(at: vec2<f32>) -> vec3<f32> {
     let last = vec2<i32>(textureDimensions(lobe)).yx - 1;
+    if params.look_up == SPLINES && min(last.x, last.y) >= 3 {
+        return sample_cubic(clamp(at, vec2<f32>(0.0, 0.0), vec2<f32>(last)), last);
+    }
     let inside = clamp(at, vec2<f32>(0.0, 0.0), vec2<f32>(last));
     let first = max(min(vec2<i32>(inside), last - 1), vec2<i32>(0, 0));
     let second = min(first + 1, last);
@@ -227,6 +248,18 @@ fn sample(at: vec2<f32>) -> vec3<f32> {
         share.y,
     );
     return mix(low, high, share.x);
+}
+
+fn sample_cubic(at: vec2<f32>, last: vec2<i32>) -> vec3<f32> {
+    let first = clamp(vec2<i32>(at) - 1, vec2<i32>(0, 0), last - 3);
+    let down = cubic_weights(at.x - f32(first.x));
+    let across = cubic_weights(at.y - f32(first.y));
+    var sum = vec3<f32>(0.0, 0.0, 0.0);
+    for (var k = 0; k < 16; k = k + 1) {
+        let texel = textureLoad(lobe, vec2<i32>(first.y + k % 4, first.x + k / 4), 0).rgb;
+        sum = sum + across[k % 4] * down[k / 4] * texel;
+    }
+    return sum;
 }
 
 // IEC 61966-2-1 primaries and white; components may be negative.

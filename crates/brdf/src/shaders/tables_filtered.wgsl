@@ -49,10 +49,18 @@ fn tables_mean(q: vec3<f32>, t: f32, ellipse: Ellipse) -> vec3<f32> {
     if params.restricted == 0u {
         level_max = coarsest_level(textureDimensions(tables));
     }
-    let taps = taps_of(ellipse, 0.25 * params.grid_last, level_max);
+    let texels_per_unit = 0.25 * params.grid_last;
+    var taps = taps_of(ellipse, texels_per_unit, level_max);
     var basis = shifted_values(t);
     if params.basis == TAYLOR {
         basis = powers(abs(q.z));
+    }
+    // Coarser levels hold values.
+    if params.look_up == SPLINES && taps.level == 0.0 {
+        if ellipse.variances.x * texels_per_unit * texels_per_unit < SPLINE_POINT_MAX {
+            return expansion(basis, 0.5 * q.xy);
+        }
+        taps = taps_of(for_coefficients(ellipse, texels_per_unit), texels_per_unit, 0.0);
     }
     var sum = vec3<f32>(0.0, 0.0, 0.0);
     var place = vec2<f32>(0.0, 0.0);
