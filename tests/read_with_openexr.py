@@ -44,6 +44,66 @@ def bilinear(image, column, row):
     return (1 - y) * top + y * bottom
 
 
+def coefficients(table):
+    """Of the cubic B-splines through a square table: (c[i - 1] + 4 c[i] + c[i + 1]) / 6 is value i, mirrored at the ends."""
+    size = len(table)
+    middle = (size - 1) / 2
+    x, y = np.meshgrid(np.arange(size) - middle, np.arange(size) - middle)
+    radius = np.maximum(np.hypot(x, y), 1)
+    # Beyond two texels outside of the disc values are held.
+    held = lambda at: np.where(radius > middle + 2, at * (middle + 2) / radius, at)
+    column, row = (np.floor(middle + held(at) + 0.5).astype(int).clip(0, size - 1) for at in (x, y))
+    found = table[row, column]
+    for _ in range(2):
+        found = np.swapaxes(solved(6 * found), 0, 1)
+    return found
+
+
+def solved(right):
+    """The tridiagonal system, by elimination along the first axis."""
+    last = len(right) - 1
+    above = np.empty(last)
+    for i in range(last + 1):
+        below = 0 if i == 0 else 2 if i == last else 1
+        pivot = 4 - below * (above[i - 1] if i else 0)
+        right[i] = (right[i] - below * right[i - 1] if i else right[i]) / pivot
+        if i < last:
+            above[i] = (2 if i == 0 else 1) / pivot
+    for i in range(last - 1, -1, -1):
+        right[i] -= above[i] * right[i + 1]
+    return right
+
+
+def spline(image, column, row):
+    """A look-up of coefficients."""
+    rows, columns, _ = image.shape
+
+    def taps(at, count):
+        whole = int(at)
+        f = at - whole
+        weights = [(1 - f) ** 3 / 6, 2 / 3 - f**2 + f**3 / 2, 2 / 3 - (1 - f) ** 2 + (1 - f) ** 3 / 2, f**3 / 6]
+        indices = [abs(whole + k) for k in (-1, 0, 1, 2)]
+        return [(min(i, 2 * (count - 1) - i), w) for i, w in zip(indices, weights)]
+
+    return sum(wy * wx * image[r, c] for r, wy in taps(row, rows) for c, wx in taps(column, columns))
+
+
+def cubic(image, column, row):
+    """Lagrange's cubic through four by four texels."""
+    rows, columns, _ = image.shape
+
+    def taps(at, count):
+        if count < 4:
+            first = min(int(at), count - 2)
+            return [(first, 1 - (at - first)), (first + 1, at - first)]
+        first = min(max(int(at) - 1, 0), count - 4)
+        nodes = range(4)
+        weight = lambda k: np.prod([(at - first - j) / (k - j) for j in nodes if j != k])
+        return [(first + k, weight(k)) for k in nodes]
+
+    return sum(wy * wx * image[r, c] for r, wy in taps(row, rows) for c, wx in taps(column, columns))
+
+
 def chebyshev(t, count):
     values = [1.0, 2 * t - 1]
     while len(values) < count:
@@ -94,6 +154,7 @@ class Specimen:
 
         self.basis = stored["basis"]
         self.tables = [image(array, corner=(column, row)) for array in stored["tables"]]
+        self.splines = None
         self.axes = [stored["u"], stored["v"]]
         if self.restriction:
             self.range = image(self.restriction["range"], np.float16, (column, row))
@@ -103,7 +164,11 @@ class Specimen:
             cross = self.lobe["cross"]
             self.cross = [image(array) for array in cross["patches"]] if cross else []
 
-    def evaluate(self, wi, wo):
+    def evaluate(self, wi, wo, splines=False):
+        """By linear look-ups, or by splines; the lobe's own tables are then looked up by cubics."""
+        if splines and self.splines is None:
+            self.splines = [coefficients(table) for table in self.tables]
+        near = cubic if splines else bilinear
         u, v, w = -(np.array(wi) + np.array(wo))
         # Axes are given by the centres of their first and last texels.
         column, row = (
@@ -123,7 +188,8 @@ class Specimen:
             m = (np.array(wi) + np.array(wo)) / (2 * c)
             shadowing = min(1.0, 2 * m[2] * wo[2] / np.dot(wo, m), 2 * m[2] * wi[2] / np.dot(wo, m))
             factor, lobe_factor = factor * shadowing, lobe_factor * shadowing
-        values = [bilinear(table, column, row) for table in self.tables]
+        look_up, tables = (spline, self.splines) if splines else (bilinear, self.tables)
+        values = [look_up(table, column, row) for table in tables]
         if self.basis == "taylor":
             return factor * sum(abs(w) ** n * value for n, value in enumerate(values)) / w**2
         t = min(1.0, abs(w) / np.sqrt(4 - u * u - v * v))
@@ -143,10 +209,10 @@ class Specimen:
             for radius in [np.hypot(u, v)] + [image] * vector:
                 if radius < r:
                     row = (rows - 1) * min(1.0, abs(w) / np.sqrt(4 - radius**2))
-                    lobe = lobe + bilinear(self.coherent, (columns - 1) * radius / r, row)
+                    lobe = lobe + near(self.coherent, (columns - 1) * radius / r, row)
             for basis, patch in zip(chebyshev(t, len(self.cross)), self.cross if max(abs(u), abs(v)) < r else []):
                 side = patch.shape[0] - 1
-                total = total + basis * bilinear(patch, side * (u + r) / (2 * r), side * (r - v) / (2 * r)) / abs(w)
+                total = total + basis * near(patch, side * (u + r) / (2 * r), side * (r - v) / (2 * r)) / abs(w)
         return factor * total + lobe_factor * lobe
 
 
@@ -188,6 +254,7 @@ class Spectral:
             return [found[n // 3][0][:, :, n % 3] for n in range(count)]
 
         self.tables = images(self.about["images"], self.about["tables"])
+        self.splines = None
         self.lobe = self.about.get("lobe")
         if self.lobe:
             (self.power,) = images([self.lobe["power"]], 1, np.float32)
@@ -211,7 +278,9 @@ class Spectral:
             shadowing = min(1.0, 2 * m[2] * wo[2] / np.dot(wo, m), 2 * m[2] * wi[2] / np.dot(wo, m))
         return diffuse * shadowing, lobe * shadowing, vector
 
-    def evaluate(self, wi, wo, nm):
+    def evaluate(self, wi, wo, nm, splines=False):
+        if splines and self.splines is None:
+            self.splines = [coefficients(table) for table in self.tables]
         u, v, w = -(np.array(wi) + np.array(wo))
         r = self.about["shortest_nm"] / nm
         xi, eta = self.about["xi_per_nm"], self.about["eta_per_nm"]
@@ -221,9 +290,10 @@ class Spectral:
         )
         scaled_w = r * abs(w)
         t = min(1.0, scaled_w / np.sqrt(4 - r * r * (u * u + v * v)))
-        look_up = lambda image, x, y: bilinear(image[:, :, None], x, y)[0]
-        polynomials = chebyshev(t, len(self.tables))
-        total = sum(p * look_up(table, column, row) for p, table in zip(polynomials, self.tables))
+        by, near = (spline, cubic) if splines else (bilinear, bilinear)
+        look_up = lambda by, image, x, y: by(image[:, :, None], x, y)[0]
+        tables = self.splines if splines else self.tables
+        total = sum(p * look_up(by, table, column, row) for p, table in zip(chebyshev(t, len(tables)), tables))
         diffuse, lobe_factor, vector = self.factors(wi, wo, nm)
         lobe = 0.0
         if self.lobe:
@@ -233,7 +303,7 @@ class Spectral:
                 if max(abs(u), abs(v)) / nm < k:
                     x, y = side * (u / nm + k) / (2 * k), side * (k - v / nm) / (2 * k)
                     for p, patch in zip(chebyshev(t, len(self.cross)), self.cross):
-                        total += p * look_up(patch, x, y) / scaled_w
+                        total += p * look_up(near, patch, x, y) / scaled_w
             line = self.power[0]
             power = np.interp(scaled_w / 2 * (len(line) - 1), np.arange(len(line)), line)
             to_horizon = [d[2] ** 2 / (1 + np.hypot(d[0], d[1])) for d in (wi, wo)]
@@ -254,20 +324,22 @@ def main(version):
     for entry in index["specimens"]:
         specimen = Specimen(version / entry["name"])
         for check in specimen.about["check_values"]:
-            expected, found = np.array(check["xyz"]), specimen.evaluate(check["wi"], check["wo"])
-            # Between the orders of a grating the value is exactly 0, and so it must be found.
-            if not np.max(np.abs(found - expected)) <= TOLERANCE * np.max(np.abs(expected)):
-                sys.exit(f"{entry['name']}: expected {expected}, found {found} at wi {check['wi']}, wo {check['wo']}")
-            checked += 1
+            for key in [key for key in ("xyz", "xyz_spline") if key in check]:
+                expected, found = np.array(check[key]), specimen.evaluate(check["wi"], check["wo"], key == "xyz_spline")
+                # Between the orders of a grating the value is exactly 0, and so it must be found.
+                if not np.max(np.abs(found - expected)) <= TOLERANCE * np.max(np.abs(expected)):
+                    sys.exit(f"{entry['name']}, {key}: expected {expected}, found {found} at wi {check['wi']}, wo {check['wo']}")
+                checked += 1
         if "spectral" not in specimen.about:
             continue
         spectral = Spectral(version / entry["name"], specimen.about)
         for check in spectral.about["check_values"]:
-            expected = np.array(check["brdf"])
-            found = np.array([spectral.evaluate(check["wi"], check["wo"], nm) for nm in check["wavelength_nm"]])
-            if not np.max(np.abs(found - expected)) <= TOLERANCE * np.max(np.abs(expected)):
-                sys.exit(f"{entry['name']}: expected {expected}, found {found} at wi {check['wi']}, wo {check['wo']}")
-            checked += len(expected)
+            for key in [key for key in ("brdf", "brdf_spline") if key in check]:
+                expected, splines = np.array(check[key]), key == "brdf_spline"
+                found = np.array([spectral.evaluate(check["wi"], check["wo"], nm, splines) for nm in check["wavelength_nm"]])
+                if not np.max(np.abs(found - expected)) <= TOLERANCE * np.max(np.abs(expected)):
+                    sys.exit(f"{entry['name']}, {key}: expected {expected}, found {found} at wi {check['wi']}, wo {check['wo']}")
+                checked += len(expected)
     print(f"{len(images)} images read, {checked} check values met")
     if not images or not checked:
         sys.exit("nothing to check")

@@ -6,6 +6,7 @@ use diffraction_atlas::stages::archive::specimen_file::{self, SpecimenFile};
 use diffraction_atlas::stages::archive::worked;
 use diffraction_brdf::atlas::{AtlasIndex, InputRecord, SpecimenEntry};
 use diffraction_brdf::direction::from_angles_deg;
+use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::specimen::{CheckValue, SCHEMA};
 use diffraction_brdf::spectrum::Illuminant;
 use diffraction_brdf::storage;
@@ -61,15 +62,17 @@ fn check_values(tables: &TableSet, seed: u64) -> Vec<CheckValue> {
         };
         let angles = [theta_i_deg, phi_i_deg, theta_r_deg.abs(), phi_r_deg];
         let worked = worked::work_number(tables, angles);
+        let [wi, wo] = [from_angles_deg(angles[0], angles[1]), from_angles_deg(angles[2], angles[3])];
         CheckValue {
             theta_i_deg,
             phi_i_deg,
             theta_r_deg: angles[2],
             phi_r_deg,
-            wi: from_angles_deg(angles[0], angles[1]),
-            wo: from_angles_deg(angles[2], angles[3]),
+            wi,
+            wo,
             xyz: worked.xyz,
-            xyz_spline: None,
+            xyz_spline: (tables.look_up() == Interpolation::Spline)
+                .then(|| brdf_xyz(tables, Interpolation::Spline, wi, wo)),
         }
     };
     (0..20).map(check).collect()

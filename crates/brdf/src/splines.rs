@@ -11,8 +11,8 @@ use crate::parallel;
 /// The pole of the filter that turns values into coefficients, `√3 - 2`.
 pub(crate) const POLE: f64 = -0.267_949_192_431_122_7;
 
-/// Texels on each side of a place beyond which values count less than 1e-11 in its coefficients.
-const REACH: i64 = 20;
+/// Texels on each side of a place beyond which values count less than 1e-15 in its coefficients.
+const REACH: i64 = 28;
 
 /// Texels beyond the rim of the disc from which on values are held: tables are zero beyond three, and the step there must not
 /// ring into the disc.

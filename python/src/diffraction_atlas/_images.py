@@ -98,7 +98,7 @@ def stencil(at: NDArray, count: int, lookup: str) -> tuple[NDArray, tuple[NDArra
 
 
 #: The pole of the filter that turns values into a spline's coefficients, and from how many of them it starts.
-POLE, START = np.sqrt(3) - 2, 41
+POLE, START = np.sqrt(3) - 2, 57
 #: Texels beyond the rim of the disc from which on values are held: tables are zero beyond three, and the step must not ring.
 HELD_TEXELS = 2
 

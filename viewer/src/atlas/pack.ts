@@ -42,6 +42,8 @@ export interface TableParams {
   first_column: number;
   first_row: number;
   factor: number;
+  /** 0: values, looked up linearly. */
+  look_up: number;
   permittivity: [number, number];
   pigment: [number, number, number, number];
   table_scales: Float32Array;
@@ -70,6 +72,8 @@ export interface SpectralParams {
   lobe_sigma_nm: number;
   cross_radius: number;
   of_source: number;
+  /** 0: values, looked up linearly. */
+  look_up: number;
   table_scales: Float32Array;
   cross_scales: Float32Array;
 }
@@ -266,6 +270,7 @@ export async function packTables(files: AtlasFiles, specimen: Specimen, progress
     first_column: served?.first[1] ?? 0,
     first_row: served?.first[0] ?? 0,
     factor: factorField(optics.factor),
+    look_up: 0,
     pigment: pigment ? [...pigment.xyz_per_sr, 1] : [0, 0, 0, 0],
     table_scales: tables.scales,
     cross_scales: cross.scales,
@@ -306,6 +311,7 @@ export async function packSpectral(files: AtlasFiles, specimen: Specimen, progre
     lobe_sigma_nm: spectral.lobe?.sigma_nm ?? 0,
     cross_radius: cross ? cross.xi_per_nm.last * spectral.shortest_nm : 0,
     of_source: spectral.lobe?.sigma_grows ? 1 : 0,
+    look_up: 0,
     table_scales: tables.scales,
     cross_scales: patches.scales,
   };

@@ -39,7 +39,7 @@ fn spline_texel(places: SplinePlaces, layer: u32) -> vec4<f32> {
 }
 
 // What Lagrange's cubic takes of four texels, x behind the first.
-fn cubic_weights(x: f32) -> vec4<f32> {
+fn lagrange_weights(x: f32) -> vec4<f32> {
     let a = x - 1.0;
     let b = x - 2.0;
     let c = x - 3.0;
@@ -54,8 +54,8 @@ fn cross_texel(uv: vec2<f32>, layer: u32) -> vec4<f32> {
     }
     let at = clamp(uv * vec2<f32>(size) - 0.5, vec2<f32>(0.0, 0.0), vec2<f32>(size - 1));
     let first = clamp(vec2<i32>(at) - 1, vec2<i32>(0, 0), size - 4);
-    let across = cubic_weights(at.x - f32(first.x));
-    let down = cubic_weights(at.y - f32(first.y));
+    let across = lagrange_weights(at.x - f32(first.x));
+    let down = lagrange_weights(at.y - f32(first.y));
     var sum = vec4<f32>(0.0, 0.0, 0.0, 0.0);
     for (var k = 0; k < 16; k = k + 1) {
         let texel = textureLoad(cross_terms, first + vec2<i32>(k % 4, k / 4), i32(layer), 0);

@@ -252,8 +252,8 @@ fn sample(at: vec2<f32>) -> vec3<f32> {
 
 fn sample_cubic(at: vec2<f32>, last: vec2<i32>) -> vec3<f32> {
     let first = clamp(vec2<i32>(at) - 1, vec2<i32>(0, 0), last - 3);
-    let down = cubic_weights(at.x - f32(first.x));
-    let across = cubic_weights(at.y - f32(first.y));
+    let down = lagrange_weights(at.x - f32(first.x));
+    let across = lagrange_weights(at.y - f32(first.y));
     var sum = vec3<f32>(0.0, 0.0, 0.0);
     for (var k = 0; k < 16; k = k + 1) {
         let texel = textureLoad(lobe, vec2<i32>(first.y + k % 4, first.x + k / 4), 0).rgb;
