@@ -452,6 +452,7 @@ fn safe(markup: String) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use diffraction_build::accuracy::rows::Cause;
     use diffraction_render::render::png_image::encode_png;
 
     fn png() -> Vec<u8> {
