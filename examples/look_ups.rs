@@ -26,7 +26,7 @@ use diffraction_build::tables::build::build_planned;
 use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::look_ups::tried_first;
 use diffraction_build::tables::model::{Prefilter, Storage, TableSet, TablesConfig};
-use diffraction_build::tables::plan::plan;
+use diffraction_build::tables::plan::{automatic_size, plan};
 use diffraction_build::tables::resolution::{lobe_radius, resolving_size};
 use diffraction_build::tables::rounding::choose;
 use rayon::prelude::*;
@@ -90,12 +90,19 @@ fn kept(name: &str, scans: &Scans, tables: &TablesConfig) -> Result<(), Box<dyn 
             let input = BuildInput::new(&scans.fields, &scans.optics, config);
             Ok(build_planned(&input, &plan(&input)?, &|_| ())?.0)
         };
-        let mut set = None;
-        if let Some(size) = tried_first(&scans.optics, &asked) {
-            let fewer = built(&TablesConfig { size: Some(size), ..asked.clone() })?;
-            set = Some(fewer).filter(|fewer| texels::suffice(texels::spline_error(fewer), tolerance));
-        }
-        let set = set.map_or_else(|| built(&asked), Ok)?;
+        let on = |size: usize| TablesConfig { size: Some(size), ..asked.clone() };
+        let automatic = automatic_size(&scans.optics, tolerance);
+        let set = match tried_first(&scans.optics, &asked) {
+            None => built(&asked)?,
+            Some(size) => {
+                let fewer = built(&on(size))?;
+                let error = texels::spline_error(&fewer);
+                match texels::suffice(error, tolerance) {
+                    true => fewer,
+                    false => built(&on(texels::wanted(error, tolerance, size).min(automatic)))?,
+                }
+            }
+        };
         let chosen = choose(&set, None, tolerance, lobe_radius(&scans.optics));
         let splines = Splines::new(&chosen.set.tables);
         let input = BuildInput::new(&scans.fields, &scans.optics, &asked);

@@ -95,12 +95,16 @@ class AgainstRust(unittest.TestCase):
         for name, specimen, values, wi, wo in self.each():
             self.same(specimen.eval(wi, wo), values, name, "linear")
             self.same(specimen.eval(wi, wo, lookup="cubic"), values, name, "cubic")
+            # Coefficients have single precision on the other side.
+            self.same(specimen.eval(wi, wo, lookup="spline"), values, name, "spline", self.DENSITY_TOLERANCE)
             self.same(specimen.eval(wi, wo, energy_limit=True), values, name, "limited")
             self.assertGreater(largest_difference(specimen.eval(wi, wo), column(values, "cubic")), 1e-6)
             if specimen.has_spectral:
                 nm = values["wavelengths_nm"]
                 self.same(specimen.eval_wavelengths(wi, wo, nm), values, name, "wavelengths")
                 self.same(specimen.eval_wavelengths(wi, wo, nm, lookup="cubic"), values, name, "wavelengths_cubic")
+                found = specimen.eval_wavelengths(wi, wo, nm, lookup="spline")
+                self.same(found, values, name, "wavelengths_spline", self.DENSITY_TOLERANCE)
 
     def test_filtered_look_ups(self):
         for name, specimen, values, wi, wo in self.each():
@@ -168,6 +172,22 @@ class Interface(unittest.TestCase):
         self.assertFalse(self.specimen.eval(wi * [1, 1, -1], wo).any())
         self.assertFalse(self.specimen.eval(wi, wo * [1, 1, -1]).any())
         self.assertLess(largest_difference(self.specimen.eval(wi, wo), self.specimen.eval(wo, wi)), 1e-10)
+
+    def test_spectral_tables_alone_answer_in_x_y_z(self):
+        if not self.specimen.has_spectral:
+            self.skipTest("the first specimen has no spectral tables")
+        about = self.specimen.about
+        light = {"illuminant": self.specimen.illuminant, "wavelength_nm": about["optics"]["wavelength_nm"]}
+        tables = {**about["tables"], "tables": [], "lobe": None, "derived_under": light}
+        alone = da.Specimen(self.specimen.folder, {**about, "tables": tables, "check_values": []})
+        wi, wo = directions(256), directions(256, 2)
+        found, expected = (s.eval(wi, wo, lookup="spline") for s in (alone, self.specimen))
+        self.assertLess(np.linalg.norm(found - expected), 3e-3 * np.linalg.norm(expected))
+        other = alone.xyz_under(wi, wo, "E")
+        self.assertGreater(np.linalg.norm(other - expected), 1e-2 * np.linalg.norm(expected))
+        self.assertEqual([checked.what for checked in _check.check_specimen(alone)][0], "wavelengths, linear")
+        with self.assertRaisesRegex(da.AtlasError, "spectral tables alone"):
+            alone.sample([0.0, 0.0, 1.0], [0.5, 0.5, 0.5])
 
     def test_errors_are_words(self):
         up = [0.0, 0.0, 1.0]

@@ -35,6 +35,7 @@ fn pair(k: usize) -> ([Vec3; 2], [f64; 3]) {
 
 fn values(brdf: &Brdf) -> Result<Value, Box<dyn Error>> {
     let cubic = brdf.clone().with_interpolation(Interpolation::Cubic);
+    let spline = brdf.clone().with_interpolation(Interpolation::Spline);
     let limited = brdf.clone().with_energy_limit();
     let mut columns: BTreeMap<String, Vec<Value>> = BTreeMap::new();
     for k in 0..PAIRS {
@@ -45,6 +46,7 @@ fn values(brdf: &Brdf) -> Result<Value, Box<dyn Error>> {
         add("u", json!(u));
         add("linear", json!(brdf.eval(wi, wo)));
         add("cubic", json!(cubic.eval(wi, wo)));
+        add("spline", json!(spline.eval(wi, wo)));
         add("limited", json!(limited.eval(wi, wo)));
         add("pdf", json!(brdf.pdf(wi, wo)));
         add("sample", json!(brdf.sample(wo, u).map(|sample| (sample.wi, sample.weight, sample.pdf))));
@@ -60,6 +62,7 @@ fn values(brdf: &Brdf) -> Result<Value, Box<dyn Error>> {
         if brdf.spectral().is_some() {
             add("wavelengths", json!(brdf.eval_wavelengths(wi, wo, &WAVELENGTHS_NM)?));
             add("wavelengths_cubic", json!(cubic.eval_wavelengths(wi, wo, &WAVELENGTHS_NM)?));
+            add("wavelengths_spline", json!(spline.eval_wavelengths(wi, wo, &WAVELENGTHS_NM)?));
         }
     }
     if brdf.spectral().is_some() {

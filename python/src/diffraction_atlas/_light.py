@@ -5,11 +5,12 @@ from __future__ import annotations
 import csv
 from functools import lru_cache
 from importlib import resources
-from typing import Union
+from typing import Any, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._images import AtlasError
 from ._spectral import SpectralTables
 
 #: Distance of the wavenumbers at which values are looked up, in standard deviations of the narrowest pulse that a direction's
@@ -40,6 +41,20 @@ class Lines:
 
 #: What is taken for a light: a name ("D65", "A", "E", "F1" to "F12"), wavelengths in nm with their relative power, or lines.
 Illuminant = Union[str, tuple[ArrayLike, ArrayLike], Lines]
+
+
+def light_of(stored: Any) -> Illuminant:
+    """A light as specimen.json states it, in the form that is taken here."""
+    if isinstance(stored, str):
+        return stored.upper()
+    ((kind, of),) = stored.items()
+    if kind == "f":
+        return f"F{of}"
+    if kind == "tabulated":
+        return np.asarray(of["wavelength_nm"], float), np.asarray(of["power"], float)
+    if kind == "lines":
+        return Lines(*([line[key] for line in of] for key in ("wavelength_nm", "power")))
+    raise AtlasError(f'specimen.json names the light "{kind}", which this version does not know')
 
 
 @lru_cache(maxsize=None)

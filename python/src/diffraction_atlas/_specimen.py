@@ -15,7 +15,7 @@ from ._energy import EnergyLimit
 from ._filtered import FilteredSpectral, FilteredTables
 from ._footprint import Footprint
 from ._images import AtlasError
-from ._light import Illuminant, UnderLight
+from ._light import Illuminant, UnderLight, light_of
 from ._optics import Vector, read_optics
 from ._sampling import Sampler
 from ._spectral import SpectralTables
@@ -103,7 +103,7 @@ class Specimen:
     def eval(
         self, wi: ArrayLike, wo: ArrayLike, *, lookup: Lookup = "linear", energy_limit: bool = False
     ) -> NDArray:
-        """X, Y, Z of the BRDF in 1/sr: shape (..., 3).
+        """X, Y, Z of the BRDF in 1/sr: shape (..., 3). Where the atlas holds spectral tables alone, from these, under its own light.
 
         `lookup` says how values between texels are found: "linear" as graphics hardware does, "cubic" from sixteen texels, with less error between them,
         "spline" by the cubic B-spline through all of them, which keeps the tolerance that the tables were made with (its coefficients, twice the tables'
@@ -111,9 +111,10 @@ class Specimen:
         """
         lookup = _known(lookup)
         limit = self._limit if energy_limit else None
+        own = self._own_light if isinstance(self._tables, SpectralAlone) else None
 
         def evaluate(wi: Vector, wo: Vector) -> NDArray:
-            value = self._tables.brdf(wi, wo, lookup)
+            value = self._tables.brdf(wi, wo, lookup) if own is None else self._sum_under(own, wi, wo, lookup)
             return value if limit is None else value * limit.factor(wi[2], wo[2])[:, None]
 
         return over_pairs(evaluate, wi, wo, 3)
@@ -187,23 +188,8 @@ class Specimen:
         `illuminant` is "D65", "A", "E", "F1" to "F12", a pair of arrays (wavelength in nm, relative power), or `Lines`. Values are relative to that light: a white matt
         surface has Y = 1/pi. The light counts from the tables' shortest wavelength to their longest.
         """
-        tables, lookup, light = self._spectral_tables, _known(lookup), self._under(illuminant)
-
-        def evaluate(wi: Vector, wo: Vector) -> NDArray:
-            value = np.zeros((len(wi[0]), 3), wi[0].dtype)
-            ring = light.ring(np.hypot(wi[0] + wo[0], wi[1] + wo[1]))
-            for number in np.unique(ring):
-                (those,) = np.nonzero(ring == number)
-                sums = light.quadratures[number]
-                step = max(1, LOOK_UPS // len(sums.wavelength_nm))
-                for start in range(0, len(those), step):
-                    part = those[start : start + step]
-                    pair = [tuple(d[part] for d in direction) for direction in (wi, wo)]
-                    spectrum = tables.brdf(*pair, sums.wavelength_nm, lookup)
-                    value[part] = spectrum @ sums.weights.astype(spectrum.dtype)
-            return value
-
-        return over_pairs(evaluate, wi, wo, 3)
+        lookup, light = _known(lookup), self._under(illuminant)
+        return over_pairs(lambda wi, wo: self._sum_under(light, wi, wo, lookup), wi, wo, 3)
 
     def sample(self, wo: ArrayLike, u: ArrayLike, *, lookup: Lookup = "linear", energy_limit: bool = False) -> Sample:
         """Directions to the light, given those to the viewer and numbers that are uniform in [0, 1): `wo` and `u` of shape (..., 3).
@@ -253,6 +239,21 @@ class Specimen:
 
         return over_pairs(density, as_directions("wi", wi).astype(float), as_directions("wo", wo).astype(float), None, None, FEW)
 
+    def _sum_under(self, light: UnderLight, wi: Vector, wo: Vector, lookup: str) -> NDArray:
+        """(direction, 3): spectral tables summed over a light."""
+        value = np.zeros((len(wi[0]), 3), wi[0].dtype)
+        ring = light.ring(np.hypot(wi[0] + wo[0], wi[1] + wo[1]))
+        for number in np.unique(ring):
+            (those,) = np.nonzero(ring == number)
+            sums = light.quadratures[number]
+            step = max(1, LOOK_UPS // len(sums.wavelength_nm))
+            for start in range(0, len(those), step):
+                part = those[start : start + step]
+                pair = [tuple(d[part] for d in direction) for direction in (wi, wo)]
+                spectrum = self._spectral_tables.brdf(*pair, sums.wavelength_nm, lookup)
+                value[part] = spectrum @ sums.weights.astype(spectrum.dtype)
+        return value
+
     # Made when they are needed
 
     def _covariance(self, wi: NDArray, diameter_deg: ArrayLike, footprint: Footprint | None) -> NDArray:
@@ -273,6 +274,12 @@ class Specimen:
                 f'{self.name} has no spectral tables: run the pipeline with "spectral" in tables.hold, or ask for X, Y, Z under the light of its tables'
             )
         return self._once("_spectral_made", lambda: SpectralTables(self.folder, stored, self._optics))
+
+    @property
+    def _own_light(self) -> UnderLight:
+        """The light that X, Y, Z are relative to."""
+        tables = self._spectral_tables
+        return self._once("_own_light_made", lambda: UnderLight(tables, light_of(self.illuminant)))
 
     @property
     def _filtered(self) -> FilteredTables:

@@ -55,7 +55,8 @@ class SpectralAlone:
 
     def __getattr__(self, name: str):
         raise AtlasError(
-            f"{self._folder} holds spectral tables alone: ask for wavelengths, or for X, Y, Z under a light of your choice"
+            f"{self._folder} holds spectral tables alone, which `eval`, `eval_wavelengths` and `xyz_under` answer from; means of X, Y, Z and samples take "
+            'tables of X, Y, Z: run the pipeline with "xyz" in tables.hold'
         )
 
 

@@ -18,7 +18,7 @@ use diffraction_build::tables::coverage::ranges::Coverage;
 use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::look_ups::tried_first;
 use diffraction_build::tables::model::{BuildRecord, TableSet, TablesConfig};
-use diffraction_build::tables::plan::{BuildPlan, plan_for};
+use diffraction_build::tables::plan::{BuildPlan, automatic_size, plan_for};
 use diffraction_build::tables::resolution::lobe_radius;
 use diffraction_build::tables::rounding;
 use diffraction_render::scene::model::Scene;
@@ -95,9 +95,13 @@ pub(super) fn on_fewer_texels(job: &Job, ingested: &Ingested) -> Option<TablesCo
     Some(TablesConfig { size: Some(size), ..asked.clone() })
 }
 
-/// Whether tables have texels enough for the tolerance.
-pub(super) fn suffice(built: &Built, tables: &TablesConfig, clock: &mut Clock) -> Step<bool> {
-    clock.stage(Stage::CountTexels, || Ok(texels::suffice(texels::spline_error(&built.set), tables.tolerance)))
+/// Texels a side that tables take for the tolerance, told from those that were built: as many where they suffice, else more; `None`
+/// for as many as are taken where nothing is known.
+pub(super) fn more_texels(built: &Built, planned: &Planned, clock: &mut Clock) -> Step<Option<usize>> {
+    let (tolerance, size) = (planned.asked.tolerance, built.set.size());
+    let error = clock.stage(Stage::CountTexels, || Ok(texels::spline_error(&built.set)))?;
+    let wanted = if texels::suffice(error, tolerance) { size } else { texels::wanted(error, tolerance, size) };
+    Ok((wanted < automatic_size(planned.input.optics, tolerance)).then_some(wanted))
 }
 
 /// Plans the tables with these settings, for the scenes alone where they are restricted to them.

@@ -121,7 +121,7 @@ fn warnings(job: &Job, ingested: &Ingested, planned: &Planned, measured: &Measur
     warnings.extend(asked::spectral_obstacle(job.config, optics).ok().flatten());
     warnings.extend(scenes::warnings(&scenes, optics));
     warnings.extend(too_bright(&measured.reflected.albedo, measured.energy_limit.as_ref()));
-    warnings.extend(rows::broken_tolerances(&measured.errors, ingested.tables.tolerance));
+    warnings.extend(rows::broken_tolerances(&measured.errors, ingested.tables.tolerance, set.size()));
     warnings
 }
 

@@ -1,6 +1,6 @@
 //! One specimen from its scans to its finished folder.
 
-use super::build::{build, ingest, on_fewer_texels, plan, store, suffice};
+use super::build::{build, ingest, more_texels, on_fewer_texels, plan, store};
 use super::clock::{Clock, Step};
 use super::describe::{Described, describe};
 use super::job::Job;
@@ -12,21 +12,21 @@ use super::spectral::{derived, spectral};
 pub(super) fn run_specimen(job: &Job, clock: &mut Clock) -> Step<Described> {
     let ingested = ingest(job, clock)?;
     let fewer = on_fewer_texels(job, &ingested);
-    let tried = match &fewer {
-        None => None,
-        Some(fewer) => {
-            let planned = plan(job, &ingested, fewer, clock)?;
-            let built = build(&planned, clock)?;
-            suffice(&built, fewer, clock)?.then_some((planned, built))
-        }
-    };
+    let mut tables = ingested.tables.clone();
+    let mut tried = None;
+    if let Some(fewer) = &fewer {
+        let planned = plan(job, &ingested, fewer, clock)?;
+        let built = build(&planned, clock)?;
+        tables.size = more_texels(&built, &planned, clock)?;
+        tried = Some((planned, built)).filter(|_| tables.size == fewer.size);
+    }
     let (planned, stored) = match tried {
         Some((planned, built)) => {
             let stored = store(job, &planned, built, clock)?;
             (planned, Some(stored))
         }
         None => {
-            let planned = plan(job, &ingested, &ingested.tables, clock)?;
+            let planned = plan(job, &ingested, &tables, clock)?;
             let stored = match job.config.hold.xyz {
                 false => None,
                 true => {

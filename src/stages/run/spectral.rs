@@ -64,9 +64,13 @@ pub(super) fn spectral(job: &Job, planned: &Planned, clock: &mut Clock) -> Step<
     let (settings, (plan, built)) = clock.stage(Stage::BuildSpectral, || {
         if let Some(fewer) = fewer {
             let found = built(&fewer)?;
-            if texels::suffice(spline_error(&found.1.tables, lobe_radius), planned.asked.tolerance) {
+            let (error, tolerance) = (spline_error(&found.1.tables, lobe_radius), planned.asked.tolerance);
+            if texels::suffice(error, tolerance) {
                 return Ok((fewer, found));
             }
+            let wanted = whole.on(texels::wanted(error, tolerance, found.1.tables.size()));
+            let found = built(&wanted)?;
+            return Ok((wanted, found));
         }
         let found = built(&whole)?;
         Ok((whole, found))

@@ -10,6 +10,7 @@ use super::directions::{ErrorGroup, Group};
 use super::reference::Reference;
 use crate::ground::metrics;
 use crate::ground::null_for_nan;
+use crate::tables::look_ups::LookUp;
 use crate::tables::model::{Basis, TableSet};
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::{Error, Result};
@@ -296,12 +297,18 @@ pub fn disagreement(rows: &[ErrorRow]) -> Option<String> {
     })
 }
 
-/// A line for each error that breaks the tolerance.
-pub fn broken_tolerances(rows: &[ErrorRow], tolerance: f64) -> Vec<String> {
+/// A line for each error of tables of this size that breaks the tolerance.
+pub fn broken_tolerances(rows: &[ErrorRow], tolerance: f64, size: usize) -> Vec<String> {
     let broken = rows.iter().filter(|row| row.is_over(tolerance));
+    let of_grid = |group: &Group| rows.iter().find(|row| row.cause == Cause::Grid && row.group == *group);
     let line = |row: &ErrorRow| {
+        let grid = of_grid(&row.group).map_or(0.0, |grid| grid.p95);
+        let more = match row.cause == Cause::TotalSpline && grid > 0.5 * row.p95 {
+            true => format!("; tables.size = {} would keep it", LookUp::Spline.size_for(tolerance, size, row.p95)),
+            false => String::new(),
+        };
         format!(
-            "the tolerance of {tolerance:.0e} is not kept: {}, {}: one direction in twenty errs by {:.1e} or more",
+            "the tolerance of {tolerance:.0e} is not kept: {}, {}: one direction in twenty errs by {:.1e} or more{more}",
             row.cause, row.group, row.p95
         )
     };
@@ -356,8 +363,10 @@ mod tests {
         ];
         assert_eq!(rows.each_ref().map(|row| row.is_over(1e-3)), [true, false, false, false, true, true]);
         assert_eq!([promised(&rows), promised(&rows[..5])], [Cause::TotalSpline, Cause::Total]);
-        let lines = broken_tolerances(&rows, 1e-3);
+        let lines = broken_tolerances(&rows, 1e-3, 601);
         assert_eq!(lines.len(), 3);
+        // Twice the tolerance, of which the grid is to blame.
+        assert!(lines[2].ends_with("; tables.size = 715 would keep it"), "{}", lines[2]);
         assert!(lines[1].contains("1e-3 is not kept: wavelength step, grazing") && lines[1].contains("5.0e-1"));
     }
 

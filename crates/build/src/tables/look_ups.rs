@@ -9,8 +9,8 @@
 use serde::Serialize;
 
 use super::model::{Basis, TablesConfig};
-use super::plan::AUTOMATIC_SIZE_MAX;
-use super::resolution::{lobe_width, narrowest_blur, resolving_size};
+use super::plan::automatic_size;
+use super::resolution::{lobe_width, narrowest_blur};
 use crate::optics::config::OpticsConfig;
 
 /// What the eye sees best, in nm.
@@ -44,7 +44,7 @@ pub struct LookUpForecast {
 
 impl LookUp {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Linear, Self::Cubic, Self::Spline];
+    pub const ALL: [Self; 3] = [Self::Spline, Self::Linear, Self::Cubic];
 
     /// Order of the error in the distance of texels over the line's deviation, and the error at a ratio of 1.
     fn law(self) -> (i32, f64) {
@@ -83,7 +83,7 @@ pub fn tried_first(optics: &OpticsConfig, tables: &TablesConfig) -> Option<usize
     let texel = brightest_blur(optics) * (tables.tolerance / (ROOM * at_one)).powf(1.0 / f64::from(order));
     // Wider texels would hold means.
     let size = 2 * (2.0 / texel.min(narrowest_blur(optics))).ceil().min(SIZE_MAX) as usize + 1;
-    (size < resolving_size(optics, tables.tolerance).min(AUTOMATIC_SIZE_MAX)).then_some(size)
+    (size < automatic_size(optics, tables.tolerance)).then_some(size)
 }
 
 /// What look-ups in tables of this size err by.

@@ -21,7 +21,7 @@ pub enum Prefilter {
 pub struct TablesConfig {
     /// Which expansion.
     pub basis: Basis,
-    /// Relative error of the luminance that basis and wavelength step may each cause in 95 % of directions.
+    /// Relative error that a reader may get in 95 % of lit directions, by the look-up that `FORMAT.md` describes.
     pub tolerance: f64,
     /// Texels along u and v over [-2, 2]; odd.
     pub size: Option<usize>,

@@ -11,6 +11,7 @@ use super::rings::{Ring, quadrature, rings, wavelengths_of};
 use super::texels::Texels;
 use super::work::window_works;
 use crate::height::HeightField;
+use crate::optics::config::OpticsConfig;
 use crate::optics::spectra::{self, SpectraConfig, half_height_range_nm};
 use crate::optics::window::{Placement, placements, rms_within_nm};
 use diffraction_brdf::direction::max_abs_w;
@@ -240,8 +241,13 @@ impl BuildPlan {
 
 /// The grid that tables have.
 pub fn grid(input: &BuildInput) -> Grid {
-    let resolving = resolving_size(input.optics, input.tables.tolerance);
-    Grid { size: input.tables.size.unwrap_or(resolving.min(AUTOMATIC_SIZE_MAX)), half_width: 2.0 }
+    let automatic = || automatic_size(input.optics, input.tables.tolerance);
+    Grid { size: input.tables.size.unwrap_or_else(automatic), half_width: 2.0 }
+}
+
+/// Texels a side where nobody asks for others: as many as resolve the lobes of the shortest wavelength to the tolerance.
+pub fn automatic_size(optics: &OpticsConfig, tolerance: f64) -> usize {
+    resolving_size(optics, tolerance).min(AUTOMATIC_SIZE_MAX)
 }
 
 /// What a texel averages over.

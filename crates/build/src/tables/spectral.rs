@@ -8,8 +8,8 @@ use super::input::BuildInput;
 use super::lobe::power_over_t;
 use super::look_ups::tried_first;
 use super::model::{Advance, Basis, BuildRecord, TablesConfig};
-use super::plan::{AUTOMATIC_SIZE_MAX, BuildPlan, plan};
-use super::resolution::{lobe_radius, resolving_size};
+use super::plan::{BuildPlan, automatic_size, plan};
+use super::resolution::lobe_radius;
 use super::rounding::{Chosen, choose};
 use crate::optics::config::{OpticsConfig, TILE_SIGMAS};
 use diffraction_brdf::error::{Error, Result};
@@ -70,6 +70,12 @@ impl SpectralInput {
         Some(Self { tables: TablesConfig { size, ..self.tables.clone() }, ..self.clone() })
     }
 
+    /// The same on so many texels a side, or its own number where that is less.
+    pub fn on(&self, size: usize) -> Self {
+        let size = self.tables.size.map(|most| most.min(size));
+        Self { tables: TablesConfig { size, ..self.tables.clone() }, ..self.clone() }
+    }
+
     /// From the optics and settings of the tables of XYZ.
     pub fn new(optics: &OpticsConfig, tables: &TablesConfig) -> Self {
         let [shortest_nm, longest_nm] = range_nm(optics);
@@ -89,8 +95,7 @@ impl SpectralInput {
                 ..at_each.clone()
             },
         };
-        let resolving = resolving_size(&optics, GRID_SHARE * tables.tolerance).min(AUTOMATIC_SIZE_MAX);
-        let size = Some(tables.size.unwrap_or(resolving));
+        let size = Some(tables.size.unwrap_or_else(|| automatic_size(&optics, GRID_SHARE * tables.tolerance)));
         Self { optics, at_each, tables: TablesConfig { basis: Basis::Chebyshev, size, ..tables.clone() }, longest_nm }
     }
 
