@@ -4222,7 +4222,7 @@ void main() {
 
 	}
 
-}`,Td=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let n=new ml(e.texture);(e.depthNear!==t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){let t=e.cameras[0].viewport,n=new Cr({vertexShader:a2,fragmentShader:l2,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});this.mesh=new In(new gl(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},Ad=class extends Tr{constructor(e,t){super();let n=this,r=null,s=1,o=null,a="local-floor",l=1,c=null,u=null,h=null,f=null,d=null,m=null,b=typeof XRWebGLBinding<"u",g=new Td,_={},S=t.getContextAttributes(),T=null,M=null,P=[],R=[],y=new xt,A=null,V=null,z=new ei;z.viewport=new Ot;let D=new ei;D.viewport=new Ot;let q=[z,D],Y=new iu,U=null,W=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(se){let Ee=P[se];return Ee===void 0&&(Ee=new ta,P[se]=Ee),Ee.getTargetRaySpace()},this.getControllerGrip=function(se){let Ee=P[se];return Ee===void 0&&(Ee=new ta,P[se]=Ee),Ee.getGripSpace()},this.getHand=function(se){let Ee=P[se];return Ee===void 0&&(Ee=new ta,P[se]=Ee),Ee.getHandSpace()};function K(se){let Ee=R.indexOf(se.inputSource);if(Ee===-1)return;let Pe=P[Ee];Pe!==void 0&&(Pe.update(se.inputSource,se.frame,c||o),Pe.dispatchEvent({type:se.type,data:se.inputSource}))}function $(){r.removeEventListener("select",K),r.removeEventListener("selectstart",K),r.removeEventListener("selectend",K),r.removeEventListener("squeeze",K),r.removeEventListener("squeezestart",K),r.removeEventListener("squeezeend",K),r.removeEventListener("end",$),r.removeEventListener("inputsourceschange",xe);for(let se=0;se<P.length;se++){let Ee=R[se];Ee!==null&&(R[se]=null,P[se].disconnect(Ee))}U=null,W=null,g.reset();for(let se in _)delete _[se];if(e.setRenderTarget(T),d=null,f=null,h=null,r=null,M=null,pe.stop(),n.isPresenting=!1,e.setPixelRatio(A),e.setSize(y.width,y.height,!1),V!==null){let se=V.camera;se.fov=V.fov,se.zoom=V.zoom,se.updateProjectionMatrix(),V=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(se){s=se,n.isPresenting===!0&&nt("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(se){a=se,n.isPresenting===!0&&nt("WebXRManager: Cannot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(se){c=se},this.getBaseLayer=function(){return f!==null?f:d},this.getBinding=function(){return h===null&&b&&(h=new XRWebGLBinding(r,t)),h},this.getFrame=function(){return m},this.getSession=function(){return r},this.setSession=async function(se){if(r=se,r!==null){if(T=e.getRenderTarget(),r.addEventListener("select",K),r.addEventListener("selectstart",K),r.addEventListener("selectend",K),r.addEventListener("squeeze",K),r.addEventListener("squeezestart",K),r.addEventListener("squeezeend",K),r.addEventListener("end",$),r.addEventListener("inputsourceschange",xe),S.xrCompatible!==!0&&await t.makeXRCompatible(),A=e.getPixelRatio(),e.getSize(y),b&&"createProjectionLayer"in XRWebGLBinding.prototype){let Pe=null,Oe=null,ye=null;S.depth&&(ye=S.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,Pe=S.stencil?as:jr,Oe=S.stencil?mo:ur);let Ke={colorFormat:t.RGBA8,depthFormat:ye,scaleFactor:s};h=this.getBinding(),f=h.createProjectionLayer(Ke),r.updateRenderState({layers:[f]}),e.setPixelRatio(1),e.setSize(f.textureWidth,f.textureHeight,!1),M=new Zn(f.textureWidth,f.textureHeight,{format:jt,type:bi,depthTexture:new cr(f.textureWidth,f.textureHeight,Oe,void 0,void 0,void 0,void 0,void 0,void 0,Pe),stencilBuffer:S.stencil,colorSpace:e.outputColorSpace,samples:S.antialias?4:0,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.ignoreDepthValues===!1})}else{let Pe={antialias:S.antialias,alpha:!0,depth:S.depth,stencil:S.stencil,framebufferScaleFactor:s};d=new XRWebGLLayer(r,t,Pe),r.updateRenderState({baseLayer:d}),e.setPixelRatio(1),e.setSize(d.framebufferWidth,d.framebufferHeight,!1),M=new Zn(d.framebufferWidth,d.framebufferHeight,{format:jt,type:bi,colorSpace:e.outputColorSpace,stencilBuffer:S.stencil,resolveDepthBuffer:d.ignoreDepthValues===!1,resolveStencilBuffer:d.ignoreDepthValues===!1,storeMultisampledDepthBuffer:d.ignoreDepthValues===!1,storeMultisampledStencilBuffer:d.ignoreDepthValues===!1})}M.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await r.requestReferenceSpace(a),pe.setContext(r),pe.start(),n.isPresenting=!0,n.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(r!==null)return r.environmentBlendMode},this.getDepthTexture=function(){return g.getDepthTexture()};function xe(se){for(let Ee=0;Ee<se.removed.length;Ee++){let Pe=se.removed[Ee],Oe=R.indexOf(Pe);Oe>=0&&(R[Oe]=null,P[Oe].disconnect(Pe))}for(let Ee=0;Ee<se.added.length;Ee++){let Pe=se.added[Ee],Oe=R.indexOf(Pe);if(Oe===-1){for(let Ke=0;Ke<P.length;Ke++)if(Ke>=R.length){R.push(Pe),Oe=Ke;break}else if(R[Ke]===null){R[Ke]=Pe,Oe=Ke;break}if(Oe===-1)break}let ye=P[Oe];ye&&ye.connect(Pe)}}function ne(se,Ee){Ee===null?se.matrixWorld.copy(se.matrix):se.matrixWorld.multiplyMatrices(Ee.matrixWorld,se.matrix),se.matrixWorldInverse.copy(se.matrixWorld).invert()}this.updateCamera=function(se){if(r===null)return;let Ee=se.near,Pe=se.far;g.texture!==null&&(g.depthNear>0&&(Ee=g.depthNear),g.depthFar>0&&(Pe=g.depthFar)),Y.near=D.near=z.near=Ee,Y.far=D.far=z.far=Pe,(U!==Y.near||W!==Y.far)&&(r.updateRenderState({depthNear:Y.near,depthFar:Y.far}),U=Y.near,W=Y.far),Y.layers.mask=se.layers.mask|6,z.layers.mask=Y.layers.mask&-5,D.layers.mask=Y.layers.mask&-3;let Oe=se.parent,ye=Y.cameras;ne(Y,Oe);for(let Ke=0;Ke<ye.length;Ke++)ne(ye[Ke],Oe);Y.projectionMatrix.copy(z.projectionMatrix),Y.projectionMatrixInverse.copy(z.projectionMatrixInverse),V===null&&se.isPerspectiveCamera&&(V={camera:se,fov:se.fov,zoom:se.zoom}),re(se,Y,Oe)};function re(se,Ee,Pe){Pe===null?se.matrix.copy(Ee.matrixWorld):(se.matrix.copy(Pe.matrixWorld),se.matrix.invert(),se.matrix.multiply(Ee.matrixWorld)),se.matrix.decompose(se.position,se.quaternion,se.scale),se.updateMatrixWorld(!0),se.projectionMatrix.copy(Ee.projectionMatrix),se.projectionMatrixInverse.copy(Ee.projectionMatrixInverse),se.isPerspectiveCamera&&(se.fov=no*2*Math.atan(1/se.projectionMatrix.elements[5]),se.zoom=1)}this.getCamera=function(){return Y},this.getFoveation=function(){if(!(f===null&&d===null))return l},this.setFoveation=function(se){l=se,f!==null&&(f.fixedFoveation=se),d!==null&&d.fixedFoveation!==void 0&&(d.fixedFoveation=se)},this.hasDepthSensing=function(){return g.texture!==null},this.getDepthSensingMesh=function(){return g.getMesh(Y)},this.getCameraTexture=function(se){return _[se]};let de=null;function ge(se,Ee){if(u=Ee.getViewerPose(c||o),m=Ee,u!==null){let Pe=u.views;d!==null&&(e.setRenderTargetFramebuffer(M,d.framebuffer),e.setRenderTarget(M));let Oe=!1;Pe.length!==Y.cameras.length&&(Y.cameras.length=0,Oe=!0);for(let et=0;et<Pe.length;et++){let St=Pe[et],bt=null;if(d!==null)bt=d.getViewport(St);else{let Zt=h.getViewSubImage(f,St);bt=Zt.viewport,et===0&&(e.setRenderTargetTextures(M,Zt.colorTexture,Zt.depthStencilTexture),e.setRenderTarget(M))}let vt=q[et];vt===void 0&&(vt=new ei,vt.layers.enable(et),vt.viewport=new Ot,q[et]=vt),vt.matrix.fromArray(St.transform.matrix),vt.matrix.decompose(vt.position,vt.quaternion,vt.scale),vt.projectionMatrix.fromArray(St.projectionMatrix),vt.projectionMatrixInverse.copy(vt.projectionMatrix).invert(),vt.viewport.set(bt.x,bt.y,bt.width,bt.height),et===0&&(Y.matrix.copy(vt.matrix),Y.matrix.decompose(Y.position,Y.quaternion,Y.scale)),Oe===!0&&Y.cameras.push(vt)}let ye=r.enabledFeatures;if(ye&&ye.includes("depth-sensing")&&r.depthUsage=="gpu-optimized"&&b){h=n.getBinding();let et=h.getDepthInformation(Pe[0]);et&&et.isValid&&et.texture&&g.init(et,r.renderState)}if(ye&&ye.includes("camera-access")&&b){e.state.unbindTexture(),h=n.getBinding();for(let et=0;et<Pe.length;et++){let St=Pe[et].camera;if(St){let bt=_[St];bt||(bt=new ml,_[St]=bt);let vt=h.getCameraImage(St);bt.sourceTexture=vt}}}}for(let Pe=0;Pe<P.length;Pe++){let Oe=R[Pe],ye=P[Pe];Oe!==null&&ye!==void 0&&ye.update(Oe,Ee,c||o)}de&&de(se,Ee),Ee.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:Ee}),m=null}let pe=new Pg;pe.setAnimationLoop(ge),this.setAnimationLoop=function(se){de=se},this.dispose=function(){}}},c2=new it,Vg=new dt;Vg.set(-1,0,0,0,1,0,0,0,1);function u2(i,e){function t(g,_){g.matrixAutoUpdate===!0&&g.updateMatrix(),_.value.copy(g.matrix)}function n(g,_){_.color.getRGB(g.fogColor.value,dd(i)),_.isFog?(g.fogNear.value=_.near,g.fogFar.value=_.far):_.isFogExp2&&(g.fogDensity.value=_.density)}function r(g,_,S,T,M){_.isNodeMaterial?_.uniformsNeedUpdate=!1:_.isMeshBasicMaterial?s(g,_):_.isMeshLambertMaterial?(s(g,_),_.envMap&&(g.envMapIntensity.value=_.envMapIntensity)):_.isMeshToonMaterial?(s(g,_),h(g,_)):_.isMeshPhongMaterial?(s(g,_),u(g,_),_.envMap&&(g.envMapIntensity.value=_.envMapIntensity)):_.isMeshStandardMaterial?(s(g,_),f(g,_),_.isMeshPhysicalMaterial&&d(g,_,M)):_.isMeshMatcapMaterial?(s(g,_),m(g,_)):_.isMeshDepthMaterial?s(g,_):_.isMeshDistanceMaterial?(s(g,_),b(g,_)):_.isMeshNormalMaterial?s(g,_):_.isLineBasicMaterial?(o(g,_),_.isLineDashedMaterial&&a(g,_)):_.isPointsMaterial?l(g,_,S,T):_.isSpriteMaterial?c(g,_):_.isShadowMaterial?(g.color.value.copy(_.color),g.opacity.value=_.opacity):_.isShaderMaterial&&(_.uniformsNeedUpdate=!1)}function s(g,_){g.opacity.value=_.opacity,_.color&&g.diffuse.value.copy(_.color),_.emissive&&g.emissive.value.copy(_.emissive).multiplyScalar(_.emissiveIntensity),_.map&&(g.map.value=_.map,t(_.map,g.mapTransform)),_.alphaMap&&(g.alphaMap.value=_.alphaMap,t(_.alphaMap,g.alphaMapTransform)),_.bumpMap&&(g.bumpMap.value=_.bumpMap,t(_.bumpMap,g.bumpMapTransform),g.bumpScale.value=_.bumpScale,_.side===mi&&(g.bumpScale.value*=-1)),_.normalMap&&(g.normalMap.value=_.normalMap,t(_.normalMap,g.normalMapTransform),g.normalScale.value.copy(_.normalScale),_.side===mi&&g.normalScale.value.negate()),_.displacementMap&&(g.displacementMap.value=_.displacementMap,t(_.displacementMap,g.displacementMapTransform),g.displacementScale.value=_.displacementScale,g.displacementBias.value=_.displacementBias),_.emissiveMap&&(g.emissiveMap.value=_.emissiveMap,t(_.emissiveMap,g.emissiveMapTransform)),_.specularMap&&(g.specularMap.value=_.specularMap,t(_.specularMap,g.specularMapTransform)),_.alphaTest>0&&(g.alphaTest.value=_.alphaTest);let S=e.get(_),T=S.envMap,M=S.envMapRotation;T&&(g.envMap.value=T,g.envMapRotation.value.setFromMatrix4(c2.makeRotationFromEuler(M)).transpose(),T.isCubeTexture&&T.isRenderTargetTexture===!1&&g.envMapRotation.value.premultiply(Vg),g.reflectivity.value=_.reflectivity,g.ior.value=_.ior,g.refractionRatio.value=_.refractionRatio),_.lightMap&&(g.lightMap.value=_.lightMap,g.lightMapIntensity.value=_.lightMapIntensity,t(_.lightMap,g.lightMapTransform)),_.aoMap&&(g.aoMap.value=_.aoMap,g.aoMapIntensity.value=_.aoMapIntensity,t(_.aoMap,g.aoMapTransform))}function o(g,_){g.diffuse.value.copy(_.color),g.opacity.value=_.opacity,_.map&&(g.map.value=_.map,t(_.map,g.mapTransform))}function a(g,_){g.dashSize.value=_.dashSize,g.totalSize.value=_.dashSize+_.gapSize,g.scale.value=_.scale}function l(g,_,S,T){g.diffuse.value.copy(_.color),g.opacity.value=_.opacity,g.size.value=_.size*S,g.scale.value=T*.5,_.map&&(g.map.value=_.map,t(_.map,g.uvTransform)),_.alphaMap&&(g.alphaMap.value=_.alphaMap,t(_.alphaMap,g.alphaMapTransform)),_.alphaTest>0&&(g.alphaTest.value=_.alphaTest)}function c(g,_){g.diffuse.value.copy(_.color),g.opacity.value=_.opacity,g.rotation.value=_.rotation,_.map&&(g.map.value=_.map,t(_.map,g.mapTransform)),_.alphaMap&&(g.alphaMap.value=_.alphaMap,t(_.alphaMap,g.alphaMapTransform)),_.alphaTest>0&&(g.alphaTest.value=_.alphaTest)}function u(g,_){g.specular.value.copy(_.specular),g.shininess.value=Math.max(_.shininess,1e-4)}function h(g,_){_.gradientMap&&(g.gradientMap.value=_.gradientMap)}function f(g,_){g.metalness.value=_.metalness,_.metalnessMap&&(g.metalnessMap.value=_.metalnessMap,t(_.metalnessMap,g.metalnessMapTransform)),g.roughness.value=_.roughness,_.roughnessMap&&(g.roughnessMap.value=_.roughnessMap,t(_.roughnessMap,g.roughnessMapTransform)),_.envMap&&(g.envMapIntensity.value=_.envMapIntensity)}function d(g,_,S){g.ior.value=_.ior,_.diffuseRoughness>0&&(g.diffuseRoughness.value=_.diffuseRoughness,_.diffuseRoughnessMap&&(g.diffuseRoughnessMap.value=_.diffuseRoughnessMap,t(_.diffuseRoughnessMap,g.diffuseRoughnessMapTransform))),_.sheen>0&&(g.sheenColor.value.copy(_.sheenColor).multiplyScalar(_.sheen),g.sheenRoughness.value=_.sheenRoughness,_.sheenColorMap&&(g.sheenColorMap.value=_.sheenColorMap,t(_.sheenColorMap,g.sheenColorMapTransform)),_.sheenRoughnessMap&&(g.sheenRoughnessMap.value=_.sheenRoughnessMap,t(_.sheenRoughnessMap,g.sheenRoughnessMapTransform))),_.clearcoat>0&&(g.clearcoat.value=_.clearcoat,g.clearcoatRoughness.value=_.clearcoatRoughness,_.clearcoatMap&&(g.clearcoatMap.value=_.clearcoatMap,t(_.clearcoatMap,g.clearcoatMapTransform)),_.clearcoatRoughnessMap&&(g.clearcoatRoughnessMap.value=_.clearcoatRoughnessMap,t(_.clearcoatRoughnessMap,g.clearcoatRoughnessMapTransform)),_.clearcoatNormalMap&&(g.clearcoatNormalMap.value=_.clearcoatNormalMap,t(_.clearcoatNormalMap,g.clearcoatNormalMapTransform),g.clearcoatNormalScale.value.copy(_.clearcoatNormalScale),_.side===mi&&g.clearcoatNormalScale.value.negate())),_.dispersion>0&&(g.dispersion.value=_.dispersion),_.retroreflectivity>0&&(g.retroreflectivity.value=_.retroreflectivity),_.iridescence>0&&(g.iridescence.value=_.iridescence,g.iridescenceIOR.value=_.iridescenceIOR,g.iridescenceThicknessMinimum.value=_.iridescenceThicknessMinimum,g.iridescenceThicknessMaximum.value=_.iridescenceThicknessMaximum,_.iridescenceMap&&(g.iridescenceMap.value=_.iridescenceMap,t(_.iridescenceMap,g.iridescenceMapTransform)),_.iridescenceThicknessMap&&(g.iridescenceThicknessMap.value=_.iridescenceThicknessMap,t(_.iridescenceThicknessMap,g.iridescenceThicknessMapTransform))),_.transmission>0&&(g.transmission.value=_.transmission,g.transmissionSamplerMap.value=S.texture,g.transmissionSamplerSize.value.set(S.width,S.height),_.transmissionMap&&(g.transmissionMap.value=_.transmissionMap,t(_.transmissionMap,g.transmissionMapTransform)),g.thickness.value=_.thickness,_.thicknessMap&&(g.thicknessMap.value=_.thicknessMap,t(_.thicknessMap,g.thicknessMapTransform)),g.attenuationDistance.value=_.attenuationDistance,g.attenuationColor.value.copy(_.attenuationColor)),_.anisotropy>0&&(g.anisotropyVector.value.set(_.anisotropy*Math.cos(_.anisotropyRotation),_.anisotropy*Math.sin(_.anisotropyRotation)),_.anisotropyMap&&(g.anisotropyMap.value=_.anisotropyMap,t(_.anisotropyMap,g.anisotropyMapTransform))),g.specularIntensity.value=_.specularIntensity,g.specularColor.value.copy(_.specularColor),_.specularColorMap&&(g.specularColorMap.value=_.specularColorMap,t(_.specularColorMap,g.specularColorMapTransform)),_.specularIntensityMap&&(g.specularIntensityMap.value=_.specularIntensityMap,t(_.specularIntensityMap,g.specularIntensityMapTransform))}function m(g,_){_.matcap&&(g.matcap.value=_.matcap)}function b(g,_){let S=e.get(_).light;g.referencePosition.value.setFromMatrixPosition(S.matrixWorld),g.nearDistance.value=S.shadow.camera.near,g.farDistance.value=S.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:r}}function h2(i,e,t,n){let r={},s={};function o(S,T){let M=T.program;n.uniformBlockBinding(S,M,r[S.id])}function a(S,T){let M=r[S.id];M===void 0&&(m(S),M=l(S),r[S.id]=M,S.addEventListener("dispose",g));let P=T.program;n.updateUBOMapping(S,P);let R=e.render.frame;s[S.id]!==R&&(c(S),s[S.id]=R)}function l(S){let T=i.createBuffer(),M=S.__size,P=S.usage;return i.bindBuffer(i.UNIFORM_BUFFER,T),i.bufferData(i.UNIFORM_BUFFER,M,P),i.bindBuffer(i.UNIFORM_BUFFER,null),T}function c(S){let T=r[S.id],M=S.uniforms,P=S.__cache;i.bindBuffer(i.UNIFORM_BUFFER,T);for(let R=0,y=M.length;R<y;R++){let A=M[R];if(Array.isArray(A))for(let V=0,z=A.length;V<z;V++)u(A[V],R,V,P);else u(A,R,0,P)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function u(S,T,M,P){if(f(S,T,M,P)===!0){let R=S.__offset,y=S.value;if(Array.isArray(y)){let A=0;for(let V=0;V<y.length;V++){let z=y[V],D=b(z,!0);h(z,S.__data,A),A+=D.storage/Float32Array.BYTES_PER_ELEMENT}}else h(y,S.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,R,S.__data)}}function h(S,T,M){typeof S=="number"||typeof S=="boolean"?T[M]=S:S.isMatrix3?(T[M]=S.elements[0],T[M+1]=S.elements[1],T[M+2]=S.elements[2],T[M+3]=0,T[M+4]=S.elements[3],T[M+5]=S.elements[4],T[M+6]=S.elements[5],T[M+7]=0,T[M+8]=S.elements[6],T[M+9]=S.elements[7],T[M+10]=S.elements[8],T[M+11]=0):ArrayBuffer.isView(S)?T.set(S.subarray(0,T.length-M),M):S.toArray(T,M)}function f(S,T,M,P){let R=S.value,y=T+"_"+M;if(Array.isArray(R)){P[y]===void 0&&(P[y]=[]);let A=P[y],V=!1;for(let z=0;z<R.length;z++)d(R[z],A,z)===!0&&(V=!0);return V}return d(R,P,y)}function d(S,T,M){if(T[M]===void 0)return typeof S=="number"||typeof S=="boolean"?T[M]=S:ArrayBuffer.isView(S)?T[M]=S.slice():T[M]=S.clone(),!0;{let P=T[M];if(typeof S=="number"||typeof S=="boolean"){if(P!==S)return T[M]=S,!0}else{if(ArrayBuffer.isView(S))return!0;if(P.equals(S)===!1)return P.copy(S),!0}}return!1}function m(S){let T=S.uniforms,M=0,P=16;for(let y=0,A=T.length;y<A;y++){let V=Array.isArray(T[y])?T[y]:[T[y]];for(let z=0,D=V.length;z<D;z++){let q=V[z],Y=Array.isArray(q.value)?q.value:[q.value],U=Array.isArray(T[y])||Array.isArray(q.value),W=M;for(let $=0,xe=Y.length;$<xe;$++){let ne=Y[$],re=b(ne,U),de=M%P,ge=de%re.boundary,pe=de+ge;M+=ge,pe!==0&&P-pe<re.storage&&(M+=P-pe),$===0&&(W=M),M+=re.storage}let K=q.type==="int"?Int32Array:q.type==="uint"?Uint32Array:Float32Array;q.__data=new K((M-W)/Float32Array.BYTES_PER_ELEMENT),q.__offset=W}}let R=M%P;return R>0&&(M+=P-R),S.__size=M,S.__cache={},this}function b(S,T){let M={boundary:0,storage:0};return typeof S=="number"||typeof S=="boolean"?(M.boundary=4,M.storage=4):S.isVector2?(M.boundary=8,M.storage=8):S.isVector3||S.isColor?(M.boundary=16,M.storage=12):S.isVector4?(M.boundary=16,M.storage=16):S.isMatrix3?(M.boundary=16,M.storage=48):S.isMatrix4?(M.boundary=16,M.storage=64):S.isTexture?nt("WebGLRenderer: Texture samplers can not be part of an uniforms group."):ArrayBuffer.isView(S)?(M.boundary=16,M.storage=S.byteLength):nt("WebGLRenderer: Unsupported uniform value type.",S),T===!0&&(M.boundary=16,M.storage=Math.ceil(M.storage/16)*16),M}function g(S){let T=S.target;T.removeEventListener("dispose",g),i.deleteBuffer(r[T.id]),delete r[T.id],delete s[T.id]}function _(){for(let S in r)i.deleteBuffer(r[S]);r={},s={}}return{bind:o,update:a,dispose:_}}var f2=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,10128,14765,9754,14712,9466,14764,13480,14764,13475,14766,13440,14766,13347,14769,13070,14786,12713,14816,12387,14844,11957,14860,11549,14868,11215,14855,10751,14825,10403,14782,10044,14729,9651,14666,9352,14599,9029,14967,12835,14966,12831,14963,12804,14954,12723,14936,12564,14917,12347,14900,11958,14886,11569,14878,11247,14859,10765,14828,10401,14784,10011,14727,9600,14660,9289,14586,8893,14508,8533,15111,12234,15110,12234,15104,12216,15092,12156,15067,12010,15028,11776,14981,11500,14942,11205,14902,10752,14861,10393,14812,9991,14752,9570,14682,9252,14603,8808,14519,8445,14431,8145,15209,11449,15208,11451,15202,11451,15190,11438,15163,11384,15117,11274,15055,10979,14994,10648,14932,10343,14871,9936,14803,9532,14729,9218,14645,8742,14556,8381,14461,8020,14365,7603,15273,10603,15272,10607,15267,10619,15256,10631,15231,10614,15182,10535,15118,10389,15042,10167,14963,9787,14883,9447,14800,9115,14710,8665,14615,8318,14514,7911,14411,7507,14279,7198,15314,9675,15313,9683,15309,9712,15298,9759,15277,9797,15229,9773,15166,9668,15084,9487,14995,9274,14898,8910,14800,8539,14697,8234,14590,7790,14479,7409,14367,7067,14178,6621,15337,8619,15337,8631,15333,8677,15325,8769,15305,8871,15264,8940,15202,8909,15119,8775,15022,8565,14916,8328,14804,8009,14688,7614,14569,7287,14448,6888,14321,6483,14088,6171,15350,7402,15350,7419,15347,7480,15340,7613,15322,7804,15287,7973,15229,8057,15148,8012,15046,7846,14933,7611,14810,7357,14682,7069,14552,6656,14421,6316,14251,5948,14007,5528,15356,5942,15356,5977,15353,6119,15348,6294,15332,6551,15302,6824,15249,7044,15171,7122,15070,7050,14949,6861,14818,6611,14679,6349,14538,6067,14398,5651,14189,5311,13935,4958,15359,4123,15359,4153,15356,4296,15353,4646,15338,5160,15311,5508,15263,5829,15188,6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Dr=null;function d2(){return Dr===null&&(Dr=new oi(f2,16,16,ai,tn),Dr.name="DFG_LUT",Dr.minFilter=qt,Dr.magFilter=qt,Dr.wrapS=si,Dr.wrapT=si,Dr.generateMipmaps=!1,Dr.needsUpdate=!0),Dr}var Zu=class{constructor(e={}){let{canvas:t=ng(),context:n=null,depth:r=!0,stencil:s=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:u="default",failIfMajorPerformanceCaveat:h=!1,reversedDepthBuffer:f=!1,outputBufferType:d=bi}=e;this.isWebGLRenderer=!0;let m;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");m=n.getContextAttributes().alpha}else m=o;let b=d,g=new Set([du,fu,hu]),_=new Set([bi,ur,pa,mo,cu,uu]),S=new Uint32Array(4),T=new Int32Array(4),M={textures:[],min:[],max:[],resolution:[]},P=null,R=null,y=[],A=[],V=null;this.domElement=t,this.debug={checkShaderErrors:!0,diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Lr,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let z=this,D=!1,q=null,Y=null,U=null,W=null;this._outputColorSpace=Ln;let K=0,$=0,xe=null,ne=-1,re=null,de=new Ot,ge=new Ot,pe=null,se=new ht(0),Ee=0,Pe=t.width,Oe=t.height,ye=1,Ke=null,ft=null,et=new Ot(0,0,Pe,Oe),St=new Ot(0,0,Pe,Oe),bt=!1,vt=new Ds,Zt=new Xc,kt=!1,mn=!1,Xt=new it,Dn=new j,Pt=new Ot,Tn={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0},ln=!1;function An(){return xe===null?ye:1}let G=n;function He(p,v){return t.getContext(p,v)}let ct,yt,De,Kt,je,lt,F,E,ee,be,me,Ne,Fe,ae,he,Re,H,ue,oe,ke,Le,Be,tt;try{let p={alpha:!0,depth:r,stencil:s,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:u,failIfMajorPerformanceCaveat:h};if("setAttribute"in t&&t.setAttribute("data-engine",`three.js r${"187"}`),t.addEventListener("webglcontextlost",Je,!1),t.addEventListener("webglcontextrestored",mt,!1),t.addEventListener("webglcontextcreationerror",Ge,!1),G===null){let v="webgl2";if(G=He(v,p),G===null)throw He(v)?new Error("THREE.WebGLRenderer: Error creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}pt()}catch(p){throw t.removeEventListener("webglcontextlost",Je,!1),t.removeEventListener("webglcontextrestored",mt,!1),t.removeEventListener("webglcontextcreationerror",Ge,!1),_t("WebGLRenderer: "+p.message),p}function pt(){ct=new MS(G),ct.init(),Le=new o2(G,ct),yt=new dS(G,ct,e,Le),De=new r2(G,ct),yt.reversedDepthBuffer&&f&&De.buffers.depth.setReversed(!0),Y=G.createFramebuffer(),U=G.createFramebuffer(),W=G.createFramebuffer(),Kt=new ES(G),je=new WM,lt=new s2(G,ct,De,je,yt,Le,Kt),F=new SS(z),E=new Cy(G),Be=new hS(G,E),ee=new TS(G,E,Kt,Be),be=new CS(G,ee,E,Be,Kt),ue=new RS(G,yt,lt),he=new pS(je),me=new GM(z,F,ct,yt,Be,he),Ne=new u2(z,je),Fe=new qM,ae=new jM(ct),H=new uS(z,F,De,be,m,l),Re=new i2(z,be,yt),tt=new h2(G,Kt,yt,De),oe=new fS(G,ct,Kt),ke=new AS(G,ct,Kt),Kt.programs=me.programs,z.capabilities=yt,z.extensions=ct,z.properties=je,z.renderLists=Fe,z.shadowMap=Re,z.state=De,z.info=Kt}b!==bi&&(V=new PS(b,t.width,t.height,a,r,s));let we=new Ad(z,G);this.xr=we,this.getContext=function(){return G},this.getContextAttributes=function(){return G.getContextAttributes()},this.forceContextLoss=function(){let p=ct.get("WEBGL_lose_context");p&&p.loseContext()},this.forceContextRestore=function(){let p=ct.get("WEBGL_lose_context");p&&p.restoreContext()},this.getPixelRatio=function(){return ye},this.setPixelRatio=function(p){p!==void 0&&(ye=p,this.setSize(Pe,Oe,!1))},this.getSize=function(p){return p.set(Pe,Oe)},this.setSize=function(p,v,C=!0){if(we.isPresenting){nt("WebGLRenderer: Can't change size while VR device is presenting.");return}Pe=p,Oe=v,t.width=Math.floor(p*ye),t.height=Math.floor(v*ye),C===!0&&(t.style.width=p+"px",t.style.height=v+"px"),V!==null&&V.setSize(t.width,t.height),this.setViewport(0,0,p,v)},this.getDrawingBufferSize=function(p){return p.set(Pe*ye,Oe*ye).floor()},this.setDrawingBufferSize=function(p,v,C){Pe=p,Oe=v,ye=C,t.width=Math.floor(p*C),t.height=Math.floor(v*C),this.setViewport(0,0,p,v)},this.setEffects=function(p){if(b===bi){_t("WebGLRenderer: setEffects() requires outputBufferType set to HalfFloatType or FloatType.");return}if(p){for(let v=0;v<p.length;v++)if(p[v].isOutputPass===!0){nt("WebGLRenderer: OutputPass is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}V.setEffects(p||[])},this.getCurrentViewport=function(p){return p.copy(de)},this.getViewport=function(p){return p.copy(et)},this.setViewport=function(p,v,C,L){p.isVector4?et.set(p.x,p.y,p.z,p.w):et.set(p,v,C,L),De.viewport(de.copy(et).multiplyScalar(An()).round())},this.getScissor=function(p){return p.copy(St)},this.setScissor=function(p,v,C,L){p.isVector4?St.set(p.x,p.y,p.z,p.w):St.set(p,v,C,L),De.scissor(ge.copy(St).multiplyScalar(An()).round())},this.getScissorTest=function(){return bt},this.setScissorTest=function(p){De.setScissorTest(bt=p)},this.setOpaqueSort=function(p){Ke=p},this.setTransparentSort=function(p){ft=p},this.getClearColor=function(p){return p.copy(H.getClearColor())},this.setClearColor=function(){H.setClearColor(...arguments)},this.getClearAlpha=function(){return H.getClearAlpha()},this.setClearAlpha=function(){H.setClearAlpha(...arguments)},this.clear=function(p=!0,v=!0,C=!0){let L=0;if(p){let O=!1;if(xe!==null){let N=xe.texture.format;O=g.has(N)}if(O){let N=xe.texture.type,J=_.has(N),X=H.getClearColor(),Q=H.getClearAlpha(),te=X.r,fe=X.g,le=X.b;J?(S[0]=te,S[1]=fe,S[2]=le,S[3]=Q,G.clearBufferuiv(G.COLOR,0,S)):(T[0]=te,T[1]=fe,T[2]=le,T[3]=Q,G.clearBufferiv(G.COLOR,0,T))}else L|=G.COLOR_BUFFER_BIT}v&&(L|=G.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),C&&(L|=G.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),L!==0&&G.clear(L)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){this.clear(!1,!1,!0)},this.setNodesHandler=function(p){p.setRenderer(this),q=p},this.dispose=function(){t.removeEventListener("webglcontextlost",Je,!1),t.removeEventListener("webglcontextrestored",mt,!1),t.removeEventListener("webglcontextcreationerror",Ge,!1),H.dispose(),Fe.dispose(),ae.dispose(),lt.dispose(),je.dispose(),F.dispose(),be.dispose(),ee.dispose(),Be.dispose(),tt.dispose(),me.dispose(),we.dispose(),we.removeEventListener("sessionstart",Xs),we.removeEventListener("sessionend",zi),ji.stop()};function Je(p){p.preventDefault(),rl("WebGLRenderer: Context Lost."),D=!0}function mt(){rl("WebGLRenderer: Context Restored."),D=!1;let p=Kt.autoReset,v=Re.enabled,C=Re.autoUpdate,L=Re.needsUpdate,O=Re.type;pt(),Kt.autoReset=p,Re.enabled=v,Re.autoUpdate=C,Re.needsUpdate=L,Re.type=O}function Ge(p){_t("WebGLRenderer: A WebGL context could not be created. Reason: ",p.statusMessage)}function Mt(p){let v=p.target;v.removeEventListener("dispose",Mt),nn(v)}function nn(p){jn(p),je.remove(p)}function jn(p){let v=je.get(p).programs;v!==void 0&&(v.forEach(function(C){me.releaseProgram(C)}),p.isShaderMaterial&&me.releaseShaderCache(p))}this.renderBufferDirect=function(p,v,C,L,O,N){v===null&&(v=Tn);let J=O.isMesh&&O.matrixWorld.determinantAffine()<0,X=vs(p,v,C,L,O);De.setMaterial(L,J);let Q=C.index,te=1;if(L.wireframe===!0){if(Q=ee.getWireframeAttribute(C),Q===void 0)return;te=2}let fe=C.drawRange,le=C.attributes.position,ce=fe.start*te,Se=(fe.start+fe.count)*te;N!==null&&(ce=Math.max(ce,N.start*te),Se=Math.min(Se,(N.start+N.count)*te)),Q!==null?(ce=Math.max(ce,0),Se=Math.min(Se,Q.count)):le!=null&&(ce=Math.max(ce,0),Se=Math.min(Se,le.count));let Te=Se-ce;if(Te<0||Te===1/0)return;Be.setup(O,L,X,C,Q);let Ae,Ve=oe;if(Q!==null&&(Ae=E.get(Q),Ve=ke,Ve.setIndex(Ae)),O.isMesh)L.wireframe===!0?(De.setLineWidth(L.wireframeLinewidth*An()),Ve.setMode(G.LINES)):Ve.setMode(G.TRIANGLES);else if(O.isLine){let rt=L.linewidth;rt===void 0&&(rt=1),De.setLineWidth(rt*An()),O.isLineSegments?Ve.setMode(G.LINES):O.isLineLoop?Ve.setMode(G.LINE_LOOP):Ve.setMode(G.LINE_STRIP)}else O.isPoints?Ve.setMode(G.POINTS):O.isSprite&&Ve.setMode(G.TRIANGLES);if(O.isBatchedMesh)if(ct.get("WEBGL_multi_draw"))Ve.renderMultiDraw(O._multiDrawStarts,O._multiDrawCounts,O._multiDrawCount);else{let rt=O._multiDrawStarts,ve=O._multiDrawCounts,ot=O._multiDrawCount,Ce=Q?E.get(Q).bytesPerElement:1,Xe=je.get(L).currentProgram.getUniforms();for(let We=0;We<ot;We++)Xe.setValue(G,"_gl_DrawID",We),Ve.render(rt[We]/Ce,ve[We])}else if(O.isInstancedMesh)Ve.renderInstances(ce,Te,O.count);else if(C.isInstancedBufferGeometry){let rt=C._maxInstanceCount!==void 0?C._maxInstanceCount:1/0,ve=Math.min(C.instanceCount,rt);Ve.renderInstances(ce,Te,ve)}else Ve.render(ce,Te)};function Ws(p,v,C,L){q!==null&&p.isNodeMaterial&&q.setObject(L,p),kt===!0&&he.setState(p,C,!1),p.transparent===!0&&p.side===Xi&&p.forceSinglePass===!1?(p.side=mi,p.needsUpdate=!0,ci(p,v,L),p.side=Pr,p.needsUpdate=!0,ci(p,v,L),p.side=Xi):ci(p,v,L)}this.compile=function(p,v,C=null){C===null&&(C=p),q!==null&&q.renderStart(p,v,C),R=ae.get(C),R.init(v),A.push(R),C.traverseVisible(function(O){O.isLight&&O.layers.test(v.layers)&&(R.pushLight(O),O.castShadow&&R.pushShadow(O))}),p!==C&&p.traverseVisible(function(O){O.isLight&&O.layers.test(v.layers)&&(R.pushLight(O),O.castShadow&&R.pushShadow(O))}),R.setupLights(),q!==null&&q.updateLights(R.state.lightsArray),mn=this.localClippingEnabled,kt=he.init(this.clippingPlanes,mn),kt===!0&&he.setGlobalState(this.clippingPlanes,v),q!==null&&Re.render(R.state.shadowsArray,C,v);let L=new Set;return p.traverse(function(O){if(!(O.isMesh||O.isPoints||O.isLine||O.isSprite))return;let N=O.material;if(N)if(Array.isArray(N))for(let J=0;J<N.length;J++){let X=N[J];Ws(X,C,v,O),L.add(X)}else Ws(N,C,v,O),L.add(N)}),R=A.pop(),q!==null&&q.renderEnd(),L},this.compileAsync=function(p,v,C=null){let L=this.compile(p,v,C);return new Promise(O=>{function N(){if(L.forEach(function(J){let Q=je.get(J).currentProgram;(Q===void 0||Q.isReady())&&L.delete(J)}),L.size===0){O(p);return}setTimeout(N,10)}ct.get("KHR_parallel_shader_compile")!==null?N():setTimeout(N,10)})};let _s=null;function ka(p){_s&&_s(p)}function Xs(){ji.stop()}function zi(){ji.start()}let ji=new Pg;ji.setAnimationLoop(ka),typeof self<"u"&&ji.setContext(self),this.setAnimationLoop=function(p){_s=p,we.setAnimationLoop(p),p===null?ji.stop():ji.start()},we.addEventListener("sessionstart",Xs),we.addEventListener("sessionend",zi),this.render=function(p,v){if(v!==void 0&&v.isCamera!==!0){_t("WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(D===!0)return;q!==null&&q.renderStart(p,v);let C=we.enabled===!0&&we.isPresenting===!0,L=V!==null&&(xe===null||C)&&V.begin(z,xe);if(p.matrixWorldAutoUpdate===!0&&p.updateMatrixWorld(),v.parent===null&&v.matrixWorldAutoUpdate===!0&&v.updateMatrixWorld(),we.enabled===!0&&we.isPresenting===!0&&(V===null||V.isCompositing()===!1)&&(we.cameraAutoUpdate===!0&&we.updateCamera(v),v=we.getCamera()),p.isScene===!0&&p.onBeforeRender(z,p,v,xe),R=ae.get(p,A.length),R.init(v),R.state.textureUnits=lt.getTextureUnits(),A.push(R),Xt.multiplyMatrices(v.projectionMatrix,v.matrixWorldInverse),v.isArrayCamera?Zt.setFromArrayCamera(v):vt.setFromProjectionMatrix(Xt,Wi,v.reversedDepth),mn=this.localClippingEnabled,kt=he.init(this.clippingPlanes,mn),P=Fe.get(p,y.length),P.init(),y.push(P),this.info.render.frame++,we.enabled===!0&&we.isPresenting===!0){let J=z.xr.getDepthSensingMesh();J!==null&&Qi(J,v,-1/0,z.sortObjects)}Qi(p,v,0,z.sortObjects),P.finish(),q!==null&&q.updateLights(R.state.lightsArray),z.sortObjects===!0&&P.sort(Ke,ft),ln=we.enabled===!1||we.isPresenting===!1||we.hasDepthSensing()===!1,ln&&H.addToRenderList(P,p),this.info.autoReset===!0&&this.info.reset(),kt===!0&&he.beginShadows();let O=R.state.shadowsArray;if(Re.render(O,p,v),kt===!0&&he.endShadows(),(L&&V.hasRenderPass())===!1){let J=P.opaque,X=P.transmissive;if(R.setupLights(),v.isArrayCamera){let Q=v.cameras;if(X.length>0)for(let te=0,fe=Q.length;te<fe;te++){let le=Q[te];Mi(J,X,p,le)}ln&&H.render(p);for(let te=0,fe=Q.length;te<fe;te++){let le=Q[te];xs(P,p,le,le.viewport)}}else X.length>0&&Mi(J,X,p,v),ln&&H.render(p),xs(P,p,v)}xe!==null&&$===0&&(lt.updateMultisampleRenderTarget(xe),lt.updateRenderTargetMipmap(xe)),L&&V.end(z),p.isScene===!0&&p.onAfterRender(z,p,v),Be.resetDefaultState(),ne=-1,re=null,A.pop(),A.length>0?(R=A[A.length-1],lt.setTextureUnits(R.state.textureUnits),kt===!0&&he.setGlobalState(z.clippingPlanes,R.state.camera)):R=null,y.pop(),y.length>0?P=y[y.length-1]:P=null,q!==null&&q.renderEnd()};function Qi(p,v,C,L){if(p.visible===!1)return;if(p.layers.test(v.layers)){if(p.isGroup)C=p.renderOrder;else if(p.isLOD)p.autoUpdate===!0&&p.update(v);else if(p.isLight)R.pushLight(p),p.castShadow&&R.pushShadow(p);else if(p.isSprite){let J=v.isArrayCamera?Zt:vt;if(!p.frustumCulled||p.intersectsFrustum(J)){L&&Pt.setFromMatrixPosition(p.matrixWorld).applyMatrix4(Xt);let X=be.update(p),Q=p.material;Q.visible&&P.push(p,X,Q,C,Pt.z,null,v)}}else if(p.isMesh||p.isLine||p.isPoints){let J=v.isArrayCamera?Zt:vt;if(!p.frustumCulled||p.intersectsFrustum(J)){let X=be.update(p),Q=p.material;if(L&&(p.boundingSphere!==void 0?(p.boundingSphere===null&&p.computeBoundingSphere(),Pt.copy(p.boundingSphere.center)):(X.boundingSphere===null&&X.computeBoundingSphere(),Pt.copy(X.boundingSphere.center)),Pt.applyMatrix4(p.matrixWorld).applyMatrix4(Xt)),Array.isArray(Q)){let te=X.groups;for(let fe=0,le=te.length;fe<le;fe++){let ce=te[fe],Se=Q[ce.materialIndex];Se&&Se.visible&&P.push(p,X,Se,C,Pt.z,ce,v)}}else Q.visible&&P.push(p,X,Q,C,Pt.z,null,v)}}}let N=p.children;for(let J=0,X=N.length;J<X;J++)Qi(N[J],v,C,L)}function xs(p,v,C,L){let{opaque:O,transmissive:N,transparent:J}=p;R.setupLightsView(C),kt===!0&&he.setGlobalState(z.clippingPlanes,C),L&&De.viewport(de.copy(L)),O.length>0&&cn(O,v,C),N.length>0&&cn(N,v,C),J.length>0&&cn(J,v,C),De.buffers.depth.setTest(!0),De.buffers.depth.setMask(!0),De.buffers.color.setMask(!0),De.setPolygonOffset(!1)}function Mi(p,v,C,L){if((C.isScene===!0?C.overrideMaterial:null)!==null)return;if(R.state.transmissionRenderTarget[L.id]===void 0){let ce=ct.has("EXT_color_buffer_half_float")||ct.has("EXT_color_buffer_float");R.state.transmissionRenderTarget[L.id]=new Zn(1,1,{generateMipmaps:!0,type:ce?tn:bi,minFilter:Fi,samples:Math.max(4,yt.samples),stencilBuffer:s,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:Rt.workingColorSpace})}let N=R.state.transmissionRenderTarget[L.id],J=L.viewport||de;N.setSize(J.z*z.transmissionResolutionScale,J.w*z.transmissionResolutionScale);let X=z.getRenderTarget(),Q=z.getActiveCubeFace(),te=z.getActiveMipmapLevel();z.setRenderTarget(N),z.getClearColor(se),Ee=z.getClearAlpha(),Ee<1&&z.setClearColor(16777215,.5),z.clear(),ln&&H.render(C);let fe=z.toneMapping;z.toneMapping=Lr;let le=L.viewport;if(L.viewport!==void 0&&(L.viewport=void 0),R.setupLightsView(L),kt===!0&&he.setGlobalState(z.clippingPlanes,L),cn(p,C,L),lt.updateMultisampleRenderTarget(N),lt.updateRenderTargetMipmap(N),ct.has("WEBGL_multisampled_render_to_texture")===!1){let ce=!1;for(let Se=0,Te=v.length;Se<Te;Se++){let Ae=v[Se],{object:Ve,geometry:rt,material:ve,group:ot}=Ae;if(ve.side===Xi&&Ve.layers.test(L.layers)){let Ce=ve.side;ve.side=mi,ve.needsUpdate=!0,xn(Ve,C,L,rt,ve,ot),ve.side=Ce,ve.needsUpdate=!0,ce=!0}}ce===!0&&(lt.updateMultisampleRenderTarget(N),lt.updateRenderTargetMipmap(N))}z.setRenderTarget(X,Q,te),z.setClearColor(se,Ee),le!==void 0&&(L.viewport=le),z.toneMapping=fe}function cn(p,v,C){let L=v.isScene===!0?v.overrideMaterial:null;for(let O=0,N=p.length;O<N;O++){let J=p[O],{object:X,geometry:Q,group:te}=J,fe=J.material;fe.allowOverride===!0&&L!==null&&(fe=L),X.layers.test(C.layers)&&xn(X,v,C,Q,fe,te)}}function xn(p,v,C,L,O,N){q!==null&&O.isNodeMaterial&&q.setObject(p,O),p.onBeforeRender(z,v,C,L,O,N),p.modelViewMatrix.multiplyMatrices(C.matrixWorldInverse,p.matrixWorld),p.normalMatrix.getNormalMatrix(p.modelViewMatrix),O.onBeforeRender(z,v,C,L,p,N),O.transparent===!0&&O.side===Xi&&O.forceSinglePass===!1?(O.side=mi,O.needsUpdate=!0,z.renderBufferDirect(C,v,L,O,p,N),O.side=Pr,O.needsUpdate=!0,z.renderBufferDirect(C,v,L,O,p,N),O.side=Xi):z.renderBufferDirect(C,v,L,O,p,N),p.onAfterRender(z,v,C,L,O,N)}function vn(p){let v=0;for(let C of p)C.texture!==null&&v++;return v}function ci(p,v,C){v.isScene!==!0&&(v=Tn);let L=je.get(p),O=R.state.lights,N=R.state.shadowsArray,J=O.state.version,X=me.getParameters(p,O.state,N,v,C,R.state.lightProbeGridArray),Q=me.getProgramCacheKey(X),te=L.programs;L.environment=p.isMeshStandardMaterial||p.isMeshLambertMaterial||p.isMeshPhongMaterial?v.environment:null,L.fog=v.fog;let fe=p.isMeshStandardMaterial||p.isMeshLambertMaterial&&!p.envMap||p.isMeshPhongMaterial&&!p.envMap;L.envMap=F.get(p.envMap||L.environment,fe),L.envMapRotation=L.environment!==null&&p.envMap===null?v.environmentRotation:p.envMapRotation,te===void 0&&(p.addEventListener("dispose",Mt),te=new Map,L.programs=te,L.programVariants=new Map);let le=te.get(Q);if(le!==void 0){if(L.currentProgram===le&&L.lightsStateVersion===J)return _r(p,X),le}else X.uniforms=me.getUniforms(p),q!==null&&p.isNodeMaterial&&q.build(p,C,X),p.onBeforeCompile(X,z),le=me.acquireProgram(X,Q),te.set(Q,le),L.uniforms=X.uniforms;let ce=L.uniforms;return(!p.isShaderMaterial&&!p.isRawShaderMaterial||p.clipping===!0)&&(ce.clippingPlanes=he.uniform),_r(p,X),L.needsLights=Pn(p),L.lightsStateVersion=J,L.needsLights&&(ce.ambientLightColor.value=O.state.ambient,ce.lightProbe.value=O.state.probe,ce.sunLights.value=O.state.sun,ce.sunLightShadows.value=O.state.sunShadow,ce.directionalLights.value=O.state.directional,ce.directionalLightShadows.value=O.state.directionalShadow,ce.spotLights.value=O.state.spot,ce.spotLightShadows.value=O.state.spotShadow,ce.rectAreaLights.value=O.state.rectArea,ce.ltc_1.value=O.state.rectAreaLTC1,ce.ltc_2.value=O.state.rectAreaLTC2,ce.pointLights.value=O.state.point,ce.pointLightShadows.value=O.state.pointShadow,ce.hemisphereLights.value=O.state.hemi,ce.sunShadowMatrix.value=O.state.sunShadowMatrix,ce.sunShadowCascade.value=O.state.sunShadowCascade,ce.directionalShadowMatrix.value=O.state.directionalShadowMatrix,ce.spotLightMatrix.value=O.state.spotLightMatrix,ce.spotLightMap.value=O.state.spotLightMap,ce.pointShadowMatrix.value=O.state.pointShadowMatrix),L.numLightProbeGrids=vn(R.state.lightProbeGridArray),L.currentProgram=le,L.uniformsList=null,le}function Hn(p,v,C,L,O){let N=je.get(p),J=N.currentProgram.id+","+L+","+O,X=N.programVariants.get(J);return X===void 0?(X=ci(p,v,C),N.programVariants.set(J,X)):(N.currentProgram=X,N.uniformsList=null,N.outputColorSpace=L,N.toneMapping=O),X}function gr(p){if(p.uniformsList===null){let v=p.currentProgram.getUniforms();p.uniformsList=ga.seqWithValue(v.seq,p.uniforms)}return p.uniformsList}function _r(p,v){let C=je.get(p);C.outputColorSpace=v.outputColorSpace,C.batching=v.batching,C.batchingColor=v.batchingColor,C.instancing=v.instancing,C.instancingColor=v.instancingColor,C.instancingMorph=v.instancingMorph,C.skinning=v.skinning,C.morphTargets=v.morphTargets,C.morphNormals=v.morphNormals,C.morphColors=v.morphColors,C.morphTargetsCount=v.morphTargetsCount,C.numClippingPlanes=v.numClippingPlanes,C.numIntersection=v.numClipIntersection,C.vertexAlphas=v.vertexAlphas,C.vertexTangents=v.vertexTangents,C.toneMapping=v.toneMapping}function vs(p,v,C,L,O){v.isScene!==!0&&(v=Tn),lt.resetTextureUnits();let N=v.fog,J=L.isMeshStandardMaterial||L.isMeshLambertMaterial||L.isMeshPhongMaterial?v.environment:null,X=xe===null?z.outputColorSpace:xe.isXRRenderTarget===!0?xe.texture.colorSpace:Rt.workingColorSpace,Q=L.isMeshStandardMaterial||L.isMeshLambertMaterial&&!L.envMap||L.isMeshPhongMaterial&&!L.envMap,te=F.get(L.envMap||J,Q),fe=L.vertexColors===!0&&!!C.attributes.color&&C.attributes.color.itemSize===4,le=!!C.attributes.tangent&&(!!L.normalMap||L.anisotropy>0),ce=!!C.morphAttributes.position,Se=!!C.morphAttributes.normal,Te=!!C.morphAttributes.color,Ae=Lr;L.toneMapped&&(xe===null||xe.isXRRenderTarget===!0)&&(Ae=z.toneMapping);let Ve=C.morphAttributes.position||C.morphAttributes.normal||C.morphAttributes.color,rt=Ve!==void 0?Ve.length:0,ve=je.get(L),ot=R.state.lights;if(kt===!0&&(mn===!0||p!==re)){let at=p===re&&L.id===ne;he.setState(L,p,at)}let Ce=!1,Xe=!1;L.version===ve.__version?ve.needsLights&&ve.lightsStateVersion!==ot.state.version||O.isBatchedMesh&&ve.batching===!1||!O.isBatchedMesh&&ve.batching===!0||O.isBatchedMesh&&ve.batchingColor===!0&&O._colorsTexture===null||O.isBatchedMesh&&ve.batchingColor===!1&&O._colorsTexture!==null||O.isInstancedMesh&&ve.instancing===!1||!O.isInstancedMesh&&ve.instancing===!0||O.isSkinnedMesh&&ve.skinning===!1||!O.isSkinnedMesh&&ve.skinning===!0||O.isInstancedMesh&&ve.instancingColor===!0&&O.instanceColor===null||O.isInstancedMesh&&ve.instancingColor===!1&&O.instanceColor!==null||O.isInstancedMesh&&ve.instancingMorph===!0&&O.morphTexture===null||O.isInstancedMesh&&ve.instancingMorph===!1&&O.morphTexture!==null||ve.envMap!==te||L.fog===!0&&ve.fog!==N||ve.numClippingPlanes!==void 0&&(ve.numClippingPlanes!==he.numPlanes||ve.numIntersection!==he.numIntersection)||ve.vertexAlphas!==fe||ve.vertexTangents!==le||ve.morphTargets!==ce||ve.morphNormals!==Se||ve.morphColors!==Te||ve.morphTargetsCount!==rt||ve.numLightProbeGrids!==vn(R.state.lightProbeGridArray)?Ce=!0:(ve.outputColorSpace!==X||ve.toneMapping!==Ae)&&(Xe=!0):(Ce=!0,ve.__version=L.version);let We=ve.currentProgram;(Ce===!0||Xe===!0)&&(We=Xe===!0?Hn(L,v,O,X,Ae):ci(L,v,O),q&&L.isNodeMaterial&&q.onUpdateProgram(L,We,ve));let Ft=!1,Tt=!1,ut=!1,qe=We.getUniforms(),At=ve.uniforms;if(De.useProgram(We.program)&&(Ft=!0,Tt=!0,ut=!0),L.id!==ne&&(ne=L.id,Tt=!0),Ft||re!==p){De.buffers.depth.getReversed()&&p.reversedDepth!==!0&&(p._reversedDepth=!0,p.updateProjectionMatrix()),qe.setValue(G,"projectionMatrix",p.projectionMatrix),qe.setValue(G,"viewMatrix",p.matrixWorldInverse);let Vt=qe.map.cameraPosition;Vt!==void 0&&Vt.setValue(G,Dn.setFromMatrixPosition(p.matrixWorld)),yt.logarithmicDepthBuffer&&qe.setValue(G,"logDepthBufFC",2/(Math.log(p.far+1)/Math.LN2)),(L.isMeshPhongMaterial||L.isMeshToonMaterial||L.isMeshLambertMaterial||L.isMeshBasicMaterial||L.isMeshStandardMaterial||L.isShaderMaterial)&&qe.setValue(G,"isOrthographic",p.isOrthographicCamera===!0),re!==p&&(re=p,Tt=!0,ut=!0)}if(ve.needsLights&&(ot.state.sunShadowMap.length>0&&qe.setValue(G,"sunShadowMap",ot.state.sunShadowMap,lt),ot.state.directionalShadowMap.length>0&&qe.setValue(G,"directionalShadowMap",ot.state.directionalShadowMap,lt),ot.state.spotShadowMap.length>0&&qe.setValue(G,"spotShadowMap",ot.state.spotShadowMap,lt),ot.state.pointShadowMap.length>0&&qe.setValue(G,"pointShadowMap",ot.state.pointShadowMap,lt)),O.isSkinnedMesh){qe.setOptional(G,O,"bindMatrix"),qe.setOptional(G,O,"bindMatrixInverse");let at=O.skeleton;at&&(at.boneTexture===null&&at.computeBoneTexture(),qe.setValue(G,"boneTexture",at.boneTexture,lt))}O.isBatchedMesh&&(qe.setOptional(G,O,"batchingTexture"),qe.setValue(G,"batchingTexture",O._matricesTexture,lt),qe.setOptional(G,O,"batchingIdTexture"),qe.setValue(G,"batchingIdTexture",O._indirectTexture,lt),qe.setOptional(G,O,"batchingColorTexture"),O._colorsTexture!==null&&qe.setValue(G,"batchingColorTexture",O._colorsTexture,lt));let Jt=C.morphAttributes;if((Jt.position!==void 0||Jt.normal!==void 0||Jt.color!==void 0)&&ue.update(O,C,We),(Tt||ve.receiveShadow!==O.receiveShadow)&&(ve.receiveShadow=O.receiveShadow,qe.setValue(G,"receiveShadow",O.receiveShadow)),(L.isMeshStandardMaterial||L.isMeshLambertMaterial||L.isMeshPhongMaterial)&&L.envMap===null&&v.environment!==null&&(At.envMapIntensity.value=v.environmentIntensity),At.dfgLUT!==void 0&&(At.dfgLUT.value=d2()),Tt){if(qe.setValue(G,"toneMappingExposure",z.toneMappingExposure),ve.needsLights&&yn(At,ut),N&&L.fog===!0&&Ne.refreshFogUniforms(At,N),Ne.refreshMaterialUniforms(At,L,ye,Oe,R.state.transmissionRenderTarget[p.id]),ve.needsLights&&ve.numLightProbeGrids>0){let at=M,Vt=0;for(let bn of R.state.lightProbeGridArray)bn.texture!==null&&(at.textures[Vt]=bn.texture,at.min[Vt]=bn.boundingBox.min,at.max[Vt]=bn.boundingBox.max,at.resolution[Vt]=bn.resolution,Vt++);for(let bn in at)at[bn].length=Vt;At.probesSH.value=at.textures,At.probesMin.value=at.min,At.probesMax.value=at.max,At.probesResolution.value=at.resolution}ga.upload(G,gr(ve),At,lt)}if(L.isShaderMaterial&&L.uniformsNeedUpdate===!0&&(ga.upload(G,gr(ve),At,lt),L.uniformsNeedUpdate=!1),L.isSpriteMaterial&&qe.setValue(G,"center",O.center),qe.setValue(G,"modelViewMatrix",O.modelViewMatrix),qe.setValue(G,"normalMatrix",O.normalMatrix),qe.setValue(G,"modelMatrix",O.matrixWorld),L.uniformsGroups!==void 0){let at=L.uniformsGroups;for(let Vt=0,bn=at.length;Vt<bn;Vt++){let xr=at[Vt];tt.update(xr,We),tt.bind(xr,We)}}return We}function yn(p,v){p.ambientLightColor.needsUpdate=v,p.lightProbe.needsUpdate=v,p.sunLights.needsUpdate=v,p.sunLightShadows.needsUpdate=v,p.directionalLights.needsUpdate=v,p.directionalLightShadows.needsUpdate=v,p.pointLights.needsUpdate=v,p.pointLightShadows.needsUpdate=v,p.spotLights.needsUpdate=v,p.spotLightShadows.needsUpdate=v,p.rectAreaLights.needsUpdate=v,p.hemisphereLights.needsUpdate=v}function Pn(p){return p.isMeshLambertMaterial||p.isMeshToonMaterial||p.isMeshPhongMaterial||p.isMeshStandardMaterial||p.isShadowMaterial||p.isShaderMaterial&&p.lights===!0}this.getActiveCubeFace=function(){return K},this.getActiveMipmapLevel=function(){return $},this.getRenderTarget=function(){return xe},this.setRenderTargetTextures=function(p,v,C){let L=je.get(p);L.__autoAllocateDepthBuffer=p.resolveDepthBuffer===!1,L.__autoAllocateDepthBuffer===!1&&(L.__useRenderToTexture=!1),je.get(p.texture).__webglTexture=v,je.get(p.depthTexture).__webglTexture=L.__autoAllocateDepthBuffer?void 0:C,L.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(p,v){let C=je.get(p);C.__webglFramebuffer=v,C.__useDefaultFramebuffer=v===void 0},this.setRenderTarget=function(p,v=0,C=0){xe=p,K=v,$=C;let L=null,O=!1,N=!1;if(p){let X=je.get(p);if(X.__useDefaultFramebuffer!==void 0){De.bindFramebuffer(G.FRAMEBUFFER,X.__webglFramebuffer),de.copy(p.viewport),ge.copy(p.scissor),pe=p.scissorTest,De.viewport(de),De.scissor(ge),De.setScissorTest(pe),ne=-1;return}else if(X.__webglFramebuffer===void 0)lt.setupRenderTarget(p);else if(X.__hasExternalTextures)lt.rebindTextures(p,je.get(p.texture).__webglTexture,je.get(p.depthTexture).__webglTexture);else if(p.depthBuffer){let fe=p.depthTexture;if(X.__boundDepthTexture!==fe){if(fe!==null&&je.has(fe)&&(p.width!==fe.image.width||p.height!==fe.image.height))throw new Error("THREE.WebGLRenderer: Attached DepthTexture is initialized to the incorrect size.");lt.setupDepthRenderbuffer(p)}}let Q=p.texture;(Q.isData3DTexture||Q.isDataArrayTexture||Q.isCompressedArrayTexture)&&(N=!0);let te=je.get(p).__webglFramebuffer;p.isWebGLCubeRenderTarget?(Array.isArray(te[v])?L=te[v][C]:L=te[v],O=!0):p.samples>0&&lt.useMultisampledRTT(p)===!1?L=je.get(p).__webglMultisampledFramebuffer:Array.isArray(te)?L=te[C]:L=te,de.copy(p.viewport),ge.copy(p.scissor),pe=p.scissorTest}else de.copy(et).multiplyScalar(ye).floor(),ge.copy(St).multiplyScalar(ye).floor(),pe=bt;if(C!==0&&(L=Y),De.bindFramebuffer(G.FRAMEBUFFER,L)&&De.drawBuffers(p,L),De.viewport(de),De.scissor(ge),De.setScissorTest(pe),O){let X=je.get(p.texture);G.framebufferTexture2D(G.FRAMEBUFFER,G.COLOR_ATTACHMENT0,G.TEXTURE_CUBE_MAP_POSITIVE_X+v,X.__webglTexture,C)}else if(N){let X=v;for(let Q=0;Q<p.textures.length;Q++){let te=je.get(p.textures[Q]);G.framebufferTextureLayer(G.FRAMEBUFFER,G.COLOR_ATTACHMENT0+Q,te.__webglTexture,C,X)}}else if(p!==null&&C!==0){let X=je.get(p.texture);G.framebufferTexture2D(G.FRAMEBUFFER,G.COLOR_ATTACHMENT0,G.TEXTURE_2D,X.__webglTexture,C)}ne=-1};function x(p){let v=je.get(p);return(v.__readFormat!==p.format||v.__readType!==p.type)&&(v.__readFormat=p.format,v.__readType=p.type,v.__formatReadable=yt.textureFormatReadable(p.format),v.__typeReadable=yt.textureTypeReadable(p.type)),v}this.readRenderTargetPixels=function(p,v,C,L,O,N,J,X=0){if(!(p&&p.isWebGLRenderTarget)){_t("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let Q=je.get(p).__webglFramebuffer;if(p.isWebGLCubeRenderTarget&&J!==void 0&&(Q=Q[J],Array.isArray(Q)&&(Q=Q[0])),Q){De.bindFramebuffer(G.FRAMEBUFFER,Q);try{let te=p.textures[X],fe=te.format,le=te.type;p.textures.length>1&&G.readBuffer(G.COLOR_ATTACHMENT0+X);let ce=x(te);if(ce.__formatReadable===!1){_t("WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(ce.__typeReadable===!1){_t("WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}v>=0&&v<=p.width-L&&C>=0&&C<=p.height-O&&G.readPixels(v,C,L,O,Le.convert(fe),Le.convert(le),N)}finally{let te=xe!==null?je.get(xe).__webglFramebuffer:null;De.bindFramebuffer(G.FRAMEBUFFER,te)}}},this.readRenderTargetPixelsAsync=async function(p,v,C,L,O,N,J,X=0){if(!(p&&p.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let Q=je.get(p).__webglFramebuffer;if(p.isWebGLCubeRenderTarget&&J!==void 0&&(Q=Q[J],Array.isArray(Q)&&(Q=Q[0])),Q)if(v>=0&&v<=p.width-L&&C>=0&&C<=p.height-O){De.bindFramebuffer(G.FRAMEBUFFER,Q);let te=p.textures[X],fe=te.format,le=te.type;p.textures.length>1&&G.readBuffer(G.COLOR_ATTACHMENT0+X);let ce=x(te);if(ce.__formatReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(ce.__typeReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let Se=G.createBuffer();G.bindBuffer(G.PIXEL_PACK_BUFFER,Se),G.bufferData(G.PIXEL_PACK_BUFFER,N.byteLength,G.STREAM_READ),G.readPixels(v,C,L,O,Le.convert(fe),Le.convert(le),0),G.bindBuffer(G.PIXEL_PACK_BUFFER,null);let Te=xe!==null?je.get(xe).__webglFramebuffer:null;De.bindFramebuffer(G.FRAMEBUFFER,Te);let Ae=G.fenceSync(G.SYNC_GPU_COMMANDS_COMPLETE,0);return G.flush(),await rg(G,Ae,4),G.bindBuffer(G.PIXEL_PACK_BUFFER,Se),G.getBufferSubData(G.PIXEL_PACK_BUFFER,0,N),G.bindBuffer(G.PIXEL_PACK_BUFFER,null),G.deleteBuffer(Se),G.deleteSync(Ae),N}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(p,v=null,C=0){let L=Math.pow(2,-C),O=Math.floor(p.image.width*L),N=Math.floor(p.image.height*L),J=v!==null?v.x:0,X=v!==null?v.y:0;lt.setTexture2D(p,0),G.copyTexSubImage2D(G.TEXTURE_2D,C,0,0,J,X,O,N),De.unbindTexture()},this.copyTextureToTexture=function(p,v,C=null,L=null,O=0,N=0){let J,X,Q,te,fe,le,ce,Se,Te,Ae=p.isCompressedTexture?p.mipmaps[N]:p.image;if(C!==null)J=C.max.x-C.min.x,X=C.max.y-C.min.y,Q=C.isBox3?C.max.z-C.min.z:1,te=C.min.x,fe=C.min.y,le=C.isBox3?C.min.z:0;else{let qe=Math.pow(2,-O);J=Math.floor(Ae.width*qe),X=Math.floor(Ae.height*qe),p.isDataArrayTexture?Q=Ae.depth:p.isData3DTexture?Q=Math.floor(Ae.depth*qe):Q=1,te=0,fe=0,le=0}L!==null?(ce=L.x,Se=L.y,Te=L.z):(ce=0,Se=0,Te=0);let Ve=Le.convert(v.format),rt=Le.convert(v.type),ve;v.isData3DTexture?(lt.setTexture3D(v,0),ve=G.TEXTURE_3D):v.isDataArrayTexture||v.isCompressedArrayTexture?(lt.setTexture2DArray(v,0),ve=G.TEXTURE_2D_ARRAY):(lt.setTexture2D(v,0),ve=G.TEXTURE_2D),De.activeTexture(G.TEXTURE0),De.pixelStorei(G.UNPACK_FLIP_Y_WEBGL,v.flipY),De.pixelStorei(G.UNPACK_PREMULTIPLY_ALPHA_WEBGL,v.premultiplyAlpha),De.pixelStorei(G.UNPACK_ALIGNMENT,v.unpackAlignment);let ot=De.getParameter(G.UNPACK_ROW_LENGTH),Ce=De.getParameter(G.UNPACK_IMAGE_HEIGHT),Xe=De.getParameter(G.UNPACK_SKIP_PIXELS),We=De.getParameter(G.UNPACK_SKIP_ROWS),Ft=De.getParameter(G.UNPACK_SKIP_IMAGES);De.pixelStorei(G.UNPACK_ROW_LENGTH,Ae.width),De.pixelStorei(G.UNPACK_IMAGE_HEIGHT,Ae.height),De.pixelStorei(G.UNPACK_SKIP_PIXELS,te),De.pixelStorei(G.UNPACK_SKIP_ROWS,fe),De.pixelStorei(G.UNPACK_SKIP_IMAGES,le);let Tt=p.isDataArrayTexture||p.isData3DTexture,ut=v.isDataArrayTexture||v.isData3DTexture;if(p.isDepthTexture){let qe=je.get(p),At=je.get(v),Jt=je.get(qe.__renderTarget),at=je.get(At.__renderTarget);De.bindFramebuffer(G.READ_FRAMEBUFFER,Jt.__webglFramebuffer),De.bindFramebuffer(G.DRAW_FRAMEBUFFER,at.__webglFramebuffer);for(let Vt=0;Vt<Q;Vt++)Tt&&(G.framebufferTextureLayer(G.READ_FRAMEBUFFER,G.COLOR_ATTACHMENT0,je.get(p).__webglTexture,O,le+Vt),G.framebufferTextureLayer(G.DRAW_FRAMEBUFFER,G.COLOR_ATTACHMENT0,je.get(v).__webglTexture,N,Te+Vt)),G.blitFramebuffer(te,fe,te+J,fe+X,ce,Se,ce+J,Se+X,G.DEPTH_BUFFER_BIT,G.NEAREST);De.bindFramebuffer(G.READ_FRAMEBUFFER,null),De.bindFramebuffer(G.DRAW_FRAMEBUFFER,null)}else if(O!==0||p.isRenderTargetTexture||je.has(p)){let qe=je.get(p),At=je.get(v);De.bindFramebuffer(G.READ_FRAMEBUFFER,U),De.bindFramebuffer(G.DRAW_FRAMEBUFFER,W);for(let Jt=0;Jt<Q;Jt++)Tt?G.framebufferTextureLayer(G.READ_FRAMEBUFFER,G.COLOR_ATTACHMENT0,qe.__webglTexture,O,le+Jt):G.framebufferTexture2D(G.READ_FRAMEBUFFER,G.COLOR_ATTACHMENT0,G.TEXTURE_2D,qe.__webglTexture,O),ut?G.framebufferTextureLayer(G.DRAW_FRAMEBUFFER,G.COLOR_ATTACHMENT0,At.__webglTexture,N,Te+Jt):G.framebufferTexture2D(G.DRAW_FRAMEBUFFER,G.COLOR_ATTACHMENT0,G.TEXTURE_2D,At.__webglTexture,N),O!==0?G.blitFramebuffer(te,fe,te+J,fe+X,ce,Se,ce+J,Se+X,G.COLOR_BUFFER_BIT,G.NEAREST):ut?G.copyTexSubImage3D(ve,N,ce,Se,Te+Jt,te,fe,J,X):G.copyTexSubImage2D(ve,N,ce,Se,te,fe,J,X);De.bindFramebuffer(G.READ_FRAMEBUFFER,null),De.bindFramebuffer(G.DRAW_FRAMEBUFFER,null)}else ut?p.isDataTexture||p.isData3DTexture?G.texSubImage3D(ve,N,ce,Se,Te,J,X,Q,Ve,rt,Ae.data):v.isCompressedArrayTexture?G.compressedTexSubImage3D(ve,N,ce,Se,Te,J,X,Q,Ve,Ae.data):G.texSubImage3D(ve,N,ce,Se,Te,J,X,Q,Ve,rt,Ae):p.isDataTexture?G.texSubImage2D(G.TEXTURE_2D,N,ce,Se,J,X,Ve,rt,Ae.data):p.isCompressedTexture?G.compressedTexSubImage2D(G.TEXTURE_2D,N,ce,Se,Ae.width,Ae.height,Ve,Ae.data):G.texSubImage2D(G.TEXTURE_2D,N,ce,Se,J,X,Ve,rt,Ae);De.pixelStorei(G.UNPACK_ROW_LENGTH,ot),De.pixelStorei(G.UNPACK_IMAGE_HEIGHT,Ce),De.pixelStorei(G.UNPACK_SKIP_PIXELS,Xe),De.pixelStorei(G.UNPACK_SKIP_ROWS,We),De.pixelStorei(G.UNPACK_SKIP_IMAGES,Ft),N===0&&v.generateMipmaps===!0&&v.mipmapsAutoUpdate===!0&&G.generateMipmap(ve),De.unbindTexture()},this.initRenderTarget=function(p){je.get(p).__webglFramebuffer===void 0&&lt.setupRenderTarget(p)},this.initTexture=function(p){p.isCubeTexture?lt.setTextureCube(p,0):p.isData3DTexture?lt.setTexture3D(p,0):p.isDataArrayTexture||p.isCompressedArrayTexture?lt.setTexture2DArray(p,0):lt.setTexture2D(p,0),De.unbindTexture()},this.resetState=function(){K=0,$=0,xe=null,De.reset(),Be.reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return Wi}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=Rt._getDrawingBufferColorSpace(e),t.unpackColorSpace=Rt._getUnpackColorSpace()}};var gi=class extends Error{},p2={png:"image/png",svg:"image/svg+xml"};function Hg(i){let e=i.getElementById("atlas-files"),t=e?.textContent?JSON.parse(e.textContent):null,n=t?g2(t):_2,r=new Map,s=async a=>{let l=await n(a);if(!l)throw new gi(`The atlas's file ${a} is missing. Copy the atlas again, or make it anew.`);let c=r.get(a),u=c?await m2(l):null;if(u&&u!==c)throw new gi(`The atlas's file ${a} is damaged: it is not what atlas.json says. Copy the atlas again, or make it anew.`);return l},o=(a,l)=>{try{return JSON.parse(new TextDecoder().decode(l))}catch{throw new gi(`The atlas's file ${a} is damaged: it is no JSON. Copy the atlas again, or make it anew.`)}};return{bytes:s,expect:a=>a.forEach(({path:l,sha256:c})=>c&&r.set(l,c)),json:async a=>o(a,await s(a)),optionalJson:async a=>{let l=await n(a);return l?o(a,l):null},url:async a=>{let l=p2[a.split(".").pop()??""]??"application/octet-stream";return t?URL.createObjectURL(new Blob([await s(a)],{type:l})):`atlas/${a}`}}}async function m2(i){if(!globalThis.crypto?.subtle)return null;let e=await crypto.subtle.digest("SHA-256",i);return Array.from(new Uint8Array(e),t=>t.toString(16).padStart(2,"0")).join("")}function g2(i){return async e=>{let t=i[e];if(t===void 0)return null;let n=atob(t),r=new Uint8Array(n.length);for(let s=0;s<n.length;s++)r[s]=n.charCodeAt(s);return r}}async function _2(i){let e;try{e=await fetch(`atlas/${i.split("/").map(encodeURIComponent).join("/")}`)}catch{throw new gi(`The atlas's file ${i} cannot be reached. Is the program that serves this page still running?`)}if(e.status===404)return null;if(!e.ok)throw new gi(`The atlas's file ${i} cannot be read (status ${e.status}).`);return new Uint8Array(await e.arrayBuffer())}var Sn=class extends Error{},x2=20000630,Gg=16384;async function Wg(i){try{return await v2(i)}catch(e){throw e instanceof Sn?e:new Sn(e instanceof RangeError?"it ends too early":`it is damaged (${String(e)})`)}}async function v2(i){let e=new DataView(i.buffer,i.byteOffset,i.byteLength);if(e.getUint32(0,!0)!==x2)throw new Sn("it is no EXR image");if(e.getUint32(4,!0)&6656)throw new Sn("it has tiles, deep samples or several parts, which are not read");let t=y2(i,e,8),{channels:n,compression:r,width:s,height:o}=t,l={0:1,2:1,3:16}[r];if(!l)throw new Sn(`its compression (${r}) is not read: ZIP is`);let c=n.reduce((m,b)=>m+b.bytes,0),u=n.map(m=>m.bytes===2?new Uint16Array(s*o):new Float32Array(s*o)),h=Math.ceil(o/l),f=Array.from({length:h},async(m,b)=>{let g=Number(e.getBigUint64(t.end+8*b,!0)),_=e.getInt32(g,!0)-t.top,S=e.getUint32(g+4,!0);if(_<0||_>=o||_%l)throw new Sn("its rows are out of place");let T=Math.min(l,o-_),M=T*s*c,P=i.subarray(g+8,g+8+S);if(P.length<S)throw new Sn("it ends too early");let R=r===0||S===M?P:S2(await w2(P,M));if(R.length!==M)throw new Sn("it is damaged: rows of a wrong length");return M2(R,n,u,{row:_,rows:T,width:s}),T});if((await Promise.all(f)).reduce((m,b)=>m+b,0)!==o)throw new Sn("rows are missing");return{width:s,height:o,channels:n.map(m=>m.name),half:n.every(m=>m.bytes===2),planes:u}}function y2(i,e,t){let n=t,r=()=>{let m=i.indexOf(0,n);if(m<0)throw new Sn("it ends too early");let b=new TextDecoder().decode(i.subarray(n,m));return n=m+1,b},s=[],o=-1,a=[];for(let m=r();m!=="";m=r()){r();let b=e.getUint32(n,!0),g=n+4;if(n=g,m==="channels"?s=b2(e,r,()=>n,_=>n=_):m==="compression"?o=e.getUint8(g):m==="dataWindow"&&(a=[0,4,8,12].map(_=>e.getInt32(g+_,!0))),n=g+b,n>i.length)throw new Sn("it ends too early")}if(!s.length||a.length!==4)throw new Sn("its header lacks what every image has");let[l,c,u,h]=a,[f,d]=[u-l+1,h-c+1];if(!(f>0&&d>0&&f<=Gg&&d<=Gg))throw new Sn(`its size, ${f} x ${d}, is not that of a table`);return{channels:s,compression:o,width:f,height:d,top:c,end:n}}function b2(i,e,t,n){let r=[];for(let s=e();s!=="";s=e()){let o=i.getUint32(t(),!0);if(o!==1&&o!==2)throw new Sn(`its channel ${s} holds whole numbers`);let a=[i.getUint32(t()+8,!0),i.getUint32(t()+12,!0)];if(a[0]!==1||a[1]!==1)throw new Sn(`its channel ${s} is subsampled`);r.push({name:s,bytes:o===1?2:4}),n(t()+16)}return r}async function w2(i,e){let t=new Blob([i]).stream().pipeThrough(new DecompressionStream("deflate")),n=new Uint8Array(e),r=0,s=t.getReader();for(;;){let{done:o,value:a}=await s.read();if(o)break;if(r+a.length>e)throw new Sn("it is damaged: more data than pixels");n.set(a,r),r+=a.length}if(r!==e)throw new Sn("it is damaged: less data than pixels");return n}function S2(i){for(let n=1;n<i.length;n++)i[n]=i[n-1]+i[n]-128;let e=new Uint8Array(i.length),t=i.length+1>>1;for(let n=0;n<i.length;n++)e[n]=i[n%2?t+(n>>1):n>>1];return e}function M2(i,e,t,{row:n,rows:r,width:s}){let o=new DataView(i.buffer,i.byteOffset,i.byteLength),a=0;for(let l=n;l<n+r;l++)e.forEach(({bytes:c},u)=>{let h=t[u],f=l*s;if(c===2)for(let d=0;d<s;d++,a+=2)h[f+d]=o.getUint16(a,!0);else for(let d=0;d<s;d++,a+=4)h[f+d]=o.getFloat32(a,!0)})}var Xg=new DataView(new ArrayBuffer(4));function Ed(i){Xg.setFloat32(0,i);let e=Xg.getUint32(0),t=e>>>16&32768,n=e>>>23&255,r=e&8388607;if(n===255)return t|31744|(r?512:0);let s=n-127;if(s>15)return t|31744;if(s<-25)return t;let o=r|8388608,a=s>=-14?13:13+(-14-s),l=Math.floor(o/2**a),c=o-l*2**a,u=2**(a-1),h=c>u||c===u&&l%2===1?1:0,f=s>=-14?(s+15-1)*1024:0;return t|f+l+h}function Rd(i){let e=i&32768?-1:1,t=i>>>10&31,n=i&1023;return t===31?n?NaN:e*(1/0):t===0?e*n*2**-24:e*(1024+n)*2**(t-25)}var ju=256,T2=12;function A2(i){return i===0||!Number.isFinite(i)?1:2**Math.min(127,Math.max(-126,Math.ceil(Math.log2(i))-T2))}function kl(i){let[e,t,n]=i==="ideal"?[0,1,0]:"dielectric"in i?[i.dielectric.n<1?2:1,i.dielectric.n,0]:[2,i.conductor.n,i.conductor.k];return{material:e,index_n:t,index_k:n,permittivity:[t*t-n*n,2*t*n]}}var $g=i=>i==="vector"?1:0;async function Qu(i,e,t,n){let r=`${e}/${t.file}`,s=await i.bytes(r);try{let o=await Wg(s);for(let a of["R","G","B"])if(!o.channels.includes(a))throw new Sn(`it has no channel ${a}`);if(o.width!==n[0]||o.height!==n[1])throw new Sn(`it is ${o.width} x ${o.height} and not ${n[0]} x ${n[1]} texels large`);return o}catch(o){let a=o instanceof Sn?o.message:String(o);throw new gi(`The atlas's file ${r} is damaged: ${a}. Copy the atlas again, or make it anew.`)}}var zl=(i,e)=>i.planes[i.channels.indexOf(e)];function Zg(i,e){if(i.every(o=>o instanceof Uint16Array))return{scale:e,bits:i};let t=i.map(o=>o instanceof Uint16Array?Float32Array.from(o,Rd):o),n=0;for(let o of t)for(let a of o)n=Math.max(n,Math.abs(a));let r=A2(n*e),s=e/r;return{scale:r,bits:t.map(o=>Uint16Array.from(o,a=>Ed(a*s)))}}var Kg=()=>({width:1,height:1,count:1,texels:new Uint16Array(4),scales:new Float32Array(ju)});function Jg(i,e,t,n){if(t>ju)throw new gi(`The atlas has ${t} tables for a specimen; the page takes ${ju}.`);let r=new Uint16Array(4*i*e*t);return{width:i,height:e,count:t,texels:r,scales:new Float32Array(Math.max(n,ju))}}async function qg(i,e,t,n,r,s){let[o,a]=n,l=Jg(o,a,t.length+r,t.length);return await Promise.all(t.map(async(c,u)=>{let h=await Qu(i,e,c,n),{scale:f,bits:d}=Zg([zl(h,"R"),zl(h,"G"),zl(h,"B")],c.scale);Cd(l,u,d,[0,1,2]),l.scales[u]=f,s()})),l}function Cd(i,e,t,n){let r=i.width*i.height,s=4*r*e;t.forEach((o,a)=>{for(let l=0,c=s+n[a];l<r;l++,c+=4)i.texels[c]=o[l]})}async function Yg(i,e,t,n,r,s){let o=Jg(r[0],r[1],Math.ceil(n/4),n);return await Promise.all(t.map(async(a,l)=>{let c=await Qu(i,e,a,r);["R","G","B"].forEach((u,h)=>{let f=3*l+h;if(f>=n)return;let{scale:d,bits:m}=Zg([zl(c,u)],a.scale);Cd(o,Math.floor(f/4),m,[f%4]),o.scales[f]=d}),s()})),o}var jg=(i,e)=>{let t=zl(i,e);return t instanceof Float32Array?t:Float32Array.from(t,Rd)};async function Qg(i,e,t,n){let r=await Qu(i,e,t,n),s=new Float32Array(4*n[0]*n[1]);return["R","G","B"].forEach((o,a)=>{jg(r,o).forEach((l,c)=>s[4*c+a]=l*t.scale)}),{width:n[0],height:n[1],texels:s}}async function e_(i,e,t){let{tables:n,optics:r,pigment:s}=e,{lobe:o,served:a}=n,l=e.name;if(n.tables.length===0)return null;let c=n.tables.length+(o?1+(o.cross?.patches.length??0):0),u=0,h=()=>t(++u/c),f=[n.u.samples,n.v.samples],[d,m,b]=await Promise.all([qg(i,l,n.tables,f,a?1:0,h),o?.cross?qg(i,l,o.cross.patches,[o.cross.u.samples,o.cross.v.samples],0,h):Kg(),o?Qg(i,l,o.coherent,[o.radius.samples,o.t.samples]):{width:1,height:1,texels:new Float32Array(4)}]);if(a){let _=await Qu(i,l,a.range,f),S=a.range.scale,T=["R","G","B"].map(M=>Uint16Array.from(jg(_,M),P=>Ed(P*S)));Cd(d,n.tables.length,T,[0,1,2])}return{params:{basis:n.basis==="taylor"?1:0,table_count:n.tables.length,cross_count:o?.cross?.patches.length??0,...kl(r.material),shadowing:r.shadowing?1:0,radius_max:o?.radius_max??0,restricted:a?1:0,grid_last:(a?.size??f[0])-1,first_column:a?.first[1]??0,first_row:a?.first[0]??0,factor:$g(r.factor),pigment:s?[...s.xyz_per_sr,1]:[0,0,0,0],table_scales:d.scales,cross_scales:m.scales},tables:d,cross:m,lobe:b}}async function t_(i,e,t){let{spectral:n,optics:r}=e;if(!n)return null;let s=Math.round(4/n.shortest_nm/(n.xi_per_nm.last-n.xi_per_nm.first)*(n.xi_per_nm.samples-1))+1;if(s!==n.xi_per_nm.samples)throw new gi(`The spectral tables of ${e.name} do not reach as far as their wavelengths ask for.`);let o=n.lobe?.cross??null,a=n.images.length+(n.lobe?1:0)+(o?.images.length??0),l=0,c=()=>t(++l/a),u=e.name,[h,f,d]=await Promise.all([Yg(i,u,n.images,n.tables,[s,n.eta_per_nm.samples],c),o?Yg(i,u,o.images,o.patches,[o.xi_per_nm.samples,o.eta_per_nm.samples],c):Kg(),n.lobe?Qg(i,u,n.lobe.power,[n.lobe.half_abs_w.samples,1]):{width:1,height:1,texels:new Float32Array(4)}]);return{params:{table_layers:h.count,cross_layers:o?f.count:0,lobe_count:n.lobe?.half_abs_w.samples??0,...kl(r.material),factor:$g(r.factor),shadowing:r.shadowing?1:0,shortest_nm:n.shortest_nm,lobe_sigma_nm:n.lobe?.sigma_nm??0,cross_radius:o?o.xi_per_nm.last*n.shortest_nm:0,of_source:n.lobe?.sigma_grows?1:0,table_scales:h.scales,cross_scales:f.scales},tables:h,cross:f,lobe:d}}function r_(i,e){let t=i.spectral?.dispersion;if(!t)return kl(i.optics.material);let n=E2(t,e);if(!n)return null;let[r,s]=n;return kl(s===0?{dielectric:{n:r}}:{conductor:{n:r,k:s}})}function E2({wavelength_nm:i,n:e,k:t},n){let r=i.length-1;if(!(n>=i[0]&&n<=i[r]))return null;let s=0;for(;s<r-1&&i[s+1]<=n;)s++;return[n_(i,e,s,n),n_(i,t,s,n)]}function n_(i,e,t,n){let r=i[t+1]-i[t],s=(n-i[t])/r,o=1-s,[a,l]=[r*i_(i,e,t),r*i_(i,e,t+1)],[c,u]=[e[t],e[t+1]];return c*(1+2*s)*o*o+u*s*s*(3-2*s)+a*s*o*o-l*s*s*o}function i_(i,e,t){let n=u=>(e[u+1]-e[u])/(i[u+1]-i[u]);if(t===0)return n(0);if(t===i.length-1)return n(t-1);let[r,s]=[n(t-1),n(t)];if(r*s<=0)return 0;let[o,a]=[i[t]-i[t-1],i[t+1]-i[t]],[l,c]=[2*a+o,a+2*o];return(l+c)/(l/r+c/s)}var s_=i=>i.json("atlas.json"),o_=(i,e)=>i.json(`${e}/specimen.json`);var R2=[.8566748838545029,.733891856627126,.6287067210378086,.5385972572236101],C2=.38196601125010515,a_=i=>i-Math.floor(i),Vl=(i,e)=>i[0]*e[0]+i[1]*e[1]+i[2]*e[2];function wi(i){let e=Math.hypot(...i);return[i[0]/e,i[1]/e,i[2]/e]}var Id=i=>R2.map(e=>a_(.5+e*i));function eh(i,e){return e<=1?[0,0]:[(i+.5)/e,2*Math.PI*a_(C2*i)]}function l_(i,e){if(e<=1)return[0,0];let[t,n]=Id(i);return[t-.5,n-.5]}function I2([i,e,t],n){if(t<-1+1e-12)return[n[0],-n[1],-n[2]];let r=1/(1+t),s=[1-i*i*r,-i*e*r,-i],o=[-i*e*r,1-e*e*r,-e];return[0,1,2].map(a=>n[0]*s[a]+n[1]*o[a]+n[2]*[i,e,t][a])}function th(i,e,[t,n]){let r=.5*e*Math.PI/180,s=t*2*Math.sin(.5*r)**2,o=Math.sqrt(s*(2-s));return I2(wi(i),[o*Math.cos(n),o*Math.sin(n),1-s])}function c_(i,e,t){let n=wi(i),r=0;for(let s=0;s<t;s++)r+=Vl(th(n,e,eh(s,t)),n);return t/r}var _o=`
+}`,Td=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let n=new ml(e.texture);(e.depthNear!==t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){let t=e.cameras[0].viewport,n=new Cr({vertexShader:a2,fragmentShader:l2,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});this.mesh=new In(new gl(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},Ad=class extends Tr{constructor(e,t){super();let n=this,r=null,s=1,o=null,a="local-floor",l=1,c=null,u=null,h=null,f=null,d=null,m=null,b=typeof XRWebGLBinding<"u",g=new Td,_={},S=t.getContextAttributes(),T=null,M=null,P=[],R=[],y=new xt,A=null,V=null,z=new ei;z.viewport=new Ot;let D=new ei;D.viewport=new Ot;let q=[z,D],Y=new iu,U=null,W=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(se){let Ee=P[se];return Ee===void 0&&(Ee=new ta,P[se]=Ee),Ee.getTargetRaySpace()},this.getControllerGrip=function(se){let Ee=P[se];return Ee===void 0&&(Ee=new ta,P[se]=Ee),Ee.getGripSpace()},this.getHand=function(se){let Ee=P[se];return Ee===void 0&&(Ee=new ta,P[se]=Ee),Ee.getHandSpace()};function K(se){let Ee=R.indexOf(se.inputSource);if(Ee===-1)return;let Pe=P[Ee];Pe!==void 0&&(Pe.update(se.inputSource,se.frame,c||o),Pe.dispatchEvent({type:se.type,data:se.inputSource}))}function $(){r.removeEventListener("select",K),r.removeEventListener("selectstart",K),r.removeEventListener("selectend",K),r.removeEventListener("squeeze",K),r.removeEventListener("squeezestart",K),r.removeEventListener("squeezeend",K),r.removeEventListener("end",$),r.removeEventListener("inputsourceschange",xe);for(let se=0;se<P.length;se++){let Ee=R[se];Ee!==null&&(R[se]=null,P[se].disconnect(Ee))}U=null,W=null,g.reset();for(let se in _)delete _[se];if(e.setRenderTarget(T),d=null,f=null,h=null,r=null,M=null,pe.stop(),n.isPresenting=!1,e.setPixelRatio(A),e.setSize(y.width,y.height,!1),V!==null){let se=V.camera;se.fov=V.fov,se.zoom=V.zoom,se.updateProjectionMatrix(),V=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(se){s=se,n.isPresenting===!0&&nt("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(se){a=se,n.isPresenting===!0&&nt("WebXRManager: Cannot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(se){c=se},this.getBaseLayer=function(){return f!==null?f:d},this.getBinding=function(){return h===null&&b&&(h=new XRWebGLBinding(r,t)),h},this.getFrame=function(){return m},this.getSession=function(){return r},this.setSession=async function(se){if(r=se,r!==null){if(T=e.getRenderTarget(),r.addEventListener("select",K),r.addEventListener("selectstart",K),r.addEventListener("selectend",K),r.addEventListener("squeeze",K),r.addEventListener("squeezestart",K),r.addEventListener("squeezeend",K),r.addEventListener("end",$),r.addEventListener("inputsourceschange",xe),S.xrCompatible!==!0&&await t.makeXRCompatible(),A=e.getPixelRatio(),e.getSize(y),b&&"createProjectionLayer"in XRWebGLBinding.prototype){let Pe=null,Oe=null,ye=null;S.depth&&(ye=S.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,Pe=S.stencil?as:jr,Oe=S.stencil?mo:ur);let Ke={colorFormat:t.RGBA8,depthFormat:ye,scaleFactor:s};h=this.getBinding(),f=h.createProjectionLayer(Ke),r.updateRenderState({layers:[f]}),e.setPixelRatio(1),e.setSize(f.textureWidth,f.textureHeight,!1),M=new Zn(f.textureWidth,f.textureHeight,{format:jt,type:bi,depthTexture:new cr(f.textureWidth,f.textureHeight,Oe,void 0,void 0,void 0,void 0,void 0,void 0,Pe),stencilBuffer:S.stencil,colorSpace:e.outputColorSpace,samples:S.antialias?4:0,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.ignoreDepthValues===!1})}else{let Pe={antialias:S.antialias,alpha:!0,depth:S.depth,stencil:S.stencil,framebufferScaleFactor:s};d=new XRWebGLLayer(r,t,Pe),r.updateRenderState({baseLayer:d}),e.setPixelRatio(1),e.setSize(d.framebufferWidth,d.framebufferHeight,!1),M=new Zn(d.framebufferWidth,d.framebufferHeight,{format:jt,type:bi,colorSpace:e.outputColorSpace,stencilBuffer:S.stencil,resolveDepthBuffer:d.ignoreDepthValues===!1,resolveStencilBuffer:d.ignoreDepthValues===!1,storeMultisampledDepthBuffer:d.ignoreDepthValues===!1,storeMultisampledStencilBuffer:d.ignoreDepthValues===!1})}M.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await r.requestReferenceSpace(a),pe.setContext(r),pe.start(),n.isPresenting=!0,n.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(r!==null)return r.environmentBlendMode},this.getDepthTexture=function(){return g.getDepthTexture()};function xe(se){for(let Ee=0;Ee<se.removed.length;Ee++){let Pe=se.removed[Ee],Oe=R.indexOf(Pe);Oe>=0&&(R[Oe]=null,P[Oe].disconnect(Pe))}for(let Ee=0;Ee<se.added.length;Ee++){let Pe=se.added[Ee],Oe=R.indexOf(Pe);if(Oe===-1){for(let Ke=0;Ke<P.length;Ke++)if(Ke>=R.length){R.push(Pe),Oe=Ke;break}else if(R[Ke]===null){R[Ke]=Pe,Oe=Ke;break}if(Oe===-1)break}let ye=P[Oe];ye&&ye.connect(Pe)}}function ne(se,Ee){Ee===null?se.matrixWorld.copy(se.matrix):se.matrixWorld.multiplyMatrices(Ee.matrixWorld,se.matrix),se.matrixWorldInverse.copy(se.matrixWorld).invert()}this.updateCamera=function(se){if(r===null)return;let Ee=se.near,Pe=se.far;g.texture!==null&&(g.depthNear>0&&(Ee=g.depthNear),g.depthFar>0&&(Pe=g.depthFar)),Y.near=D.near=z.near=Ee,Y.far=D.far=z.far=Pe,(U!==Y.near||W!==Y.far)&&(r.updateRenderState({depthNear:Y.near,depthFar:Y.far}),U=Y.near,W=Y.far),Y.layers.mask=se.layers.mask|6,z.layers.mask=Y.layers.mask&-5,D.layers.mask=Y.layers.mask&-3;let Oe=se.parent,ye=Y.cameras;ne(Y,Oe);for(let Ke=0;Ke<ye.length;Ke++)ne(ye[Ke],Oe);Y.projectionMatrix.copy(z.projectionMatrix),Y.projectionMatrixInverse.copy(z.projectionMatrixInverse),V===null&&se.isPerspectiveCamera&&(V={camera:se,fov:se.fov,zoom:se.zoom}),re(se,Y,Oe)};function re(se,Ee,Pe){Pe===null?se.matrix.copy(Ee.matrixWorld):(se.matrix.copy(Pe.matrixWorld),se.matrix.invert(),se.matrix.multiply(Ee.matrixWorld)),se.matrix.decompose(se.position,se.quaternion,se.scale),se.updateMatrixWorld(!0),se.projectionMatrix.copy(Ee.projectionMatrix),se.projectionMatrixInverse.copy(Ee.projectionMatrixInverse),se.isPerspectiveCamera&&(se.fov=no*2*Math.atan(1/se.projectionMatrix.elements[5]),se.zoom=1)}this.getCamera=function(){return Y},this.getFoveation=function(){if(!(f===null&&d===null))return l},this.setFoveation=function(se){l=se,f!==null&&(f.fixedFoveation=se),d!==null&&d.fixedFoveation!==void 0&&(d.fixedFoveation=se)},this.hasDepthSensing=function(){return g.texture!==null},this.getDepthSensingMesh=function(){return g.getMesh(Y)},this.getCameraTexture=function(se){return _[se]};let de=null;function ge(se,Ee){if(u=Ee.getViewerPose(c||o),m=Ee,u!==null){let Pe=u.views;d!==null&&(e.setRenderTargetFramebuffer(M,d.framebuffer),e.setRenderTarget(M));let Oe=!1;Pe.length!==Y.cameras.length&&(Y.cameras.length=0,Oe=!0);for(let et=0;et<Pe.length;et++){let St=Pe[et],bt=null;if(d!==null)bt=d.getViewport(St);else{let Zt=h.getViewSubImage(f,St);bt=Zt.viewport,et===0&&(e.setRenderTargetTextures(M,Zt.colorTexture,Zt.depthStencilTexture),e.setRenderTarget(M))}let vt=q[et];vt===void 0&&(vt=new ei,vt.layers.enable(et),vt.viewport=new Ot,q[et]=vt),vt.matrix.fromArray(St.transform.matrix),vt.matrix.decompose(vt.position,vt.quaternion,vt.scale),vt.projectionMatrix.fromArray(St.projectionMatrix),vt.projectionMatrixInverse.copy(vt.projectionMatrix).invert(),vt.viewport.set(bt.x,bt.y,bt.width,bt.height),et===0&&(Y.matrix.copy(vt.matrix),Y.matrix.decompose(Y.position,Y.quaternion,Y.scale)),Oe===!0&&Y.cameras.push(vt)}let ye=r.enabledFeatures;if(ye&&ye.includes("depth-sensing")&&r.depthUsage=="gpu-optimized"&&b){h=n.getBinding();let et=h.getDepthInformation(Pe[0]);et&&et.isValid&&et.texture&&g.init(et,r.renderState)}if(ye&&ye.includes("camera-access")&&b){e.state.unbindTexture(),h=n.getBinding();for(let et=0;et<Pe.length;et++){let St=Pe[et].camera;if(St){let bt=_[St];bt||(bt=new ml,_[St]=bt);let vt=h.getCameraImage(St);bt.sourceTexture=vt}}}}for(let Pe=0;Pe<P.length;Pe++){let Oe=R[Pe],ye=P[Pe];Oe!==null&&ye!==void 0&&ye.update(Oe,Ee,c||o)}de&&de(se,Ee),Ee.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:Ee}),m=null}let pe=new Pg;pe.setAnimationLoop(ge),this.setAnimationLoop=function(se){de=se},this.dispose=function(){}}},c2=new it,Vg=new dt;Vg.set(-1,0,0,0,1,0,0,0,1);function u2(i,e){function t(g,_){g.matrixAutoUpdate===!0&&g.updateMatrix(),_.value.copy(g.matrix)}function n(g,_){_.color.getRGB(g.fogColor.value,dd(i)),_.isFog?(g.fogNear.value=_.near,g.fogFar.value=_.far):_.isFogExp2&&(g.fogDensity.value=_.density)}function r(g,_,S,T,M){_.isNodeMaterial?_.uniformsNeedUpdate=!1:_.isMeshBasicMaterial?s(g,_):_.isMeshLambertMaterial?(s(g,_),_.envMap&&(g.envMapIntensity.value=_.envMapIntensity)):_.isMeshToonMaterial?(s(g,_),h(g,_)):_.isMeshPhongMaterial?(s(g,_),u(g,_),_.envMap&&(g.envMapIntensity.value=_.envMapIntensity)):_.isMeshStandardMaterial?(s(g,_),f(g,_),_.isMeshPhysicalMaterial&&d(g,_,M)):_.isMeshMatcapMaterial?(s(g,_),m(g,_)):_.isMeshDepthMaterial?s(g,_):_.isMeshDistanceMaterial?(s(g,_),b(g,_)):_.isMeshNormalMaterial?s(g,_):_.isLineBasicMaterial?(o(g,_),_.isLineDashedMaterial&&a(g,_)):_.isPointsMaterial?l(g,_,S,T):_.isSpriteMaterial?c(g,_):_.isShadowMaterial?(g.color.value.copy(_.color),g.opacity.value=_.opacity):_.isShaderMaterial&&(_.uniformsNeedUpdate=!1)}function s(g,_){g.opacity.value=_.opacity,_.color&&g.diffuse.value.copy(_.color),_.emissive&&g.emissive.value.copy(_.emissive).multiplyScalar(_.emissiveIntensity),_.map&&(g.map.value=_.map,t(_.map,g.mapTransform)),_.alphaMap&&(g.alphaMap.value=_.alphaMap,t(_.alphaMap,g.alphaMapTransform)),_.bumpMap&&(g.bumpMap.value=_.bumpMap,t(_.bumpMap,g.bumpMapTransform),g.bumpScale.value=_.bumpScale,_.side===mi&&(g.bumpScale.value*=-1)),_.normalMap&&(g.normalMap.value=_.normalMap,t(_.normalMap,g.normalMapTransform),g.normalScale.value.copy(_.normalScale),_.side===mi&&g.normalScale.value.negate()),_.displacementMap&&(g.displacementMap.value=_.displacementMap,t(_.displacementMap,g.displacementMapTransform),g.displacementScale.value=_.displacementScale,g.displacementBias.value=_.displacementBias),_.emissiveMap&&(g.emissiveMap.value=_.emissiveMap,t(_.emissiveMap,g.emissiveMapTransform)),_.specularMap&&(g.specularMap.value=_.specularMap,t(_.specularMap,g.specularMapTransform)),_.alphaTest>0&&(g.alphaTest.value=_.alphaTest);let S=e.get(_),T=S.envMap,M=S.envMapRotation;T&&(g.envMap.value=T,g.envMapRotation.value.setFromMatrix4(c2.makeRotationFromEuler(M)).transpose(),T.isCubeTexture&&T.isRenderTargetTexture===!1&&g.envMapRotation.value.premultiply(Vg),g.reflectivity.value=_.reflectivity,g.ior.value=_.ior,g.refractionRatio.value=_.refractionRatio),_.lightMap&&(g.lightMap.value=_.lightMap,g.lightMapIntensity.value=_.lightMapIntensity,t(_.lightMap,g.lightMapTransform)),_.aoMap&&(g.aoMap.value=_.aoMap,g.aoMapIntensity.value=_.aoMapIntensity,t(_.aoMap,g.aoMapTransform))}function o(g,_){g.diffuse.value.copy(_.color),g.opacity.value=_.opacity,_.map&&(g.map.value=_.map,t(_.map,g.mapTransform))}function a(g,_){g.dashSize.value=_.dashSize,g.totalSize.value=_.dashSize+_.gapSize,g.scale.value=_.scale}function l(g,_,S,T){g.diffuse.value.copy(_.color),g.opacity.value=_.opacity,g.size.value=_.size*S,g.scale.value=T*.5,_.map&&(g.map.value=_.map,t(_.map,g.uvTransform)),_.alphaMap&&(g.alphaMap.value=_.alphaMap,t(_.alphaMap,g.alphaMapTransform)),_.alphaTest>0&&(g.alphaTest.value=_.alphaTest)}function c(g,_){g.diffuse.value.copy(_.color),g.opacity.value=_.opacity,g.rotation.value=_.rotation,_.map&&(g.map.value=_.map,t(_.map,g.mapTransform)),_.alphaMap&&(g.alphaMap.value=_.alphaMap,t(_.alphaMap,g.alphaMapTransform)),_.alphaTest>0&&(g.alphaTest.value=_.alphaTest)}function u(g,_){g.specular.value.copy(_.specular),g.shininess.value=Math.max(_.shininess,1e-4)}function h(g,_){_.gradientMap&&(g.gradientMap.value=_.gradientMap)}function f(g,_){g.metalness.value=_.metalness,_.metalnessMap&&(g.metalnessMap.value=_.metalnessMap,t(_.metalnessMap,g.metalnessMapTransform)),g.roughness.value=_.roughness,_.roughnessMap&&(g.roughnessMap.value=_.roughnessMap,t(_.roughnessMap,g.roughnessMapTransform)),_.envMap&&(g.envMapIntensity.value=_.envMapIntensity)}function d(g,_,S){g.ior.value=_.ior,_.diffuseRoughness>0&&(g.diffuseRoughness.value=_.diffuseRoughness,_.diffuseRoughnessMap&&(g.diffuseRoughnessMap.value=_.diffuseRoughnessMap,t(_.diffuseRoughnessMap,g.diffuseRoughnessMapTransform))),_.sheen>0&&(g.sheenColor.value.copy(_.sheenColor).multiplyScalar(_.sheen),g.sheenRoughness.value=_.sheenRoughness,_.sheenColorMap&&(g.sheenColorMap.value=_.sheenColorMap,t(_.sheenColorMap,g.sheenColorMapTransform)),_.sheenRoughnessMap&&(g.sheenRoughnessMap.value=_.sheenRoughnessMap,t(_.sheenRoughnessMap,g.sheenRoughnessMapTransform))),_.clearcoat>0&&(g.clearcoat.value=_.clearcoat,g.clearcoatRoughness.value=_.clearcoatRoughness,_.clearcoatMap&&(g.clearcoatMap.value=_.clearcoatMap,t(_.clearcoatMap,g.clearcoatMapTransform)),_.clearcoatRoughnessMap&&(g.clearcoatRoughnessMap.value=_.clearcoatRoughnessMap,t(_.clearcoatRoughnessMap,g.clearcoatRoughnessMapTransform)),_.clearcoatNormalMap&&(g.clearcoatNormalMap.value=_.clearcoatNormalMap,t(_.clearcoatNormalMap,g.clearcoatNormalMapTransform),g.clearcoatNormalScale.value.copy(_.clearcoatNormalScale),_.side===mi&&g.clearcoatNormalScale.value.negate())),_.dispersion>0&&(g.dispersion.value=_.dispersion),_.retroreflectivity>0&&(g.retroreflectivity.value=_.retroreflectivity),_.iridescence>0&&(g.iridescence.value=_.iridescence,g.iridescenceIOR.value=_.iridescenceIOR,g.iridescenceThicknessMinimum.value=_.iridescenceThicknessMinimum,g.iridescenceThicknessMaximum.value=_.iridescenceThicknessMaximum,_.iridescenceMap&&(g.iridescenceMap.value=_.iridescenceMap,t(_.iridescenceMap,g.iridescenceMapTransform)),_.iridescenceThicknessMap&&(g.iridescenceThicknessMap.value=_.iridescenceThicknessMap,t(_.iridescenceThicknessMap,g.iridescenceThicknessMapTransform))),_.transmission>0&&(g.transmission.value=_.transmission,g.transmissionSamplerMap.value=S.texture,g.transmissionSamplerSize.value.set(S.width,S.height),_.transmissionMap&&(g.transmissionMap.value=_.transmissionMap,t(_.transmissionMap,g.transmissionMapTransform)),g.thickness.value=_.thickness,_.thicknessMap&&(g.thicknessMap.value=_.thicknessMap,t(_.thicknessMap,g.thicknessMapTransform)),g.attenuationDistance.value=_.attenuationDistance,g.attenuationColor.value.copy(_.attenuationColor)),_.anisotropy>0&&(g.anisotropyVector.value.set(_.anisotropy*Math.cos(_.anisotropyRotation),_.anisotropy*Math.sin(_.anisotropyRotation)),_.anisotropyMap&&(g.anisotropyMap.value=_.anisotropyMap,t(_.anisotropyMap,g.anisotropyMapTransform))),g.specularIntensity.value=_.specularIntensity,g.specularColor.value.copy(_.specularColor),_.specularColorMap&&(g.specularColorMap.value=_.specularColorMap,t(_.specularColorMap,g.specularColorMapTransform)),_.specularIntensityMap&&(g.specularIntensityMap.value=_.specularIntensityMap,t(_.specularIntensityMap,g.specularIntensityMapTransform))}function m(g,_){_.matcap&&(g.matcap.value=_.matcap)}function b(g,_){let S=e.get(_).light;g.referencePosition.value.setFromMatrixPosition(S.matrixWorld),g.nearDistance.value=S.shadow.camera.near,g.farDistance.value=S.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:r}}function h2(i,e,t,n){let r={},s={};function o(S,T){let M=T.program;n.uniformBlockBinding(S,M,r[S.id])}function a(S,T){let M=r[S.id];M===void 0&&(m(S),M=l(S),r[S.id]=M,S.addEventListener("dispose",g));let P=T.program;n.updateUBOMapping(S,P);let R=e.render.frame;s[S.id]!==R&&(c(S),s[S.id]=R)}function l(S){let T=i.createBuffer(),M=S.__size,P=S.usage;return i.bindBuffer(i.UNIFORM_BUFFER,T),i.bufferData(i.UNIFORM_BUFFER,M,P),i.bindBuffer(i.UNIFORM_BUFFER,null),T}function c(S){let T=r[S.id],M=S.uniforms,P=S.__cache;i.bindBuffer(i.UNIFORM_BUFFER,T);for(let R=0,y=M.length;R<y;R++){let A=M[R];if(Array.isArray(A))for(let V=0,z=A.length;V<z;V++)u(A[V],R,V,P);else u(A,R,0,P)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function u(S,T,M,P){if(f(S,T,M,P)===!0){let R=S.__offset,y=S.value;if(Array.isArray(y)){let A=0;for(let V=0;V<y.length;V++){let z=y[V],D=b(z,!0);h(z,S.__data,A),A+=D.storage/Float32Array.BYTES_PER_ELEMENT}}else h(y,S.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,R,S.__data)}}function h(S,T,M){typeof S=="number"||typeof S=="boolean"?T[M]=S:S.isMatrix3?(T[M]=S.elements[0],T[M+1]=S.elements[1],T[M+2]=S.elements[2],T[M+3]=0,T[M+4]=S.elements[3],T[M+5]=S.elements[4],T[M+6]=S.elements[5],T[M+7]=0,T[M+8]=S.elements[6],T[M+9]=S.elements[7],T[M+10]=S.elements[8],T[M+11]=0):ArrayBuffer.isView(S)?T.set(S.subarray(0,T.length-M),M):S.toArray(T,M)}function f(S,T,M,P){let R=S.value,y=T+"_"+M;if(Array.isArray(R)){P[y]===void 0&&(P[y]=[]);let A=P[y],V=!1;for(let z=0;z<R.length;z++)d(R[z],A,z)===!0&&(V=!0);return V}return d(R,P,y)}function d(S,T,M){if(T[M]===void 0)return typeof S=="number"||typeof S=="boolean"?T[M]=S:ArrayBuffer.isView(S)?T[M]=S.slice():T[M]=S.clone(),!0;{let P=T[M];if(typeof S=="number"||typeof S=="boolean"){if(P!==S)return T[M]=S,!0}else{if(ArrayBuffer.isView(S))return!0;if(P.equals(S)===!1)return P.copy(S),!0}}return!1}function m(S){let T=S.uniforms,M=0,P=16;for(let y=0,A=T.length;y<A;y++){let V=Array.isArray(T[y])?T[y]:[T[y]];for(let z=0,D=V.length;z<D;z++){let q=V[z],Y=Array.isArray(q.value)?q.value:[q.value],U=Array.isArray(T[y])||Array.isArray(q.value),W=M;for(let $=0,xe=Y.length;$<xe;$++){let ne=Y[$],re=b(ne,U),de=M%P,ge=de%re.boundary,pe=de+ge;M+=ge,pe!==0&&P-pe<re.storage&&(M+=P-pe),$===0&&(W=M),M+=re.storage}let K=q.type==="int"?Int32Array:q.type==="uint"?Uint32Array:Float32Array;q.__data=new K((M-W)/Float32Array.BYTES_PER_ELEMENT),q.__offset=W}}let R=M%P;return R>0&&(M+=P-R),S.__size=M,S.__cache={},this}function b(S,T){let M={boundary:0,storage:0};return typeof S=="number"||typeof S=="boolean"?(M.boundary=4,M.storage=4):S.isVector2?(M.boundary=8,M.storage=8):S.isVector3||S.isColor?(M.boundary=16,M.storage=12):S.isVector4?(M.boundary=16,M.storage=16):S.isMatrix3?(M.boundary=16,M.storage=48):S.isMatrix4?(M.boundary=16,M.storage=64):S.isTexture?nt("WebGLRenderer: Texture samplers can not be part of an uniforms group."):ArrayBuffer.isView(S)?(M.boundary=16,M.storage=S.byteLength):nt("WebGLRenderer: Unsupported uniform value type.",S),T===!0&&(M.boundary=16,M.storage=Math.ceil(M.storage/16)*16),M}function g(S){let T=S.target;T.removeEventListener("dispose",g),i.deleteBuffer(r[T.id]),delete r[T.id],delete s[T.id]}function _(){for(let S in r)i.deleteBuffer(r[S]);r={},s={}}return{bind:o,update:a,dispose:_}}var f2=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,10128,14765,9754,14712,9466,14764,13480,14764,13475,14766,13440,14766,13347,14769,13070,14786,12713,14816,12387,14844,11957,14860,11549,14868,11215,14855,10751,14825,10403,14782,10044,14729,9651,14666,9352,14599,9029,14967,12835,14966,12831,14963,12804,14954,12723,14936,12564,14917,12347,14900,11958,14886,11569,14878,11247,14859,10765,14828,10401,14784,10011,14727,9600,14660,9289,14586,8893,14508,8533,15111,12234,15110,12234,15104,12216,15092,12156,15067,12010,15028,11776,14981,11500,14942,11205,14902,10752,14861,10393,14812,9991,14752,9570,14682,9252,14603,8808,14519,8445,14431,8145,15209,11449,15208,11451,15202,11451,15190,11438,15163,11384,15117,11274,15055,10979,14994,10648,14932,10343,14871,9936,14803,9532,14729,9218,14645,8742,14556,8381,14461,8020,14365,7603,15273,10603,15272,10607,15267,10619,15256,10631,15231,10614,15182,10535,15118,10389,15042,10167,14963,9787,14883,9447,14800,9115,14710,8665,14615,8318,14514,7911,14411,7507,14279,7198,15314,9675,15313,9683,15309,9712,15298,9759,15277,9797,15229,9773,15166,9668,15084,9487,14995,9274,14898,8910,14800,8539,14697,8234,14590,7790,14479,7409,14367,7067,14178,6621,15337,8619,15337,8631,15333,8677,15325,8769,15305,8871,15264,8940,15202,8909,15119,8775,15022,8565,14916,8328,14804,8009,14688,7614,14569,7287,14448,6888,14321,6483,14088,6171,15350,7402,15350,7419,15347,7480,15340,7613,15322,7804,15287,7973,15229,8057,15148,8012,15046,7846,14933,7611,14810,7357,14682,7069,14552,6656,14421,6316,14251,5948,14007,5528,15356,5942,15356,5977,15353,6119,15348,6294,15332,6551,15302,6824,15249,7044,15171,7122,15070,7050,14949,6861,14818,6611,14679,6349,14538,6067,14398,5651,14189,5311,13935,4958,15359,4123,15359,4153,15356,4296,15353,4646,15338,5160,15311,5508,15263,5829,15188,6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Dr=null;function d2(){return Dr===null&&(Dr=new oi(f2,16,16,ai,tn),Dr.name="DFG_LUT",Dr.minFilter=qt,Dr.magFilter=qt,Dr.wrapS=si,Dr.wrapT=si,Dr.generateMipmaps=!1,Dr.needsUpdate=!0),Dr}var Zu=class{constructor(e={}){let{canvas:t=ng(),context:n=null,depth:r=!0,stencil:s=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:u="default",failIfMajorPerformanceCaveat:h=!1,reversedDepthBuffer:f=!1,outputBufferType:d=bi}=e;this.isWebGLRenderer=!0;let m;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");m=n.getContextAttributes().alpha}else m=o;let b=d,g=new Set([du,fu,hu]),_=new Set([bi,ur,pa,mo,cu,uu]),S=new Uint32Array(4),T=new Int32Array(4),M={textures:[],min:[],max:[],resolution:[]},P=null,R=null,y=[],A=[],V=null;this.domElement=t,this.debug={checkShaderErrors:!0,diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Lr,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let z=this,D=!1,q=null,Y=null,U=null,W=null;this._outputColorSpace=Ln;let K=0,$=0,xe=null,ne=-1,re=null,de=new Ot,ge=new Ot,pe=null,se=new ht(0),Ee=0,Pe=t.width,Oe=t.height,ye=1,Ke=null,ft=null,et=new Ot(0,0,Pe,Oe),St=new Ot(0,0,Pe,Oe),bt=!1,vt=new Ds,Zt=new Xc,kt=!1,mn=!1,Xt=new it,Dn=new j,Pt=new Ot,Tn={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0},ln=!1;function An(){return xe===null?ye:1}let G=n;function He(p,v){return t.getContext(p,v)}let ct,yt,De,Kt,je,lt,F,E,ee,be,me,Ne,Fe,ae,he,Re,H,ue,oe,ke,Le,Be,tt;try{let p={alpha:!0,depth:r,stencil:s,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:u,failIfMajorPerformanceCaveat:h};if("setAttribute"in t&&t.setAttribute("data-engine",`three.js r${"187"}`),t.addEventListener("webglcontextlost",Je,!1),t.addEventListener("webglcontextrestored",mt,!1),t.addEventListener("webglcontextcreationerror",Ge,!1),G===null){let v="webgl2";if(G=He(v,p),G===null)throw He(v)?new Error("THREE.WebGLRenderer: Error creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}pt()}catch(p){throw t.removeEventListener("webglcontextlost",Je,!1),t.removeEventListener("webglcontextrestored",mt,!1),t.removeEventListener("webglcontextcreationerror",Ge,!1),_t("WebGLRenderer: "+p.message),p}function pt(){ct=new MS(G),ct.init(),Le=new o2(G,ct),yt=new dS(G,ct,e,Le),De=new r2(G,ct),yt.reversedDepthBuffer&&f&&De.buffers.depth.setReversed(!0),Y=G.createFramebuffer(),U=G.createFramebuffer(),W=G.createFramebuffer(),Kt=new ES(G),je=new WM,lt=new s2(G,ct,De,je,yt,Le,Kt),F=new SS(z),E=new Cy(G),Be=new hS(G,E),ee=new TS(G,E,Kt,Be),be=new CS(G,ee,E,Be,Kt),ue=new RS(G,yt,lt),he=new pS(je),me=new GM(z,F,ct,yt,Be,he),Ne=new u2(z,je),Fe=new qM,ae=new jM(ct),H=new uS(z,F,De,be,m,l),Re=new i2(z,be,yt),tt=new h2(G,Kt,yt,De),oe=new fS(G,ct,Kt),ke=new AS(G,ct,Kt),Kt.programs=me.programs,z.capabilities=yt,z.extensions=ct,z.properties=je,z.renderLists=Fe,z.shadowMap=Re,z.state=De,z.info=Kt}b!==bi&&(V=new PS(b,t.width,t.height,a,r,s));let we=new Ad(z,G);this.xr=we,this.getContext=function(){return G},this.getContextAttributes=function(){return G.getContextAttributes()},this.forceContextLoss=function(){let p=ct.get("WEBGL_lose_context");p&&p.loseContext()},this.forceContextRestore=function(){let p=ct.get("WEBGL_lose_context");p&&p.restoreContext()},this.getPixelRatio=function(){return ye},this.setPixelRatio=function(p){p!==void 0&&(ye=p,this.setSize(Pe,Oe,!1))},this.getSize=function(p){return p.set(Pe,Oe)},this.setSize=function(p,v,C=!0){if(we.isPresenting){nt("WebGLRenderer: Can't change size while VR device is presenting.");return}Pe=p,Oe=v,t.width=Math.floor(p*ye),t.height=Math.floor(v*ye),C===!0&&(t.style.width=p+"px",t.style.height=v+"px"),V!==null&&V.setSize(t.width,t.height),this.setViewport(0,0,p,v)},this.getDrawingBufferSize=function(p){return p.set(Pe*ye,Oe*ye).floor()},this.setDrawingBufferSize=function(p,v,C){Pe=p,Oe=v,ye=C,t.width=Math.floor(p*C),t.height=Math.floor(v*C),this.setViewport(0,0,p,v)},this.setEffects=function(p){if(b===bi){_t("WebGLRenderer: setEffects() requires outputBufferType set to HalfFloatType or FloatType.");return}if(p){for(let v=0;v<p.length;v++)if(p[v].isOutputPass===!0){nt("WebGLRenderer: OutputPass is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}V.setEffects(p||[])},this.getCurrentViewport=function(p){return p.copy(de)},this.getViewport=function(p){return p.copy(et)},this.setViewport=function(p,v,C,L){p.isVector4?et.set(p.x,p.y,p.z,p.w):et.set(p,v,C,L),De.viewport(de.copy(et).multiplyScalar(An()).round())},this.getScissor=function(p){return p.copy(St)},this.setScissor=function(p,v,C,L){p.isVector4?St.set(p.x,p.y,p.z,p.w):St.set(p,v,C,L),De.scissor(ge.copy(St).multiplyScalar(An()).round())},this.getScissorTest=function(){return bt},this.setScissorTest=function(p){De.setScissorTest(bt=p)},this.setOpaqueSort=function(p){Ke=p},this.setTransparentSort=function(p){ft=p},this.getClearColor=function(p){return p.copy(H.getClearColor())},this.setClearColor=function(){H.setClearColor(...arguments)},this.getClearAlpha=function(){return H.getClearAlpha()},this.setClearAlpha=function(){H.setClearAlpha(...arguments)},this.clear=function(p=!0,v=!0,C=!0){let L=0;if(p){let O=!1;if(xe!==null){let N=xe.texture.format;O=g.has(N)}if(O){let N=xe.texture.type,J=_.has(N),X=H.getClearColor(),Q=H.getClearAlpha(),te=X.r,fe=X.g,le=X.b;J?(S[0]=te,S[1]=fe,S[2]=le,S[3]=Q,G.clearBufferuiv(G.COLOR,0,S)):(T[0]=te,T[1]=fe,T[2]=le,T[3]=Q,G.clearBufferiv(G.COLOR,0,T))}else L|=G.COLOR_BUFFER_BIT}v&&(L|=G.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),C&&(L|=G.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),L!==0&&G.clear(L)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){this.clear(!1,!1,!0)},this.setNodesHandler=function(p){p.setRenderer(this),q=p},this.dispose=function(){t.removeEventListener("webglcontextlost",Je,!1),t.removeEventListener("webglcontextrestored",mt,!1),t.removeEventListener("webglcontextcreationerror",Ge,!1),H.dispose(),Fe.dispose(),ae.dispose(),lt.dispose(),je.dispose(),F.dispose(),be.dispose(),ee.dispose(),Be.dispose(),tt.dispose(),me.dispose(),we.dispose(),we.removeEventListener("sessionstart",Xs),we.removeEventListener("sessionend",zi),ji.stop()};function Je(p){p.preventDefault(),rl("WebGLRenderer: Context Lost."),D=!0}function mt(){rl("WebGLRenderer: Context Restored."),D=!1;let p=Kt.autoReset,v=Re.enabled,C=Re.autoUpdate,L=Re.needsUpdate,O=Re.type;pt(),Kt.autoReset=p,Re.enabled=v,Re.autoUpdate=C,Re.needsUpdate=L,Re.type=O}function Ge(p){_t("WebGLRenderer: A WebGL context could not be created. Reason: ",p.statusMessage)}function Mt(p){let v=p.target;v.removeEventListener("dispose",Mt),nn(v)}function nn(p){jn(p),je.remove(p)}function jn(p){let v=je.get(p).programs;v!==void 0&&(v.forEach(function(C){me.releaseProgram(C)}),p.isShaderMaterial&&me.releaseShaderCache(p))}this.renderBufferDirect=function(p,v,C,L,O,N){v===null&&(v=Tn);let J=O.isMesh&&O.matrixWorld.determinantAffine()<0,X=vs(p,v,C,L,O);De.setMaterial(L,J);let Q=C.index,te=1;if(L.wireframe===!0){if(Q=ee.getWireframeAttribute(C),Q===void 0)return;te=2}let fe=C.drawRange,le=C.attributes.position,ce=fe.start*te,Se=(fe.start+fe.count)*te;N!==null&&(ce=Math.max(ce,N.start*te),Se=Math.min(Se,(N.start+N.count)*te)),Q!==null?(ce=Math.max(ce,0),Se=Math.min(Se,Q.count)):le!=null&&(ce=Math.max(ce,0),Se=Math.min(Se,le.count));let Te=Se-ce;if(Te<0||Te===1/0)return;Be.setup(O,L,X,C,Q);let Ae,Ve=oe;if(Q!==null&&(Ae=E.get(Q),Ve=ke,Ve.setIndex(Ae)),O.isMesh)L.wireframe===!0?(De.setLineWidth(L.wireframeLinewidth*An()),Ve.setMode(G.LINES)):Ve.setMode(G.TRIANGLES);else if(O.isLine){let rt=L.linewidth;rt===void 0&&(rt=1),De.setLineWidth(rt*An()),O.isLineSegments?Ve.setMode(G.LINES):O.isLineLoop?Ve.setMode(G.LINE_LOOP):Ve.setMode(G.LINE_STRIP)}else O.isPoints?Ve.setMode(G.POINTS):O.isSprite&&Ve.setMode(G.TRIANGLES);if(O.isBatchedMesh)if(ct.get("WEBGL_multi_draw"))Ve.renderMultiDraw(O._multiDrawStarts,O._multiDrawCounts,O._multiDrawCount);else{let rt=O._multiDrawStarts,ve=O._multiDrawCounts,ot=O._multiDrawCount,Ce=Q?E.get(Q).bytesPerElement:1,Xe=je.get(L).currentProgram.getUniforms();for(let We=0;We<ot;We++)Xe.setValue(G,"_gl_DrawID",We),Ve.render(rt[We]/Ce,ve[We])}else if(O.isInstancedMesh)Ve.renderInstances(ce,Te,O.count);else if(C.isInstancedBufferGeometry){let rt=C._maxInstanceCount!==void 0?C._maxInstanceCount:1/0,ve=Math.min(C.instanceCount,rt);Ve.renderInstances(ce,Te,ve)}else Ve.render(ce,Te)};function Ws(p,v,C,L){q!==null&&p.isNodeMaterial&&q.setObject(L,p),kt===!0&&he.setState(p,C,!1),p.transparent===!0&&p.side===Xi&&p.forceSinglePass===!1?(p.side=mi,p.needsUpdate=!0,ci(p,v,L),p.side=Pr,p.needsUpdate=!0,ci(p,v,L),p.side=Xi):ci(p,v,L)}this.compile=function(p,v,C=null){C===null&&(C=p),q!==null&&q.renderStart(p,v,C),R=ae.get(C),R.init(v),A.push(R),C.traverseVisible(function(O){O.isLight&&O.layers.test(v.layers)&&(R.pushLight(O),O.castShadow&&R.pushShadow(O))}),p!==C&&p.traverseVisible(function(O){O.isLight&&O.layers.test(v.layers)&&(R.pushLight(O),O.castShadow&&R.pushShadow(O))}),R.setupLights(),q!==null&&q.updateLights(R.state.lightsArray),mn=this.localClippingEnabled,kt=he.init(this.clippingPlanes,mn),kt===!0&&he.setGlobalState(this.clippingPlanes,v),q!==null&&Re.render(R.state.shadowsArray,C,v);let L=new Set;return p.traverse(function(O){if(!(O.isMesh||O.isPoints||O.isLine||O.isSprite))return;let N=O.material;if(N)if(Array.isArray(N))for(let J=0;J<N.length;J++){let X=N[J];Ws(X,C,v,O),L.add(X)}else Ws(N,C,v,O),L.add(N)}),R=A.pop(),q!==null&&q.renderEnd(),L},this.compileAsync=function(p,v,C=null){let L=this.compile(p,v,C);return new Promise(O=>{function N(){if(L.forEach(function(J){let Q=je.get(J).currentProgram;(Q===void 0||Q.isReady())&&L.delete(J)}),L.size===0){O(p);return}setTimeout(N,10)}ct.get("KHR_parallel_shader_compile")!==null?N():setTimeout(N,10)})};let _s=null;function ka(p){_s&&_s(p)}function Xs(){ji.stop()}function zi(){ji.start()}let ji=new Pg;ji.setAnimationLoop(ka),typeof self<"u"&&ji.setContext(self),this.setAnimationLoop=function(p){_s=p,we.setAnimationLoop(p),p===null?ji.stop():ji.start()},we.addEventListener("sessionstart",Xs),we.addEventListener("sessionend",zi),this.render=function(p,v){if(v!==void 0&&v.isCamera!==!0){_t("WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(D===!0)return;q!==null&&q.renderStart(p,v);let C=we.enabled===!0&&we.isPresenting===!0,L=V!==null&&(xe===null||C)&&V.begin(z,xe);if(p.matrixWorldAutoUpdate===!0&&p.updateMatrixWorld(),v.parent===null&&v.matrixWorldAutoUpdate===!0&&v.updateMatrixWorld(),we.enabled===!0&&we.isPresenting===!0&&(V===null||V.isCompositing()===!1)&&(we.cameraAutoUpdate===!0&&we.updateCamera(v),v=we.getCamera()),p.isScene===!0&&p.onBeforeRender(z,p,v,xe),R=ae.get(p,A.length),R.init(v),R.state.textureUnits=lt.getTextureUnits(),A.push(R),Xt.multiplyMatrices(v.projectionMatrix,v.matrixWorldInverse),v.isArrayCamera?Zt.setFromArrayCamera(v):vt.setFromProjectionMatrix(Xt,Wi,v.reversedDepth),mn=this.localClippingEnabled,kt=he.init(this.clippingPlanes,mn),P=Fe.get(p,y.length),P.init(),y.push(P),this.info.render.frame++,we.enabled===!0&&we.isPresenting===!0){let J=z.xr.getDepthSensingMesh();J!==null&&Qi(J,v,-1/0,z.sortObjects)}Qi(p,v,0,z.sortObjects),P.finish(),q!==null&&q.updateLights(R.state.lightsArray),z.sortObjects===!0&&P.sort(Ke,ft),ln=we.enabled===!1||we.isPresenting===!1||we.hasDepthSensing()===!1,ln&&H.addToRenderList(P,p),this.info.autoReset===!0&&this.info.reset(),kt===!0&&he.beginShadows();let O=R.state.shadowsArray;if(Re.render(O,p,v),kt===!0&&he.endShadows(),(L&&V.hasRenderPass())===!1){let J=P.opaque,X=P.transmissive;if(R.setupLights(),v.isArrayCamera){let Q=v.cameras;if(X.length>0)for(let te=0,fe=Q.length;te<fe;te++){let le=Q[te];Mi(J,X,p,le)}ln&&H.render(p);for(let te=0,fe=Q.length;te<fe;te++){let le=Q[te];xs(P,p,le,le.viewport)}}else X.length>0&&Mi(J,X,p,v),ln&&H.render(p),xs(P,p,v)}xe!==null&&$===0&&(lt.updateMultisampleRenderTarget(xe),lt.updateRenderTargetMipmap(xe)),L&&V.end(z),p.isScene===!0&&p.onAfterRender(z,p,v),Be.resetDefaultState(),ne=-1,re=null,A.pop(),A.length>0?(R=A[A.length-1],lt.setTextureUnits(R.state.textureUnits),kt===!0&&he.setGlobalState(z.clippingPlanes,R.state.camera)):R=null,y.pop(),y.length>0?P=y[y.length-1]:P=null,q!==null&&q.renderEnd()};function Qi(p,v,C,L){if(p.visible===!1)return;if(p.layers.test(v.layers)){if(p.isGroup)C=p.renderOrder;else if(p.isLOD)p.autoUpdate===!0&&p.update(v);else if(p.isLight)R.pushLight(p),p.castShadow&&R.pushShadow(p);else if(p.isSprite){let J=v.isArrayCamera?Zt:vt;if(!p.frustumCulled||p.intersectsFrustum(J)){L&&Pt.setFromMatrixPosition(p.matrixWorld).applyMatrix4(Xt);let X=be.update(p),Q=p.material;Q.visible&&P.push(p,X,Q,C,Pt.z,null,v)}}else if(p.isMesh||p.isLine||p.isPoints){let J=v.isArrayCamera?Zt:vt;if(!p.frustumCulled||p.intersectsFrustum(J)){let X=be.update(p),Q=p.material;if(L&&(p.boundingSphere!==void 0?(p.boundingSphere===null&&p.computeBoundingSphere(),Pt.copy(p.boundingSphere.center)):(X.boundingSphere===null&&X.computeBoundingSphere(),Pt.copy(X.boundingSphere.center)),Pt.applyMatrix4(p.matrixWorld).applyMatrix4(Xt)),Array.isArray(Q)){let te=X.groups;for(let fe=0,le=te.length;fe<le;fe++){let ce=te[fe],Se=Q[ce.materialIndex];Se&&Se.visible&&P.push(p,X,Se,C,Pt.z,ce,v)}}else Q.visible&&P.push(p,X,Q,C,Pt.z,null,v)}}}let N=p.children;for(let J=0,X=N.length;J<X;J++)Qi(N[J],v,C,L)}function xs(p,v,C,L){let{opaque:O,transmissive:N,transparent:J}=p;R.setupLightsView(C),kt===!0&&he.setGlobalState(z.clippingPlanes,C),L&&De.viewport(de.copy(L)),O.length>0&&cn(O,v,C),N.length>0&&cn(N,v,C),J.length>0&&cn(J,v,C),De.buffers.depth.setTest(!0),De.buffers.depth.setMask(!0),De.buffers.color.setMask(!0),De.setPolygonOffset(!1)}function Mi(p,v,C,L){if((C.isScene===!0?C.overrideMaterial:null)!==null)return;if(R.state.transmissionRenderTarget[L.id]===void 0){let ce=ct.has("EXT_color_buffer_half_float")||ct.has("EXT_color_buffer_float");R.state.transmissionRenderTarget[L.id]=new Zn(1,1,{generateMipmaps:!0,type:ce?tn:bi,minFilter:Fi,samples:Math.max(4,yt.samples),stencilBuffer:s,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:Rt.workingColorSpace})}let N=R.state.transmissionRenderTarget[L.id],J=L.viewport||de;N.setSize(J.z*z.transmissionResolutionScale,J.w*z.transmissionResolutionScale);let X=z.getRenderTarget(),Q=z.getActiveCubeFace(),te=z.getActiveMipmapLevel();z.setRenderTarget(N),z.getClearColor(se),Ee=z.getClearAlpha(),Ee<1&&z.setClearColor(16777215,.5),z.clear(),ln&&H.render(C);let fe=z.toneMapping;z.toneMapping=Lr;let le=L.viewport;if(L.viewport!==void 0&&(L.viewport=void 0),R.setupLightsView(L),kt===!0&&he.setGlobalState(z.clippingPlanes,L),cn(p,C,L),lt.updateMultisampleRenderTarget(N),lt.updateRenderTargetMipmap(N),ct.has("WEBGL_multisampled_render_to_texture")===!1){let ce=!1;for(let Se=0,Te=v.length;Se<Te;Se++){let Ae=v[Se],{object:Ve,geometry:rt,material:ve,group:ot}=Ae;if(ve.side===Xi&&Ve.layers.test(L.layers)){let Ce=ve.side;ve.side=mi,ve.needsUpdate=!0,xn(Ve,C,L,rt,ve,ot),ve.side=Ce,ve.needsUpdate=!0,ce=!0}}ce===!0&&(lt.updateMultisampleRenderTarget(N),lt.updateRenderTargetMipmap(N))}z.setRenderTarget(X,Q,te),z.setClearColor(se,Ee),le!==void 0&&(L.viewport=le),z.toneMapping=fe}function cn(p,v,C){let L=v.isScene===!0?v.overrideMaterial:null;for(let O=0,N=p.length;O<N;O++){let J=p[O],{object:X,geometry:Q,group:te}=J,fe=J.material;fe.allowOverride===!0&&L!==null&&(fe=L),X.layers.test(C.layers)&&xn(X,v,C,Q,fe,te)}}function xn(p,v,C,L,O,N){q!==null&&O.isNodeMaterial&&q.setObject(p,O),p.onBeforeRender(z,v,C,L,O,N),p.modelViewMatrix.multiplyMatrices(C.matrixWorldInverse,p.matrixWorld),p.normalMatrix.getNormalMatrix(p.modelViewMatrix),O.onBeforeRender(z,v,C,L,p,N),O.transparent===!0&&O.side===Xi&&O.forceSinglePass===!1?(O.side=mi,O.needsUpdate=!0,z.renderBufferDirect(C,v,L,O,p,N),O.side=Pr,O.needsUpdate=!0,z.renderBufferDirect(C,v,L,O,p,N),O.side=Xi):z.renderBufferDirect(C,v,L,O,p,N),p.onAfterRender(z,v,C,L,O,N)}function vn(p){let v=0;for(let C of p)C.texture!==null&&v++;return v}function ci(p,v,C){v.isScene!==!0&&(v=Tn);let L=je.get(p),O=R.state.lights,N=R.state.shadowsArray,J=O.state.version,X=me.getParameters(p,O.state,N,v,C,R.state.lightProbeGridArray),Q=me.getProgramCacheKey(X),te=L.programs;L.environment=p.isMeshStandardMaterial||p.isMeshLambertMaterial||p.isMeshPhongMaterial?v.environment:null,L.fog=v.fog;let fe=p.isMeshStandardMaterial||p.isMeshLambertMaterial&&!p.envMap||p.isMeshPhongMaterial&&!p.envMap;L.envMap=F.get(p.envMap||L.environment,fe),L.envMapRotation=L.environment!==null&&p.envMap===null?v.environmentRotation:p.envMapRotation,te===void 0&&(p.addEventListener("dispose",Mt),te=new Map,L.programs=te,L.programVariants=new Map);let le=te.get(Q);if(le!==void 0){if(L.currentProgram===le&&L.lightsStateVersion===J)return _r(p,X),le}else X.uniforms=me.getUniforms(p),q!==null&&p.isNodeMaterial&&q.build(p,C,X),p.onBeforeCompile(X,z),le=me.acquireProgram(X,Q),te.set(Q,le),L.uniforms=X.uniforms;let ce=L.uniforms;return(!p.isShaderMaterial&&!p.isRawShaderMaterial||p.clipping===!0)&&(ce.clippingPlanes=he.uniform),_r(p,X),L.needsLights=Pn(p),L.lightsStateVersion=J,L.needsLights&&(ce.ambientLightColor.value=O.state.ambient,ce.lightProbe.value=O.state.probe,ce.sunLights.value=O.state.sun,ce.sunLightShadows.value=O.state.sunShadow,ce.directionalLights.value=O.state.directional,ce.directionalLightShadows.value=O.state.directionalShadow,ce.spotLights.value=O.state.spot,ce.spotLightShadows.value=O.state.spotShadow,ce.rectAreaLights.value=O.state.rectArea,ce.ltc_1.value=O.state.rectAreaLTC1,ce.ltc_2.value=O.state.rectAreaLTC2,ce.pointLights.value=O.state.point,ce.pointLightShadows.value=O.state.pointShadow,ce.hemisphereLights.value=O.state.hemi,ce.sunShadowMatrix.value=O.state.sunShadowMatrix,ce.sunShadowCascade.value=O.state.sunShadowCascade,ce.directionalShadowMatrix.value=O.state.directionalShadowMatrix,ce.spotLightMatrix.value=O.state.spotLightMatrix,ce.spotLightMap.value=O.state.spotLightMap,ce.pointShadowMatrix.value=O.state.pointShadowMatrix),L.numLightProbeGrids=vn(R.state.lightProbeGridArray),L.currentProgram=le,L.uniformsList=null,le}function Hn(p,v,C,L,O){let N=je.get(p),J=N.currentProgram.id+","+L+","+O,X=N.programVariants.get(J);return X===void 0?(X=ci(p,v,C),N.programVariants.set(J,X)):(N.currentProgram=X,N.uniformsList=null,N.outputColorSpace=L,N.toneMapping=O),X}function gr(p){if(p.uniformsList===null){let v=p.currentProgram.getUniforms();p.uniformsList=ga.seqWithValue(v.seq,p.uniforms)}return p.uniformsList}function _r(p,v){let C=je.get(p);C.outputColorSpace=v.outputColorSpace,C.batching=v.batching,C.batchingColor=v.batchingColor,C.instancing=v.instancing,C.instancingColor=v.instancingColor,C.instancingMorph=v.instancingMorph,C.skinning=v.skinning,C.morphTargets=v.morphTargets,C.morphNormals=v.morphNormals,C.morphColors=v.morphColors,C.morphTargetsCount=v.morphTargetsCount,C.numClippingPlanes=v.numClippingPlanes,C.numIntersection=v.numClipIntersection,C.vertexAlphas=v.vertexAlphas,C.vertexTangents=v.vertexTangents,C.toneMapping=v.toneMapping}function vs(p,v,C,L,O){v.isScene!==!0&&(v=Tn),lt.resetTextureUnits();let N=v.fog,J=L.isMeshStandardMaterial||L.isMeshLambertMaterial||L.isMeshPhongMaterial?v.environment:null,X=xe===null?z.outputColorSpace:xe.isXRRenderTarget===!0?xe.texture.colorSpace:Rt.workingColorSpace,Q=L.isMeshStandardMaterial||L.isMeshLambertMaterial&&!L.envMap||L.isMeshPhongMaterial&&!L.envMap,te=F.get(L.envMap||J,Q),fe=L.vertexColors===!0&&!!C.attributes.color&&C.attributes.color.itemSize===4,le=!!C.attributes.tangent&&(!!L.normalMap||L.anisotropy>0),ce=!!C.morphAttributes.position,Se=!!C.morphAttributes.normal,Te=!!C.morphAttributes.color,Ae=Lr;L.toneMapped&&(xe===null||xe.isXRRenderTarget===!0)&&(Ae=z.toneMapping);let Ve=C.morphAttributes.position||C.morphAttributes.normal||C.morphAttributes.color,rt=Ve!==void 0?Ve.length:0,ve=je.get(L),ot=R.state.lights;if(kt===!0&&(mn===!0||p!==re)){let at=p===re&&L.id===ne;he.setState(L,p,at)}let Ce=!1,Xe=!1;L.version===ve.__version?ve.needsLights&&ve.lightsStateVersion!==ot.state.version||O.isBatchedMesh&&ve.batching===!1||!O.isBatchedMesh&&ve.batching===!0||O.isBatchedMesh&&ve.batchingColor===!0&&O._colorsTexture===null||O.isBatchedMesh&&ve.batchingColor===!1&&O._colorsTexture!==null||O.isInstancedMesh&&ve.instancing===!1||!O.isInstancedMesh&&ve.instancing===!0||O.isSkinnedMesh&&ve.skinning===!1||!O.isSkinnedMesh&&ve.skinning===!0||O.isInstancedMesh&&ve.instancingColor===!0&&O.instanceColor===null||O.isInstancedMesh&&ve.instancingColor===!1&&O.instanceColor!==null||O.isInstancedMesh&&ve.instancingMorph===!0&&O.morphTexture===null||O.isInstancedMesh&&ve.instancingMorph===!1&&O.morphTexture!==null||ve.envMap!==te||L.fog===!0&&ve.fog!==N||ve.numClippingPlanes!==void 0&&(ve.numClippingPlanes!==he.numPlanes||ve.numIntersection!==he.numIntersection)||ve.vertexAlphas!==fe||ve.vertexTangents!==le||ve.morphTargets!==ce||ve.morphNormals!==Se||ve.morphColors!==Te||ve.morphTargetsCount!==rt||ve.numLightProbeGrids!==vn(R.state.lightProbeGridArray)?Ce=!0:(ve.outputColorSpace!==X||ve.toneMapping!==Ae)&&(Xe=!0):(Ce=!0,ve.__version=L.version);let We=ve.currentProgram;(Ce===!0||Xe===!0)&&(We=Xe===!0?Hn(L,v,O,X,Ae):ci(L,v,O),q&&L.isNodeMaterial&&q.onUpdateProgram(L,We,ve));let Ft=!1,Tt=!1,ut=!1,qe=We.getUniforms(),At=ve.uniforms;if(De.useProgram(We.program)&&(Ft=!0,Tt=!0,ut=!0),L.id!==ne&&(ne=L.id,Tt=!0),Ft||re!==p){De.buffers.depth.getReversed()&&p.reversedDepth!==!0&&(p._reversedDepth=!0,p.updateProjectionMatrix()),qe.setValue(G,"projectionMatrix",p.projectionMatrix),qe.setValue(G,"viewMatrix",p.matrixWorldInverse);let Vt=qe.map.cameraPosition;Vt!==void 0&&Vt.setValue(G,Dn.setFromMatrixPosition(p.matrixWorld)),yt.logarithmicDepthBuffer&&qe.setValue(G,"logDepthBufFC",2/(Math.log(p.far+1)/Math.LN2)),(L.isMeshPhongMaterial||L.isMeshToonMaterial||L.isMeshLambertMaterial||L.isMeshBasicMaterial||L.isMeshStandardMaterial||L.isShaderMaterial)&&qe.setValue(G,"isOrthographic",p.isOrthographicCamera===!0),re!==p&&(re=p,Tt=!0,ut=!0)}if(ve.needsLights&&(ot.state.sunShadowMap.length>0&&qe.setValue(G,"sunShadowMap",ot.state.sunShadowMap,lt),ot.state.directionalShadowMap.length>0&&qe.setValue(G,"directionalShadowMap",ot.state.directionalShadowMap,lt),ot.state.spotShadowMap.length>0&&qe.setValue(G,"spotShadowMap",ot.state.spotShadowMap,lt),ot.state.pointShadowMap.length>0&&qe.setValue(G,"pointShadowMap",ot.state.pointShadowMap,lt)),O.isSkinnedMesh){qe.setOptional(G,O,"bindMatrix"),qe.setOptional(G,O,"bindMatrixInverse");let at=O.skeleton;at&&(at.boneTexture===null&&at.computeBoneTexture(),qe.setValue(G,"boneTexture",at.boneTexture,lt))}O.isBatchedMesh&&(qe.setOptional(G,O,"batchingTexture"),qe.setValue(G,"batchingTexture",O._matricesTexture,lt),qe.setOptional(G,O,"batchingIdTexture"),qe.setValue(G,"batchingIdTexture",O._indirectTexture,lt),qe.setOptional(G,O,"batchingColorTexture"),O._colorsTexture!==null&&qe.setValue(G,"batchingColorTexture",O._colorsTexture,lt));let Jt=C.morphAttributes;if((Jt.position!==void 0||Jt.normal!==void 0||Jt.color!==void 0)&&ue.update(O,C,We),(Tt||ve.receiveShadow!==O.receiveShadow)&&(ve.receiveShadow=O.receiveShadow,qe.setValue(G,"receiveShadow",O.receiveShadow)),(L.isMeshStandardMaterial||L.isMeshLambertMaterial||L.isMeshPhongMaterial)&&L.envMap===null&&v.environment!==null&&(At.envMapIntensity.value=v.environmentIntensity),At.dfgLUT!==void 0&&(At.dfgLUT.value=d2()),Tt){if(qe.setValue(G,"toneMappingExposure",z.toneMappingExposure),ve.needsLights&&yn(At,ut),N&&L.fog===!0&&Ne.refreshFogUniforms(At,N),Ne.refreshMaterialUniforms(At,L,ye,Oe,R.state.transmissionRenderTarget[p.id]),ve.needsLights&&ve.numLightProbeGrids>0){let at=M,Vt=0;for(let bn of R.state.lightProbeGridArray)bn.texture!==null&&(at.textures[Vt]=bn.texture,at.min[Vt]=bn.boundingBox.min,at.max[Vt]=bn.boundingBox.max,at.resolution[Vt]=bn.resolution,Vt++);for(let bn in at)at[bn].length=Vt;At.probesSH.value=at.textures,At.probesMin.value=at.min,At.probesMax.value=at.max,At.probesResolution.value=at.resolution}ga.upload(G,gr(ve),At,lt)}if(L.isShaderMaterial&&L.uniformsNeedUpdate===!0&&(ga.upload(G,gr(ve),At,lt),L.uniformsNeedUpdate=!1),L.isSpriteMaterial&&qe.setValue(G,"center",O.center),qe.setValue(G,"modelViewMatrix",O.modelViewMatrix),qe.setValue(G,"normalMatrix",O.normalMatrix),qe.setValue(G,"modelMatrix",O.matrixWorld),L.uniformsGroups!==void 0){let at=L.uniformsGroups;for(let Vt=0,bn=at.length;Vt<bn;Vt++){let xr=at[Vt];tt.update(xr,We),tt.bind(xr,We)}}return We}function yn(p,v){p.ambientLightColor.needsUpdate=v,p.lightProbe.needsUpdate=v,p.sunLights.needsUpdate=v,p.sunLightShadows.needsUpdate=v,p.directionalLights.needsUpdate=v,p.directionalLightShadows.needsUpdate=v,p.pointLights.needsUpdate=v,p.pointLightShadows.needsUpdate=v,p.spotLights.needsUpdate=v,p.spotLightShadows.needsUpdate=v,p.rectAreaLights.needsUpdate=v,p.hemisphereLights.needsUpdate=v}function Pn(p){return p.isMeshLambertMaterial||p.isMeshToonMaterial||p.isMeshPhongMaterial||p.isMeshStandardMaterial||p.isShadowMaterial||p.isShaderMaterial&&p.lights===!0}this.getActiveCubeFace=function(){return K},this.getActiveMipmapLevel=function(){return $},this.getRenderTarget=function(){return xe},this.setRenderTargetTextures=function(p,v,C){let L=je.get(p);L.__autoAllocateDepthBuffer=p.resolveDepthBuffer===!1,L.__autoAllocateDepthBuffer===!1&&(L.__useRenderToTexture=!1),je.get(p.texture).__webglTexture=v,je.get(p.depthTexture).__webglTexture=L.__autoAllocateDepthBuffer?void 0:C,L.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(p,v){let C=je.get(p);C.__webglFramebuffer=v,C.__useDefaultFramebuffer=v===void 0},this.setRenderTarget=function(p,v=0,C=0){xe=p,K=v,$=C;let L=null,O=!1,N=!1;if(p){let X=je.get(p);if(X.__useDefaultFramebuffer!==void 0){De.bindFramebuffer(G.FRAMEBUFFER,X.__webglFramebuffer),de.copy(p.viewport),ge.copy(p.scissor),pe=p.scissorTest,De.viewport(de),De.scissor(ge),De.setScissorTest(pe),ne=-1;return}else if(X.__webglFramebuffer===void 0)lt.setupRenderTarget(p);else if(X.__hasExternalTextures)lt.rebindTextures(p,je.get(p.texture).__webglTexture,je.get(p.depthTexture).__webglTexture);else if(p.depthBuffer){let fe=p.depthTexture;if(X.__boundDepthTexture!==fe){if(fe!==null&&je.has(fe)&&(p.width!==fe.image.width||p.height!==fe.image.height))throw new Error("THREE.WebGLRenderer: Attached DepthTexture is initialized to the incorrect size.");lt.setupDepthRenderbuffer(p)}}let Q=p.texture;(Q.isData3DTexture||Q.isDataArrayTexture||Q.isCompressedArrayTexture)&&(N=!0);let te=je.get(p).__webglFramebuffer;p.isWebGLCubeRenderTarget?(Array.isArray(te[v])?L=te[v][C]:L=te[v],O=!0):p.samples>0&&lt.useMultisampledRTT(p)===!1?L=je.get(p).__webglMultisampledFramebuffer:Array.isArray(te)?L=te[C]:L=te,de.copy(p.viewport),ge.copy(p.scissor),pe=p.scissorTest}else de.copy(et).multiplyScalar(ye).floor(),ge.copy(St).multiplyScalar(ye).floor(),pe=bt;if(C!==0&&(L=Y),De.bindFramebuffer(G.FRAMEBUFFER,L)&&De.drawBuffers(p,L),De.viewport(de),De.scissor(ge),De.setScissorTest(pe),O){let X=je.get(p.texture);G.framebufferTexture2D(G.FRAMEBUFFER,G.COLOR_ATTACHMENT0,G.TEXTURE_CUBE_MAP_POSITIVE_X+v,X.__webglTexture,C)}else if(N){let X=v;for(let Q=0;Q<p.textures.length;Q++){let te=je.get(p.textures[Q]);G.framebufferTextureLayer(G.FRAMEBUFFER,G.COLOR_ATTACHMENT0+Q,te.__webglTexture,C,X)}}else if(p!==null&&C!==0){let X=je.get(p.texture);G.framebufferTexture2D(G.FRAMEBUFFER,G.COLOR_ATTACHMENT0,G.TEXTURE_2D,X.__webglTexture,C)}ne=-1};function x(p){let v=je.get(p);return(v.__readFormat!==p.format||v.__readType!==p.type)&&(v.__readFormat=p.format,v.__readType=p.type,v.__formatReadable=yt.textureFormatReadable(p.format),v.__typeReadable=yt.textureTypeReadable(p.type)),v}this.readRenderTargetPixels=function(p,v,C,L,O,N,J,X=0){if(!(p&&p.isWebGLRenderTarget)){_t("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let Q=je.get(p).__webglFramebuffer;if(p.isWebGLCubeRenderTarget&&J!==void 0&&(Q=Q[J],Array.isArray(Q)&&(Q=Q[0])),Q){De.bindFramebuffer(G.FRAMEBUFFER,Q);try{let te=p.textures[X],fe=te.format,le=te.type;p.textures.length>1&&G.readBuffer(G.COLOR_ATTACHMENT0+X);let ce=x(te);if(ce.__formatReadable===!1){_t("WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(ce.__typeReadable===!1){_t("WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}v>=0&&v<=p.width-L&&C>=0&&C<=p.height-O&&G.readPixels(v,C,L,O,Le.convert(fe),Le.convert(le),N)}finally{let te=xe!==null?je.get(xe).__webglFramebuffer:null;De.bindFramebuffer(G.FRAMEBUFFER,te)}}},this.readRenderTargetPixelsAsync=async function(p,v,C,L,O,N,J,X=0){if(!(p&&p.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let Q=je.get(p).__webglFramebuffer;if(p.isWebGLCubeRenderTarget&&J!==void 0&&(Q=Q[J],Array.isArray(Q)&&(Q=Q[0])),Q)if(v>=0&&v<=p.width-L&&C>=0&&C<=p.height-O){De.bindFramebuffer(G.FRAMEBUFFER,Q);let te=p.textures[X],fe=te.format,le=te.type;p.textures.length>1&&G.readBuffer(G.COLOR_ATTACHMENT0+X);let ce=x(te);if(ce.__formatReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(ce.__typeReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let Se=G.createBuffer();G.bindBuffer(G.PIXEL_PACK_BUFFER,Se),G.bufferData(G.PIXEL_PACK_BUFFER,N.byteLength,G.STREAM_READ),G.readPixels(v,C,L,O,Le.convert(fe),Le.convert(le),0),G.bindBuffer(G.PIXEL_PACK_BUFFER,null);let Te=xe!==null?je.get(xe).__webglFramebuffer:null;De.bindFramebuffer(G.FRAMEBUFFER,Te);let Ae=G.fenceSync(G.SYNC_GPU_COMMANDS_COMPLETE,0);return G.flush(),await rg(G,Ae,4),G.bindBuffer(G.PIXEL_PACK_BUFFER,Se),G.getBufferSubData(G.PIXEL_PACK_BUFFER,0,N),G.bindBuffer(G.PIXEL_PACK_BUFFER,null),G.deleteBuffer(Se),G.deleteSync(Ae),N}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(p,v=null,C=0){let L=Math.pow(2,-C),O=Math.floor(p.image.width*L),N=Math.floor(p.image.height*L),J=v!==null?v.x:0,X=v!==null?v.y:0;lt.setTexture2D(p,0),G.copyTexSubImage2D(G.TEXTURE_2D,C,0,0,J,X,O,N),De.unbindTexture()},this.copyTextureToTexture=function(p,v,C=null,L=null,O=0,N=0){let J,X,Q,te,fe,le,ce,Se,Te,Ae=p.isCompressedTexture?p.mipmaps[N]:p.image;if(C!==null)J=C.max.x-C.min.x,X=C.max.y-C.min.y,Q=C.isBox3?C.max.z-C.min.z:1,te=C.min.x,fe=C.min.y,le=C.isBox3?C.min.z:0;else{let qe=Math.pow(2,-O);J=Math.floor(Ae.width*qe),X=Math.floor(Ae.height*qe),p.isDataArrayTexture?Q=Ae.depth:p.isData3DTexture?Q=Math.floor(Ae.depth*qe):Q=1,te=0,fe=0,le=0}L!==null?(ce=L.x,Se=L.y,Te=L.z):(ce=0,Se=0,Te=0);let Ve=Le.convert(v.format),rt=Le.convert(v.type),ve;v.isData3DTexture?(lt.setTexture3D(v,0),ve=G.TEXTURE_3D):v.isDataArrayTexture||v.isCompressedArrayTexture?(lt.setTexture2DArray(v,0),ve=G.TEXTURE_2D_ARRAY):(lt.setTexture2D(v,0),ve=G.TEXTURE_2D),De.activeTexture(G.TEXTURE0),De.pixelStorei(G.UNPACK_FLIP_Y_WEBGL,v.flipY),De.pixelStorei(G.UNPACK_PREMULTIPLY_ALPHA_WEBGL,v.premultiplyAlpha),De.pixelStorei(G.UNPACK_ALIGNMENT,v.unpackAlignment);let ot=De.getParameter(G.UNPACK_ROW_LENGTH),Ce=De.getParameter(G.UNPACK_IMAGE_HEIGHT),Xe=De.getParameter(G.UNPACK_SKIP_PIXELS),We=De.getParameter(G.UNPACK_SKIP_ROWS),Ft=De.getParameter(G.UNPACK_SKIP_IMAGES);De.pixelStorei(G.UNPACK_ROW_LENGTH,Ae.width),De.pixelStorei(G.UNPACK_IMAGE_HEIGHT,Ae.height),De.pixelStorei(G.UNPACK_SKIP_PIXELS,te),De.pixelStorei(G.UNPACK_SKIP_ROWS,fe),De.pixelStorei(G.UNPACK_SKIP_IMAGES,le);let Tt=p.isDataArrayTexture||p.isData3DTexture,ut=v.isDataArrayTexture||v.isData3DTexture;if(p.isDepthTexture){let qe=je.get(p),At=je.get(v),Jt=je.get(qe.__renderTarget),at=je.get(At.__renderTarget);De.bindFramebuffer(G.READ_FRAMEBUFFER,Jt.__webglFramebuffer),De.bindFramebuffer(G.DRAW_FRAMEBUFFER,at.__webglFramebuffer);for(let Vt=0;Vt<Q;Vt++)Tt&&(G.framebufferTextureLayer(G.READ_FRAMEBUFFER,G.COLOR_ATTACHMENT0,je.get(p).__webglTexture,O,le+Vt),G.framebufferTextureLayer(G.DRAW_FRAMEBUFFER,G.COLOR_ATTACHMENT0,je.get(v).__webglTexture,N,Te+Vt)),G.blitFramebuffer(te,fe,te+J,fe+X,ce,Se,ce+J,Se+X,G.DEPTH_BUFFER_BIT,G.NEAREST);De.bindFramebuffer(G.READ_FRAMEBUFFER,null),De.bindFramebuffer(G.DRAW_FRAMEBUFFER,null)}else if(O!==0||p.isRenderTargetTexture||je.has(p)){let qe=je.get(p),At=je.get(v);De.bindFramebuffer(G.READ_FRAMEBUFFER,U),De.bindFramebuffer(G.DRAW_FRAMEBUFFER,W);for(let Jt=0;Jt<Q;Jt++)Tt?G.framebufferTextureLayer(G.READ_FRAMEBUFFER,G.COLOR_ATTACHMENT0,qe.__webglTexture,O,le+Jt):G.framebufferTexture2D(G.READ_FRAMEBUFFER,G.COLOR_ATTACHMENT0,G.TEXTURE_2D,qe.__webglTexture,O),ut?G.framebufferTextureLayer(G.DRAW_FRAMEBUFFER,G.COLOR_ATTACHMENT0,At.__webglTexture,N,Te+Jt):G.framebufferTexture2D(G.DRAW_FRAMEBUFFER,G.COLOR_ATTACHMENT0,G.TEXTURE_2D,At.__webglTexture,N),O!==0?G.blitFramebuffer(te,fe,te+J,fe+X,ce,Se,ce+J,Se+X,G.COLOR_BUFFER_BIT,G.NEAREST):ut?G.copyTexSubImage3D(ve,N,ce,Se,Te+Jt,te,fe,J,X):G.copyTexSubImage2D(ve,N,ce,Se,te,fe,J,X);De.bindFramebuffer(G.READ_FRAMEBUFFER,null),De.bindFramebuffer(G.DRAW_FRAMEBUFFER,null)}else ut?p.isDataTexture||p.isData3DTexture?G.texSubImage3D(ve,N,ce,Se,Te,J,X,Q,Ve,rt,Ae.data):v.isCompressedArrayTexture?G.compressedTexSubImage3D(ve,N,ce,Se,Te,J,X,Q,Ve,Ae.data):G.texSubImage3D(ve,N,ce,Se,Te,J,X,Q,Ve,rt,Ae):p.isDataTexture?G.texSubImage2D(G.TEXTURE_2D,N,ce,Se,J,X,Ve,rt,Ae.data):p.isCompressedTexture?G.compressedTexSubImage2D(G.TEXTURE_2D,N,ce,Se,Ae.width,Ae.height,Ve,Ae.data):G.texSubImage2D(G.TEXTURE_2D,N,ce,Se,J,X,Ve,rt,Ae);De.pixelStorei(G.UNPACK_ROW_LENGTH,ot),De.pixelStorei(G.UNPACK_IMAGE_HEIGHT,Ce),De.pixelStorei(G.UNPACK_SKIP_PIXELS,Xe),De.pixelStorei(G.UNPACK_SKIP_ROWS,We),De.pixelStorei(G.UNPACK_SKIP_IMAGES,Ft),N===0&&v.generateMipmaps===!0&&v.mipmapsAutoUpdate===!0&&G.generateMipmap(ve),De.unbindTexture()},this.initRenderTarget=function(p){je.get(p).__webglFramebuffer===void 0&&lt.setupRenderTarget(p)},this.initTexture=function(p){p.isCubeTexture?lt.setTextureCube(p,0):p.isData3DTexture?lt.setTexture3D(p,0):p.isDataArrayTexture||p.isCompressedArrayTexture?lt.setTexture2DArray(p,0):lt.setTexture2D(p,0),De.unbindTexture()},this.resetState=function(){K=0,$=0,xe=null,De.reset(),Be.reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return Wi}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=Rt._getDrawingBufferColorSpace(e),t.unpackColorSpace=Rt._getUnpackColorSpace()}};var gi=class extends Error{},p2={png:"image/png",svg:"image/svg+xml"};function Hg(i){let e=i.getElementById("atlas-files"),t=e?.textContent?JSON.parse(e.textContent):null,n=t?g2(t):_2,r=new Map,s=async a=>{let l=await n(a);if(!l)throw new gi(`The atlas's file ${a} is missing. Copy the atlas again, or make it anew.`);let c=r.get(a),u=c?await m2(l):null;if(u&&u!==c)throw new gi(`The atlas's file ${a} is damaged: it is not what atlas.json says. Copy the atlas again, or make it anew.`);return l},o=(a,l)=>{try{return JSON.parse(new TextDecoder().decode(l))}catch{throw new gi(`The atlas's file ${a} is damaged: it is no JSON. Copy the atlas again, or make it anew.`)}};return{bytes:s,expect:a=>a.forEach(({path:l,sha256:c})=>c&&r.set(l,c)),json:async a=>o(a,await s(a)),optionalJson:async a=>{let l=await n(a);return l?o(a,l):null},url:async a=>{let l=p2[a.split(".").pop()??""]??"application/octet-stream";return t?URL.createObjectURL(new Blob([await s(a)],{type:l})):`atlas/${a}`}}}async function m2(i){if(!globalThis.crypto?.subtle)return null;let e=await crypto.subtle.digest("SHA-256",i);return Array.from(new Uint8Array(e),t=>t.toString(16).padStart(2,"0")).join("")}function g2(i){return async e=>{let t=i[e];if(t===void 0)return null;let n=atob(t),r=new Uint8Array(n.length);for(let s=0;s<n.length;s++)r[s]=n.charCodeAt(s);return r}}async function _2(i){let e;try{e=await fetch(`atlas/${i.split("/").map(encodeURIComponent).join("/")}`)}catch{throw new gi(`The atlas's file ${i} cannot be reached. Is the program that serves this page still running?`)}if(e.status===404)return null;if(!e.ok)throw new gi(`The atlas's file ${i} cannot be read (status ${e.status}).`);return new Uint8Array(await e.arrayBuffer())}var Sn=class extends Error{},x2=20000630,Gg=16384;async function Wg(i){try{return await v2(i)}catch(e){throw e instanceof Sn?e:new Sn(e instanceof RangeError?"it ends too early":`it is damaged (${String(e)})`)}}async function v2(i){let e=new DataView(i.buffer,i.byteOffset,i.byteLength);if(e.getUint32(0,!0)!==x2)throw new Sn("it is no EXR image");if(e.getUint32(4,!0)&6656)throw new Sn("it has tiles, deep samples or several parts, which are not read");let t=y2(i,e,8),{channels:n,compression:r,width:s,height:o}=t,l={0:1,2:1,3:16}[r];if(!l)throw new Sn(`its compression (${r}) is not read: ZIP is`);let c=n.reduce((m,b)=>m+b.bytes,0),u=n.map(m=>m.bytes===2?new Uint16Array(s*o):new Float32Array(s*o)),h=Math.ceil(o/l),f=Array.from({length:h},async(m,b)=>{let g=Number(e.getBigUint64(t.end+8*b,!0)),_=e.getInt32(g,!0)-t.top,S=e.getUint32(g+4,!0);if(_<0||_>=o||_%l)throw new Sn("its rows are out of place");let T=Math.min(l,o-_),M=T*s*c,P=i.subarray(g+8,g+8+S);if(P.length<S)throw new Sn("it ends too early");let R=r===0||S===M?P:S2(await w2(P,M));if(R.length!==M)throw new Sn("it is damaged: rows of a wrong length");return M2(R,n,u,{row:_,rows:T,width:s}),T});if((await Promise.all(f)).reduce((m,b)=>m+b,0)!==o)throw new Sn("rows are missing");return{width:s,height:o,channels:n.map(m=>m.name),half:n.every(m=>m.bytes===2),planes:u}}function y2(i,e,t){let n=t,r=()=>{let m=i.indexOf(0,n);if(m<0)throw new Sn("it ends too early");let b=new TextDecoder().decode(i.subarray(n,m));return n=m+1,b},s=[],o=-1,a=[];for(let m=r();m!=="";m=r()){r();let b=e.getUint32(n,!0),g=n+4;if(n=g,m==="channels"?s=b2(e,r,()=>n,_=>n=_):m==="compression"?o=e.getUint8(g):m==="dataWindow"&&(a=[0,4,8,12].map(_=>e.getInt32(g+_,!0))),n=g+b,n>i.length)throw new Sn("it ends too early")}if(!s.length||a.length!==4)throw new Sn("its header lacks what every image has");let[l,c,u,h]=a,[f,d]=[u-l+1,h-c+1];if(!(f>0&&d>0&&f<=Gg&&d<=Gg))throw new Sn(`its size, ${f} x ${d}, is not that of a table`);return{channels:s,compression:o,width:f,height:d,top:c,end:n}}function b2(i,e,t,n){let r=[];for(let s=e();s!=="";s=e()){let o=i.getUint32(t(),!0);if(o!==1&&o!==2)throw new Sn(`its channel ${s} holds whole numbers`);let a=[i.getUint32(t()+8,!0),i.getUint32(t()+12,!0)];if(a[0]!==1||a[1]!==1)throw new Sn(`its channel ${s} is subsampled`);r.push({name:s,bytes:o===1?2:4}),n(t()+16)}return r}async function w2(i,e){let t=new Blob([i]).stream().pipeThrough(new DecompressionStream("deflate")),n=new Uint8Array(e),r=0,s=t.getReader();for(;;){let{done:o,value:a}=await s.read();if(o)break;if(r+a.length>e)throw new Sn("it is damaged: more data than pixels");n.set(a,r),r+=a.length}if(r!==e)throw new Sn("it is damaged: less data than pixels");return n}function S2(i){for(let n=1;n<i.length;n++)i[n]=i[n-1]+i[n]-128;let e=new Uint8Array(i.length),t=i.length+1>>1;for(let n=0;n<i.length;n++)e[n]=i[n%2?t+(n>>1):n>>1];return e}function M2(i,e,t,{row:n,rows:r,width:s}){let o=new DataView(i.buffer,i.byteOffset,i.byteLength),a=0;for(let l=n;l<n+r;l++)e.forEach(({bytes:c},u)=>{let h=t[u],f=l*s;if(c===2)for(let d=0;d<s;d++,a+=2)h[f+d]=o.getUint16(a,!0);else for(let d=0;d<s;d++,a+=4)h[f+d]=o.getFloat32(a,!0)})}var Xg=new DataView(new ArrayBuffer(4));function Ed(i){Xg.setFloat32(0,i);let e=Xg.getUint32(0),t=e>>>16&32768,n=e>>>23&255,r=e&8388607;if(n===255)return t|31744|(r?512:0);let s=n-127;if(s>15)return t|31744;if(s<-25)return t;let o=r|8388608,a=s>=-14?13:13+(-14-s),l=Math.floor(o/2**a),c=o-l*2**a,u=2**(a-1),h=c>u||c===u&&l%2===1?1:0,f=s>=-14?(s+15-1)*1024:0;return t|f+l+h}function Rd(i){let e=i&32768?-1:1,t=i>>>10&31,n=i&1023;return t===31?n?NaN:e*(1/0):t===0?e*n*2**-24:e*(1024+n)*2**(t-25)}var ju=256,T2=12;function A2(i){return i===0||!Number.isFinite(i)?1:2**Math.min(127,Math.max(-126,Math.ceil(Math.log2(i))-T2))}function kl(i){let[e,t,n]=i==="ideal"?[0,1,0]:"dielectric"in i?[i.dielectric.n<1?2:1,i.dielectric.n,0]:[2,i.conductor.n,i.conductor.k];return{material:e,index_n:t,index_k:n,permittivity:[t*t-n*n,2*t*n]}}var $g=i=>i==="vector"?1:0;async function Qu(i,e,t,n){let r=`${e}/${t.file}`,s=await i.bytes(r);try{let o=await Wg(s);for(let a of["R","G","B"])if(!o.channels.includes(a))throw new Sn(`it has no channel ${a}`);if(o.width!==n[0]||o.height!==n[1])throw new Sn(`it is ${o.width} x ${o.height} and not ${n[0]} x ${n[1]} texels large`);return o}catch(o){let a=o instanceof Sn?o.message:String(o);throw new gi(`The atlas's file ${r} is damaged: ${a}. Copy the atlas again, or make it anew.`)}}var zl=(i,e)=>i.planes[i.channels.indexOf(e)];function Zg(i,e){if(i.every(o=>o instanceof Uint16Array))return{scale:e,bits:i};let t=i.map(o=>o instanceof Uint16Array?Float32Array.from(o,Rd):o),n=0;for(let o of t)for(let a of o)n=Math.max(n,Math.abs(a));let r=A2(n*e),s=e/r;return{scale:r,bits:t.map(o=>Uint16Array.from(o,a=>Ed(a*s)))}}var Kg=()=>({width:1,height:1,count:1,texels:new Uint16Array(4),scales:new Float32Array(ju)});function Jg(i,e,t,n){if(t>ju)throw new gi(`The atlas has ${t} tables for a specimen; the page takes ${ju}.`);let r=new Uint16Array(4*i*e*t);return{width:i,height:e,count:t,texels:r,scales:new Float32Array(Math.max(n,ju))}}async function qg(i,e,t,n,r,s){let[o,a]=n,l=Jg(o,a,t.length+r,t.length);return await Promise.all(t.map(async(c,u)=>{let h=await Qu(i,e,c,n),{scale:f,bits:d}=Zg([zl(h,"R"),zl(h,"G"),zl(h,"B")],c.scale);Cd(l,u,d,[0,1,2]),l.scales[u]=f,s()})),l}function Cd(i,e,t,n){let r=i.width*i.height,s=4*r*e;t.forEach((o,a)=>{for(let l=0,c=s+n[a];l<r;l++,c+=4)i.texels[c]=o[l]})}async function Yg(i,e,t,n,r,s){let o=Jg(r[0],r[1],Math.ceil(n/4),n);return await Promise.all(t.map(async(a,l)=>{let c=await Qu(i,e,a,r);["R","G","B"].forEach((u,h)=>{let f=3*l+h;if(f>=n)return;let{scale:d,bits:m}=Zg([zl(c,u)],a.scale);Cd(o,Math.floor(f/4),m,[f%4]),o.scales[f]=d}),s()})),o}var jg=(i,e)=>{let t=zl(i,e);return t instanceof Float32Array?t:Float32Array.from(t,Rd)};async function Qg(i,e,t,n){let r=await Qu(i,e,t,n),s=new Float32Array(4*n[0]*n[1]);return["R","G","B"].forEach((o,a)=>{jg(r,o).forEach((l,c)=>s[4*c+a]=l*t.scale)}),{width:n[0],height:n[1],texels:s}}async function e_(i,e,t){let{tables:n,optics:r,pigment:s}=e,{lobe:o,served:a}=n,l=e.name;if(n.tables.length===0)return null;let c=n.tables.length+(o?1+(o.cross?.patches.length??0):0),u=0,h=()=>t(++u/c),f=[n.u.samples,n.v.samples],[d,m,b]=await Promise.all([qg(i,l,n.tables,f,a?1:0,h),o?.cross?qg(i,l,o.cross.patches,[o.cross.u.samples,o.cross.v.samples],0,h):Kg(),o?Qg(i,l,o.coherent,[o.radius.samples,o.t.samples]):{width:1,height:1,texels:new Float32Array(4)}]);if(a){let _=await Qu(i,l,a.range,f),S=a.range.scale,T=["R","G","B"].map(M=>Uint16Array.from(jg(_,M),P=>Ed(P*S)));Cd(d,n.tables.length,T,[0,1,2])}return{params:{basis:n.basis==="taylor"?1:0,table_count:n.tables.length,cross_count:o?.cross?.patches.length??0,...kl(r.material),shadowing:r.shadowing?1:0,radius_max:o?.radius_max??0,restricted:a?1:0,grid_last:(a?.size??f[0])-1,first_column:a?.first[1]??0,first_row:a?.first[0]??0,factor:$g(r.factor),look_up:0,pigment:s?[...s.xyz_per_sr,1]:[0,0,0,0],table_scales:d.scales,cross_scales:m.scales},tables:d,cross:m,lobe:b}}async function t_(i,e,t){let{spectral:n,optics:r}=e;if(!n)return null;let s=Math.round(4/n.shortest_nm/(n.xi_per_nm.last-n.xi_per_nm.first)*(n.xi_per_nm.samples-1))+1;if(s!==n.xi_per_nm.samples)throw new gi(`The spectral tables of ${e.name} do not reach as far as their wavelengths ask for.`);let o=n.lobe?.cross??null,a=n.images.length+(n.lobe?1:0)+(o?.images.length??0),l=0,c=()=>t(++l/a),u=e.name,[h,f,d]=await Promise.all([Yg(i,u,n.images,n.tables,[s,n.eta_per_nm.samples],c),o?Yg(i,u,o.images,o.patches,[o.xi_per_nm.samples,o.eta_per_nm.samples],c):Kg(),n.lobe?Qg(i,u,n.lobe.power,[n.lobe.half_abs_w.samples,1]):{width:1,height:1,texels:new Float32Array(4)}]);return{params:{table_layers:h.count,cross_layers:o?f.count:0,lobe_count:n.lobe?.half_abs_w.samples??0,...kl(r.material),factor:$g(r.factor),shadowing:r.shadowing?1:0,shortest_nm:n.shortest_nm,lobe_sigma_nm:n.lobe?.sigma_nm??0,cross_radius:o?o.xi_per_nm.last*n.shortest_nm:0,of_source:n.lobe?.sigma_grows?1:0,look_up:0,table_scales:h.scales,cross_scales:f.scales},tables:h,cross:f,lobe:d}}function r_(i,e){let t=i.spectral?.dispersion;if(!t)return kl(i.optics.material);let n=E2(t,e);if(!n)return null;let[r,s]=n;return kl(s===0?{dielectric:{n:r}}:{conductor:{n:r,k:s}})}function E2({wavelength_nm:i,n:e,k:t},n){let r=i.length-1;if(!(n>=i[0]&&n<=i[r]))return null;let s=0;for(;s<r-1&&i[s+1]<=n;)s++;return[n_(i,e,s,n),n_(i,t,s,n)]}function n_(i,e,t,n){let r=i[t+1]-i[t],s=(n-i[t])/r,o=1-s,[a,l]=[r*i_(i,e,t),r*i_(i,e,t+1)],[c,u]=[e[t],e[t+1]];return c*(1+2*s)*o*o+u*s*s*(3-2*s)+a*s*o*o-l*s*s*o}function i_(i,e,t){let n=u=>(e[u+1]-e[u])/(i[u+1]-i[u]);if(t===0)return n(0);if(t===i.length-1)return n(t-1);let[r,s]=[n(t-1),n(t)];if(r*s<=0)return 0;let[o,a]=[i[t]-i[t-1],i[t+1]-i[t]],[l,c]=[2*a+o,a+2*o];return(l+c)/(l/r+c/s)}var s_=i=>i.json("atlas.json"),o_=(i,e)=>i.json(`${e}/specimen.json`);var R2=[.8566748838545029,.733891856627126,.6287067210378086,.5385972572236101],C2=.38196601125010515,a_=i=>i-Math.floor(i),Vl=(i,e)=>i[0]*e[0]+i[1]*e[1]+i[2]*e[2];function wi(i){let e=Math.hypot(...i);return[i[0]/e,i[1]/e,i[2]/e]}var Id=i=>R2.map(e=>a_(.5+e*i));function eh(i,e){return e<=1?[0,0]:[(i+.5)/e,2*Math.PI*a_(C2*i)]}function l_(i,e){if(e<=1)return[0,0];let[t,n]=Id(i);return[t-.5,n-.5]}function I2([i,e,t],n){if(t<-1+1e-12)return[n[0],-n[1],-n[2]];let r=1/(1+t),s=[1-i*i*r,-i*e*r,-i],o=[-i*e*r,1-e*e*r,-e];return[0,1,2].map(a=>n[0]*s[a]+n[1]*o[a]+n[2]*[i,e,t][a])}function th(i,e,[t,n]){let r=.5*e*Math.PI/180,s=t*2*Math.sin(.5*r)**2,o=Math.sqrt(s*(2-s));return I2(wi(i),[o*Math.cos(n),o*Math.sin(n),1-s])}function c_(i,e,t){let n=wi(i),r=0;for(let s=0;s<t;s++)r+=Vl(th(n,e,eh(s,t)),n);return t/r}var _o=`
 in vec3 position;
 out vec2 v_clip;
 void main() {
@@ -4477,8 +4477,14 @@ struct SpectralParams {
     float lobe_sigma_nm;
     float cross_radius;
     uint of_source;
+    uint look_up;
     vec4 table_scales[64];
     vec4 cross_scales[64];
+};
+struct SplinePlaces {
+    vec2 first;
+    vec2 second;
+    vec2 share;
 };
 const uint IDEAL = 0u;
 const uint DIELECTRIC = 1u;
@@ -4487,6 +4493,8 @@ const uint SCALAR = 0u;
 const uint VECTOR = 1u;
 const float NO_ANSWER = -1.0;
 const float SHORTEST_SLACK = 1e-6;
+const uint SPLINES = 1u;
+const uint LINEAR = 0u;
 
 layout(std140) uniform SpectralParams_block_0Fragment { SpectralParams _group_0_binding_0_fs; };
 
@@ -4511,8 +4519,8 @@ float geometry_factor(vec3 wi_2, vec3 wo_2) {
 }
 
 float v_cavity_shadowing(vec3 wi_3, vec3 wo_3) {
-    vec3 sum_2 = (wi_3 + wo_3);
-    vec3 m = (sum_2 / vec3(sqrt(dot(sum_2, sum_2))));
+    vec3 sum_4 = (wi_3 + wo_3);
+    vec3 m = (sum_4 / vec3(sqrt(dot(sum_4, sum_4))));
     float wo_m = dot(wo_3, m);
     if (!((wo_m > 0.0))) {
         return 0.0;
@@ -4711,98 +4719,216 @@ vec4 first_four(float x) {
     return vec4(1.0, x, second, (((2.0 * x) * second) - x));
 }
 
-vec4 next_four(vec4 basis, float x_1) {
-    float a_4 = (((2.0 * x_1) * basis.w) - basis.z);
-    float b_3 = (((2.0 * x_1) * a_4) - basis.w);
-    float c = (((2.0 * x_1) * b_3) - a_4);
-    return vec4(a_4, b_3, c, (((2.0 * x_1) * c) - b_3));
+vec4 spline_texel(SplinePlaces places, uint layer) {
+    vec4 a_4 = textureLod(_group_0_binding_1_fs, vec3(places.first, layer), 0.0);
+    vec4 b_3 = textureLod(_group_0_binding_1_fs, vec3(vec2(places.second.x, places.first.y), layer), 0.0);
+    vec4 c = textureLod(_group_0_binding_1_fs, vec3(vec2(places.first.x, places.second.y), layer), 0.0);
+    vec4 d = textureLod(_group_0_binding_1_fs, vec3(places.second, layer), 0.0);
+    return mix(mix(d, c, places.share.x), mix(b_3, a_4, places.share.x), places.share.y);
 }
 
-float expansion(vec2 at_1, float t) {
+vec4 next_four(vec4 basis, float x_1) {
+    float a_5 = (((2.0 * x_1) * basis.w) - basis.z);
+    float b_4 = (((2.0 * x_1) * a_5) - basis.w);
+    float c_1 = (((2.0 * x_1) * b_4) - a_5);
+    return vec4(a_5, b_4, c_1, (((2.0 * x_1) * c_1) - b_4));
+}
+
+float expansion_by_splines(SplinePlaces places_1, float t) {
     vec4 basis_1 = vec4(0.0);
     float sum = 0.0;
-    uint layer = 0u;
-    vec2 _e4 = texel_centred(at_1, uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
-    vec4 _e9 = first_four(((2.0 * t) - 1.0));
-    basis_1 = _e9;
+    uint layer_1 = 0u;
+    vec4 _e6 = first_four(((2.0 * t) - 1.0));
+    basis_1 = _e6;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e41 = layer;
-            layer = (_e41 + 1u);
+            uint _e35 = layer_1;
+            layer_1 = (_e35 + 1u);
         }
         loop_init = false;
-        uint _e15 = layer;
-        uint _e18 = _group_0_binding_0_fs.table_layers;
-        if ((_e15 < _e18)) {
+        uint _e12 = layer_1;
+        uint _e15 = _group_0_binding_0_fs.table_layers;
+        if ((_e12 < _e15)) {
         } else {
             break;
         }
         {
-            uint _e22 = layer;
-            vec4 texel_1 = textureLod(_group_0_binding_1_fs, vec3(_e4, _e22), 0.0);
-            float _e25 = sum;
-            vec4 _e26 = basis_1;
-            uint _e29 = layer;
-            vec4 _e31 = _group_0_binding_0_fs.table_scales[_e29];
-            sum = (_e25 + dot((_e26 * _e31), texel_1));
-            vec4 _e35 = basis_1;
-            vec4 _e40 = next_four(_e35, ((2.0 * t) - 1.0));
-            basis_1 = _e40;
+            float _e17 = sum;
+            vec4 _e18 = basis_1;
+            uint _e21 = layer_1;
+            vec4 _e23 = _group_0_binding_0_fs.table_scales[_e21];
+            uint _e25 = layer_1;
+            vec4 _e26 = spline_texel(places_1, _e25);
+            sum = (_e17 + dot((_e18 * _e23), _e26));
+            vec4 _e29 = basis_1;
+            vec4 _e34 = next_four(_e29, ((2.0 * t) - 1.0));
+            basis_1 = _e34;
         }
     }
-    float _e44 = sum;
-    return _e44;
+    float _e38 = sum;
+    return _e38;
 }
 
-float cross_value(vec3 q_1, float t_1) {
-    bool local_2 = false;
+SplinePlaces spline_places(vec2 uv) {
+    vec2 size_1 = vec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
+    vec2 texel_1 = ((uv * size_1) - vec2(0.5));
+    vec2 whole = floor(texel_1);
+    vec2 f = (texel_1 - whole);
+    vec2 g = (vec2(1.0) - f);
+    vec2 before = (((g * g) * g) / vec2(6.0));
+    vec2 last = (((f * f) * f) / vec2(6.0));
+    vec2 nearest = ((vec2(0.6666667) - (f * f)) + (3.0 * last));
+    vec2 share = (before + nearest);
+    vec2 first = ((whole - vec2(1.0)) + (nearest / share));
+    vec2 second_1 = ((whole + vec2(1.0)) + (last / (vec2(1.0) - share)));
+    return SplinePlaces(((first + vec2(0.5)) / size_1), ((second_1 + vec2(0.5)) / size_1), share);
+}
+
+float expansion(vec2 at_1, float t_1) {
     vec4 basis_2 = vec4(0.0);
     float sum_1 = 0.0;
-    uint layer_1 = 0u;
-    uint _e4 = _group_0_binding_0_fs.cross_layers;
-    if (!((_e4 == 0u))) {
-        float _e17 = _group_0_binding_0_fs.cross_radius;
-        local_2 = (max(abs(q_1.x), abs(q_1.y)) >= _e17);
+    uint layer_2 = 0u;
+    vec2 _e4 = texel_centred(at_1, uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
+    uint _e7 = _group_0_binding_0_fs.look_up;
+    if ((_e7 == SPLINES)) {
+        SplinePlaces _e10 = spline_places(_e4);
+        float _e11 = expansion_by_splines(_e10, t_1);
+        return _e11;
+    }
+    vec4 _e16 = first_four(((2.0 * t_1) - 1.0));
+    basis_2 = _e16;
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            uint _e48 = layer_2;
+            layer_2 = (_e48 + 1u);
+        }
+        loop_init_1 = false;
+        uint _e22 = layer_2;
+        uint _e25 = _group_0_binding_0_fs.table_layers;
+        if ((_e22 < _e25)) {
+        } else {
+            break;
+        }
+        {
+            uint _e29 = layer_2;
+            vec4 texel_2 = textureLod(_group_0_binding_1_fs, vec3(_e4, _e29), 0.0);
+            float _e32 = sum_1;
+            vec4 _e33 = basis_2;
+            uint _e36 = layer_2;
+            vec4 _e38 = _group_0_binding_0_fs.table_scales[_e36];
+            sum_1 = (_e32 + dot((_e33 * _e38), texel_2));
+            vec4 _e42 = basis_2;
+            vec4 _e47 = next_four(_e42, ((2.0 * t_1) - 1.0));
+            basis_2 = _e47;
+        }
+    }
+    float _e51 = sum_1;
+    return _e51;
+}
+
+vec4 lagrange_weights(float x_2) {
+    float a_6 = (x_2 - 1.0);
+    float b_5 = (x_2 - 2.0);
+    float c_2 = (x_2 - 3.0);
+    return vec4((((-(a_6) * b_5) * c_2) / 6.0), (((0.5 * x_2) * b_5) * c_2), (((-0.5 * x_2) * a_6) * c_2), (((x_2 * a_6) * b_5) / 6.0));
+}
+
+vec4 cross_texel(vec2 uv_1, uint layer_3) {
+    bool local_2 = false;
+    vec4 sum_2 = vec4(0.0, 0.0, 0.0, 0.0);
+    int k = 0;
+    ivec2 size_2 = ivec2(uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
+    uint _e7 = _group_0_binding_0_fs.look_up;
+    if (!((_e7 == LINEAR))) {
+        local_2 = (min(size_2.x, size_2.y) < 4);
     } else {
         local_2 = true;
     }
-    bool _e20 = local_2;
+    bool _e19 = local_2;
+    if (_e19) {
+        vec4 _e23 = textureLod(_group_0_binding_2_fs, vec3(uv_1, layer_3), 0.0);
+        return _e23;
+    }
+    vec2 at_2 = clamp(((uv_1 * vec2(size_2)) - vec2(0.5)), vec2(0.0, 0.0), vec2((size_2 - ivec2(1))));
+    ivec2 first_1 = min(max((ivec2(at_2) - ivec2(1)), ivec2(0, 0)), (size_2 - ivec2(4)));
+    vec4 _e52 = lagrange_weights((at_2.x - float(first_1.x)));
+    vec4 _e57 = lagrange_weights((at_2.y - float(first_1.y)));
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            int _e93 = k;
+            k = (_e93 + 1);
+        }
+        loop_init_2 = false;
+        int _e66 = k;
+        if ((_e66 < 16)) {
+        } else {
+            break;
+        }
+        {
+            int _e70 = k;
+            int _e73 = k;
+            vec4 texel_3 = texelFetch(_group_0_binding_2_fs, ivec3((first_1 + ivec2((_e70 % 4), (_e73 / 4))), int(layer_3)), 0);
+            vec4 _e81 = sum_2;
+            int _e82 = k;
+            int _e86 = k;
+            sum_2 = (_e81 + ((_e52[(_e82 % 4)] * _e57[(_e86 / 4)]) * texel_3));
+        }
+    }
+    vec4 _e96 = sum_2;
+    return _e96;
+}
+
+float cross_value(vec3 q_1, float t_2) {
+    bool local_3 = false;
+    vec4 basis_3 = vec4(0.0);
+    float sum_3 = 0.0;
+    uint layer_4 = 0u;
+    uint _e4 = _group_0_binding_0_fs.cross_layers;
+    if (!((_e4 == 0u))) {
+        float _e17 = _group_0_binding_0_fs.cross_radius;
+        local_3 = (max(abs(q_1.x), abs(q_1.y)) >= _e17);
+    } else {
+        local_3 = true;
+    }
+    bool _e20 = local_3;
     if (_e20) {
         return 0.0;
     }
     float _e25 = _group_0_binding_0_fs.cross_radius;
     vec2 _e30 = texel_centred((q_1.xy / vec2(_e25)), uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
-    vec4 _e35 = first_four(((2.0 * t_1) - 1.0));
-    basis_2 = _e35;
-    bool loop_init_1 = true;
+    vec4 _e35 = first_four(((2.0 * t_2) - 1.0));
+    basis_3 = _e35;
+    bool loop_init_3 = true;
     while(true) {
-        if (!loop_init_1) {
-            uint _e67 = layer_1;
-            layer_1 = (_e67 + 1u);
+        if (!loop_init_3) {
+            uint _e64 = layer_4;
+            layer_4 = (_e64 + 1u);
         }
-        loop_init_1 = false;
-        uint _e41 = layer_1;
+        loop_init_3 = false;
+        uint _e41 = layer_4;
         uint _e44 = _group_0_binding_0_fs.cross_layers;
         if ((_e41 < _e44)) {
         } else {
             break;
         }
         {
-            uint _e48 = layer_1;
-            vec4 texel_2 = textureLod(_group_0_binding_2_fs, vec3(_e30, _e48), 0.0);
-            float _e51 = sum_1;
-            vec4 _e52 = basis_2;
-            uint _e55 = layer_1;
-            vec4 _e57 = _group_0_binding_0_fs.cross_scales[_e55];
-            sum_1 = (_e51 + dot((_e52 * _e57), texel_2));
-            vec4 _e61 = basis_2;
-            vec4 _e66 = next_four(_e61, ((2.0 * t_1) - 1.0));
-            basis_2 = _e66;
+            uint _e46 = layer_4;
+            vec4 _e47 = cross_texel(_e30, _e46);
+            float _e48 = sum_3;
+            vec4 _e49 = basis_3;
+            uint _e52 = layer_4;
+            vec4 _e54 = _group_0_binding_0_fs.cross_scales[_e52];
+            sum_3 = (_e48 + dot((_e49 * _e54), _e47));
+            vec4 _e58 = basis_3;
+            vec4 _e63 = next_four(_e58, ((2.0 * t_2) - 1.0));
+            basis_3 = _e63;
         }
     }
-    float _e70 = sum_1;
-    return (_e70 / abs(q_1.z));
+    float _e67 = sum_3;
+    return (_e67 / abs(q_1.z));
 }
 
 float lobe_shape(float radius2_, float wavelength_nm_1) {
@@ -4819,35 +4945,35 @@ float power_texel(uint index_1) {
 
 float power_at(float abs_w) {
     uint _e3 = _group_0_binding_0_fs.lobe_count;
-    uint last = (_e3 - 1u);
-    float at_2 = (clamp((0.5 * abs_w), 0.0, 1.0) * float(last));
-    uint first = min(uint(at_2), (last - 1u));
-    float _e17 = power_texel(first);
-    float _e20 = power_texel((first + 1u));
-    return mix(_e17, _e20, (at_2 - float(first)));
+    uint last_1 = (_e3 - 1u);
+    float at_3 = (clamp((0.5 * abs_w), 0.0, 1.0) * float(last_1));
+    uint first_2 = min(uint(at_3), (last_1 - 1u));
+    float _e17 = power_texel(first_2);
+    float _e20 = power_texel((first_2 + 1u));
+    return mix(_e17, _e20, (at_3 - float(first_2)));
 }
 
 float brdf_spectral_with(Front front_5, vec3 wi_10, vec3 wo_10, float wavelength_nm_2) {
-    bool local_3 = false;
     bool local_4 = false;
+    bool local_5 = false;
     float shape = 0.0;
     if ((wi_10.z > 0.0)) {
-        local_3 = (wo_10.z > 0.0);
+        local_4 = (wo_10.z > 0.0);
     } else {
-        local_3 = false;
+        local_4 = false;
     }
-    bool _e13 = local_3;
+    bool _e13 = local_4;
     if (!(_e13)) {
         return 0.0;
     }
     float _e18 = _group_0_binding_0_fs.shortest_nm;
     float ratio = (_e18 / wavelength_nm_2);
     if ((ratio > 0.0)) {
-        local_4 = (ratio <= 1.000001);
+        local_5 = (ratio <= 1.000001);
     } else {
-        local_4 = false;
+        local_5 = false;
     }
-    bool _e27 = local_4;
+    bool _e27 = local_5;
     if (!(_e27)) {
         return NO_ANSWER;
     }
@@ -4933,6 +5059,7 @@ struct TableParams {
     float first_column;
     float first_row;
     uint factor;
+    uint look_up;
     vec2 permittivity;
     vec4 pigment;
     vec4 table_scales[64];
@@ -4944,6 +5071,11 @@ struct Recurrence {
     float forward;
     float back;
 };
+struct SplinePlaces {
+    vec2 first;
+    vec2 second;
+    vec2 share;
+};
 const uint IDEAL = 0u;
 const uint DIELECTRIC = 1u;
 const uint CONDUCTOR = 2u;
@@ -4953,6 +5085,8 @@ const float NO_ANSWER = -1.0;
 const uint CHEBYSHEV = 0u;
 const uint TAYLOR = 1u;
 const float RANGE_SLACK = 0.02;
+const uint SPLINES = 1u;
+const uint LINEAR = 0u;
 
 layout(std140) uniform TableParams_block_0Fragment { TableParams _group_0_binding_0_fs; };
 
@@ -4976,8 +5110,8 @@ float geometry_factor(vec3 wi_2, vec3 wo_2) {
 }
 
 float v_cavity_shadowing(vec3 wi_3, vec3 wo_3) {
-    vec3 sum_2 = (wi_3 + wo_3);
-    vec3 m = (sum_2 / vec3(sqrt(dot(sum_2, sum_2))));
+    vec3 sum_5 = (wi_3 + wo_3);
+    vec3 m = (sum_5 / vec3(sqrt(dot(sum_5, sum_5))));
     float wo_m = dot(wo_3, m);
     if (!((wo_m > 0.0))) {
         return 0.0;
@@ -5168,8 +5302,8 @@ vec3 pigment_xyz(vec3 wi_10, vec3 wo_10) {
 }
 
 Recurrence shifted_values(float t) {
-    float x = ((2.0 * t) - 1.0);
-    return Recurrence(1.0, x, (2.0 * x), 1.0);
+    float x_1 = ((2.0 * t) - 1.0);
+    return Recurrence(1.0, x_1, (2.0 * x_1), 1.0);
 }
 
 Recurrence powers(float w) {
@@ -5226,102 +5360,225 @@ float share_of_range(vec2 at_2, float t_1) {
     return clamp(s_1, 0.0, 1.0);
 }
 
-vec3 expansion(Recurrence basis, vec2 at_3) {
+vec4 spline_texel(SplinePlaces places, uint layer) {
+    vec4 a_4 = textureLod(_group_0_binding_1_fs, vec3(places.first, layer), 0.0);
+    vec4 b_3 = textureLod(_group_0_binding_1_fs, vec3(vec2(places.second.x, places.first.y), layer), 0.0);
+    vec4 c = textureLod(_group_0_binding_1_fs, vec3(vec2(places.first.x, places.second.y), layer), 0.0);
+    vec4 d = textureLod(_group_0_binding_1_fs, vec3(places.second, layer), 0.0);
+    return mix(mix(d, c, places.share.x), mix(b_3, a_4, places.share.x), places.share.y);
+}
+
+vec3 expansion_by_splines(Recurrence basis, SplinePlaces places_1) {
     vec3 sum = vec3(0.0, 0.0, 0.0);
     float now = 0.0;
     float next = 0.0;
     uint n = 0u;
-    vec2 _e2 = table_place(at_3);
     now = basis.first;
     next = basis.second;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e49 = n;
-            n = (_e49 + 1u);
+            uint _e45 = n;
+            n = (_e45 + 1u);
         }
         loop_init = false;
-        uint _e14 = n;
-        uint _e17 = _group_0_binding_0_fs.table_count;
-        if ((_e14 < _e17)) {
+        uint _e13 = n;
+        uint _e16 = _group_0_binding_0_fs.table_count;
+        if ((_e13 < _e16)) {
         } else {
             break;
         }
         {
-            uint _e21 = n;
-            vec4 _e23 = textureLod(_group_0_binding_1_fs, vec3(_e2, _e21), 0.0);
-            vec3 texel_2 = _e23.xyz;
-            vec3 _e25 = sum;
-            float _e26 = now;
-            uint _e29 = n;
-            uint _e33 = n;
-            float _e37 = _group_0_binding_0_fs.table_scales[(_e29 / 4u)][(_e33 % 4u)];
-            sum = (_e25 + ((_e26 * _e37) * texel_2));
-            float _e42 = next;
-            float _e45 = now;
-            float after = ((basis.forward * _e42) - (basis.back * _e45));
-            float _e48 = next;
-            now = _e48;
+            vec3 _e18 = sum;
+            float _e19 = now;
+            uint _e22 = n;
+            uint _e26 = n;
+            float _e30 = _group_0_binding_0_fs.table_scales[(_e22 / 4u)][(_e26 % 4u)];
+            uint _e32 = n;
+            vec4 _e33 = spline_texel(places_1, _e32);
+            sum = (_e18 + ((_e19 * _e30) * _e33.xyz));
+            float _e38 = next;
+            float _e41 = now;
+            float after = ((basis.forward * _e38) - (basis.back * _e41));
+            float _e44 = next;
+            now = _e44;
             next = after;
         }
     }
-    vec3 _e52 = sum;
-    return _e52;
+    vec3 _e48 = sum;
+    return _e48;
 }
 
-vec3 cross_expansion(Recurrence basis_1, vec2 at_4) {
+SplinePlaces spline_places(vec2 uv) {
+    vec2 size_1 = vec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
+    vec2 texel_2 = ((uv * size_1) - vec2(0.5));
+    vec2 whole = floor(texel_2);
+    vec2 f = (texel_2 - whole);
+    vec2 g = (vec2(1.0) - f);
+    vec2 before = (((g * g) * g) / vec2(6.0));
+    vec2 last_1 = (((f * f) * f) / vec2(6.0));
+    vec2 nearest = ((vec2(0.6666667) - (f * f)) + (3.0 * last_1));
+    vec2 share = (before + nearest);
+    vec2 first_1 = ((whole - vec2(1.0)) + (nearest / share));
+    vec2 second = ((whole + vec2(1.0)) + (last_1 / (vec2(1.0) - share)));
+    return SplinePlaces(((first_1 + vec2(0.5)) / size_1), ((second + vec2(0.5)) / size_1), share);
+}
+
+vec3 expansion(Recurrence basis_1, vec2 at_3) {
     vec3 sum_1 = vec3(0.0, 0.0, 0.0);
     float now_1 = 0.0;
     float next_1 = 0.0;
     uint n_1 = 0u;
-    vec2 _e4 = texel_centred(at_4, uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
+    vec2 _e2 = table_place(at_3);
+    uint _e5 = _group_0_binding_0_fs.look_up;
+    if ((_e5 == SPLINES)) {
+        SplinePlaces _e8 = spline_places(_e2);
+        vec3 _e9 = expansion_by_splines(basis_1, _e8);
+        return _e9;
+    }
     now_1 = basis_1.first;
     next_1 = basis_1.second;
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e51 = n_1;
-            n_1 = (_e51 + 1u);
+            uint _e56 = n_1;
+            n_1 = (_e56 + 1u);
         }
         loop_init_1 = false;
-        uint _e16 = n_1;
+        uint _e21 = n_1;
+        uint _e24 = _group_0_binding_0_fs.table_count;
+        if ((_e21 < _e24)) {
+        } else {
+            break;
+        }
+        {
+            uint _e28 = n_1;
+            vec4 _e30 = textureLod(_group_0_binding_1_fs, vec3(_e2, _e28), 0.0);
+            vec3 texel_3 = _e30.xyz;
+            vec3 _e32 = sum_1;
+            float _e33 = now_1;
+            uint _e36 = n_1;
+            uint _e40 = n_1;
+            float _e44 = _group_0_binding_0_fs.table_scales[(_e36 / 4u)][(_e40 % 4u)];
+            sum_1 = (_e32 + ((_e33 * _e44) * texel_3));
+            float _e49 = next_1;
+            float _e52 = now_1;
+            float after_1 = ((basis_1.forward * _e49) - (basis_1.back * _e52));
+            float _e55 = next_1;
+            now_1 = _e55;
+            next_1 = after_1;
+        }
+    }
+    vec3 _e59 = sum_1;
+    return _e59;
+}
+
+vec4 lagrange_weights(float x) {
+    float a_5 = (x - 1.0);
+    float b_4 = (x - 2.0);
+    float c_1 = (x - 3.0);
+    return vec4((((-(a_5) * b_4) * c_1) / 6.0), (((0.5 * x) * b_4) * c_1), (((-0.5 * x) * a_5) * c_1), (((x * a_5) * b_4) / 6.0));
+}
+
+vec4 cross_texel(vec2 uv_1, uint layer_1) {
+    bool local_6 = false;
+    vec4 sum_2 = vec4(0.0, 0.0, 0.0, 0.0);
+    int k = 0;
+    ivec2 size_2 = ivec2(uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
+    uint _e7 = _group_0_binding_0_fs.look_up;
+    if (!((_e7 == LINEAR))) {
+        local_6 = (min(size_2.x, size_2.y) < 4);
+    } else {
+        local_6 = true;
+    }
+    bool _e19 = local_6;
+    if (_e19) {
+        vec4 _e23 = textureLod(_group_0_binding_2_fs, vec3(uv_1, layer_1), 0.0);
+        return _e23;
+    }
+    vec2 at_7 = clamp(((uv_1 * vec2(size_2)) - vec2(0.5)), vec2(0.0, 0.0), vec2((size_2 - ivec2(1))));
+    ivec2 first_2 = min(max((ivec2(at_7) - ivec2(1)), ivec2(0, 0)), (size_2 - ivec2(4)));
+    vec4 _e52 = lagrange_weights((at_7.x - float(first_2.x)));
+    vec4 _e57 = lagrange_weights((at_7.y - float(first_2.y)));
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            int _e93 = k;
+            k = (_e93 + 1);
+        }
+        loop_init_2 = false;
+        int _e66 = k;
+        if ((_e66 < 16)) {
+        } else {
+            break;
+        }
+        {
+            int _e70 = k;
+            int _e73 = k;
+            vec4 texel_4 = texelFetch(_group_0_binding_2_fs, ivec3((first_2 + ivec2((_e70 % 4), (_e73 / 4))), int(layer_1)), 0);
+            vec4 _e81 = sum_2;
+            int _e82 = k;
+            int _e86 = k;
+            sum_2 = (_e81 + ((_e52[(_e82 % 4)] * _e57[(_e86 / 4)]) * texel_4));
+        }
+    }
+    vec4 _e96 = sum_2;
+    return _e96;
+}
+
+vec3 cross_expansion(Recurrence basis_2, vec2 at_4) {
+    vec3 sum_3 = vec3(0.0, 0.0, 0.0);
+    float now_2 = 0.0;
+    float next_2 = 0.0;
+    uint n_2 = 0u;
+    vec2 _e4 = texel_centred(at_4, uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
+    now_2 = basis_2.first;
+    next_2 = basis_2.second;
+    bool loop_init_3 = true;
+    while(true) {
+        if (!loop_init_3) {
+            uint _e48 = n_2;
+            n_2 = (_e48 + 1u);
+        }
+        loop_init_3 = false;
+        uint _e16 = n_2;
         uint _e19 = _group_0_binding_0_fs.cross_count;
         if ((_e16 < _e19)) {
         } else {
             break;
         }
         {
-            uint _e23 = n_1;
-            vec4 _e25 = textureLod(_group_0_binding_2_fs, vec3(_e4, _e23), 0.0);
-            vec3 texel_3 = _e25.xyz;
-            vec3 _e27 = sum_1;
-            float _e28 = now_1;
-            uint _e31 = n_1;
-            uint _e35 = n_1;
-            float _e39 = _group_0_binding_0_fs.cross_scales[(_e31 / 4u)][(_e35 % 4u)];
-            sum_1 = (_e27 + ((_e28 * _e39) * texel_3));
-            float _e44 = next_1;
-            float _e47 = now_1;
-            float after_1 = ((basis_1.forward * _e44) - (basis_1.back * _e47));
-            float _e50 = next_1;
-            now_1 = _e50;
-            next_1 = after_1;
+            uint _e21 = n_2;
+            vec4 _e22 = cross_texel(_e4, _e21);
+            vec3 texel_5 = _e22.xyz;
+            vec3 _e24 = sum_3;
+            float _e25 = now_2;
+            uint _e28 = n_2;
+            uint _e32 = n_2;
+            float _e36 = _group_0_binding_0_fs.cross_scales[(_e28 / 4u)][(_e32 % 4u)];
+            sum_3 = (_e24 + ((_e25 * _e36) * texel_5));
+            float _e41 = next_2;
+            float _e44 = now_2;
+            float after_2 = ((basis_2.forward * _e41) - (basis_2.back * _e44));
+            float _e47 = next_2;
+            now_2 = _e47;
+            next_2 = after_2;
         }
     }
-    vec3 _e54 = sum_1;
-    return _e54;
+    vec3 _e51 = sum_3;
+    return _e51;
 }
 
 vec3 cross_value(vec3 q_1, float t_2) {
-    bool local_6 = false;
+    bool local_7 = false;
     uint _e4 = _group_0_binding_0_fs.cross_count;
     if (!((_e4 == 0u))) {
         float _e17 = _group_0_binding_0_fs.radius_max;
-        local_6 = (max(abs(q_1.x), abs(q_1.y)) >= _e17);
+        local_7 = (max(abs(q_1.x), abs(q_1.y)) >= _e17);
     } else {
-        local_6 = true;
+        local_7 = true;
     }
-    bool _e20 = local_6;
+    bool _e20 = local_7;
     if (_e20) {
         return vec3(0.0, 0.0, 0.0);
     }
@@ -5331,19 +5588,64 @@ vec3 cross_value(vec3 q_1, float t_2) {
     return (_e32 / vec3(abs(q_1.z)));
 }
 
-vec3 sample_(vec2 at_5) {
-    ivec2 last = (ivec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)).yx - ivec2(1));
-    vec2 inside_1 = clamp(at_5, vec2(0.0, 0.0), vec2(last));
-    ivec2 first_1 = max(min(ivec2(inside_1), (last - ivec2(1))), ivec2(0, 0));
-    ivec2 second = min((first_1 + ivec2(1)), last);
-    vec2 share = (inside_1 - vec2(first_1));
-    vec4 _e33 = texelFetch(_group_0_binding_3_fs, ivec2(first_1.y, first_1.x), 0);
-    vec4 _e40 = texelFetch(_group_0_binding_3_fs, ivec2(second.y, first_1.x), 0);
-    vec3 low = mix(_e33.xyz, _e40.xyz, share.y);
-    vec4 _e49 = texelFetch(_group_0_binding_3_fs, ivec2(first_1.y, second.x), 0);
-    vec4 _e56 = texelFetch(_group_0_binding_3_fs, ivec2(second.y, second.x), 0);
-    vec3 high = mix(_e49.xyz, _e56.xyz, share.y);
-    return mix(low, high, share.x);
+vec3 sample_cubic(vec2 at_5, ivec2 last) {
+    vec3 sum_4 = vec3(0.0, 0.0, 0.0);
+    int k_1 = 0;
+    ivec2 first_3 = min(max((ivec2(at_5) - ivec2(1)), ivec2(0, 0)), (last - ivec2(3)));
+    vec4 _e17 = lagrange_weights((at_5.x - float(first_3.x)));
+    vec4 _e22 = lagrange_weights((at_5.y - float(first_3.y)));
+    bool loop_init_4 = true;
+    while(true) {
+        if (!loop_init_4) {
+            int _e60 = k_1;
+            k_1 = (_e60 + 1);
+        }
+        loop_init_4 = false;
+        int _e30 = k_1;
+        if ((_e30 < 16)) {
+        } else {
+            break;
+        }
+        {
+            int _e35 = k_1;
+            int _e40 = k_1;
+            vec4 _e46 = texelFetch(_group_0_binding_3_fs, ivec2((first_3.y + (_e35 % 4)), (first_3.x + (_e40 / 4))), 0);
+            vec3 texel_6 = _e46.xyz;
+            vec3 _e48 = sum_4;
+            int _e49 = k_1;
+            int _e53 = k_1;
+            sum_4 = (_e48 + ((_e22[(_e49 % 4)] * _e17[(_e53 / 4)]) * texel_6));
+        }
+    }
+    vec3 _e63 = sum_4;
+    return _e63;
+}
+
+vec3 sample_(vec2 at_6) {
+    bool local_8 = false;
+    ivec2 last_2 = (ivec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)).yx - ivec2(1));
+    uint _e10 = _group_0_binding_0_fs.look_up;
+    if ((_e10 == SPLINES)) {
+        local_8 = (min(last_2.x, last_2.y) >= 3);
+    } else {
+        local_8 = false;
+    }
+    bool _e21 = local_8;
+    if (_e21) {
+        vec3 _e27 = sample_cubic(clamp(at_6, vec2(0.0, 0.0), vec2(last_2)), last_2);
+        return _e27;
+    }
+    vec2 inside_1 = clamp(at_6, vec2(0.0, 0.0), vec2(last_2));
+    ivec2 first_4 = max(min(ivec2(inside_1), (last_2 - ivec2(1))), ivec2(0, 0));
+    ivec2 second_1 = min((first_4 + ivec2(1)), last_2);
+    vec2 share_1 = (inside_1 - vec2(first_4));
+    vec4 _e53 = texelFetch(_group_0_binding_3_fs, ivec2(first_4.y, first_4.x), 0);
+    vec4 _e60 = texelFetch(_group_0_binding_3_fs, ivec2(second_1.y, first_4.x), 0);
+    vec3 low = mix(_e53.xyz, _e60.xyz, share_1.y);
+    vec4 _e69 = texelFetch(_group_0_binding_3_fs, ivec2(first_4.y, second_1.x), 0);
+    vec4 _e76 = texelFetch(_group_0_binding_3_fs, ivec2(second_1.y, second_1.x), 0);
+    vec3 high = mix(_e69.xyz, _e76.xyz, share_1.y);
+    return mix(low, high, share_1.x);
 }
 
 vec3 lobe_at(float radius, float w_1) {
@@ -5351,10 +5653,10 @@ vec3 lobe_at(float radius, float w_1) {
     if ((radius >= _e4)) {
         return vec3(0.0, 0.0, 0.0);
     }
-    vec2 last_1 = (vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) - vec2(1.0));
+    vec2 last_3 = (vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) - vec2(1.0));
     float _e18 = normalised_abs_w(vec3(radius, 0.0, w_1));
     float _e23 = _group_0_binding_0_fs.radius_max;
-    vec3 _e28 = sample_(vec2((_e18 * last_1.y), ((radius / _e23) * last_1.x)));
+    vec3 _e28 = sample_(vec2((_e18 * last_3.y), ((radius / _e23) * last_3.x)));
     return _e28;
 }
 
@@ -5381,25 +5683,25 @@ vec3 coherent_value(vec3 wi_11, vec3 wo_11, vec3 q_2) {
 }
 
 vec3 brdf_xyz(vec3 wi_12, vec3 wo_12) {
-    bool local_7 = false;
+    bool local_9 = false;
     float s = 0.0;
-    Recurrence basis_2 = Recurrence(0.0, 0.0, 0.0, 0.0);
+    Recurrence basis_3 = Recurrence(0.0, 0.0, 0.0, 0.0);
     if ((wi_12.z > 0.0)) {
-        local_7 = (wo_12.z > 0.0);
+        local_9 = (wo_12.z > 0.0);
     } else {
-        local_7 = false;
+        local_9 = false;
     }
-    bool _e11 = local_7;
+    bool _e11 = local_9;
     if (!(_e11)) {
         return vec3(0.0, 0.0, 0.0);
     }
     vec3 _e17 = wave_vector_change(wi_12, wo_12);
     float _e18 = normalised_abs_w(_e17);
-    vec2 at_6 = (0.5 * _e17.xy);
+    vec2 at_8 = (0.5 * _e17.xy);
     s = _e18;
     uint _e25 = _group_0_binding_0_fs.restricted;
     if ((_e25 != 0u)) {
-        float _e28 = share_of_range(at_6, _e18);
+        float _e28 = share_of_range(at_8, _e18);
         s = _e28;
         float _e29 = s;
         if ((_e29 < 0.0)) {
@@ -5408,16 +5710,16 @@ vec3 brdf_xyz(vec3 wi_12, vec3 wo_12) {
     }
     float _e36 = s;
     Recurrence _e37 = shifted_values(_e36);
-    basis_2 = _e37;
+    basis_3 = _e37;
     uint _e41 = _group_0_binding_0_fs.basis;
     if ((_e41 == TAYLOR)) {
         Recurrence _e46 = powers(abs(_e17.z));
-        basis_2 = _e46;
+        basis_3 = _e46;
     }
     Front _e47 = front_factor();
     float _e48 = diffuse_factor(_e47, wi_12, wo_12);
-    Recurrence _e49 = basis_2;
-    vec3 _e50 = expansion(_e49, at_6);
+    Recurrence _e49 = basis_3;
+    vec3 _e50 = expansion(_e49, at_8);
     vec3 _e51 = cross_value(_e17, _e18);
     vec3 diffuse = (_e48 * (_e50 + _e51));
     vec3 _e54 = coherent_value(wi_12, wo_12, _e17);
@@ -5425,34 +5727,34 @@ vec3 brdf_xyz(vec3 wi_12, vec3 wo_12) {
 }
 
 bool has_answer(vec3 xyz) {
-    bool local_8 = false;
-    bool local_9 = false;
+    bool local_10 = false;
+    bool local_11 = false;
     if ((xyz.x == NO_ANSWER)) {
-        local_8 = (xyz.y == NO_ANSWER);
+        local_10 = (xyz.y == NO_ANSWER);
     } else {
-        local_8 = false;
+        local_10 = false;
     }
-    bool _e10 = local_8;
+    bool _e10 = local_10;
     if (_e10) {
-        local_9 = (xyz.z == NO_ANSWER);
+        local_11 = (xyz.z == NO_ANSWER);
     } else {
-        local_9 = false;
+        local_11 = false;
     }
-    bool _e17 = local_9;
+    bool _e17 = local_11;
     return !(_e17);
 }
 
 vec3 surface_xyz(vec3 wi_13, vec3 wo_13) {
-    bool local_10 = false;
+    bool local_12 = false;
     vec3 _e2 = brdf_xyz(wi_13, wo_13);
     float _e6 = _group_0_binding_0_fs.pigment.w;
     if (!((_e6 == 0.0))) {
         bool _e12 = has_answer(_e2);
-        local_10 = !(_e12);
+        local_12 = !(_e12);
     } else {
-        local_10 = true;
+        local_12 = true;
     }
-    bool _e15 = local_10;
+    bool _e15 = local_12;
     if (_e15) {
         return _e2;
     }

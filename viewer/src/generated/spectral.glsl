@@ -24,8 +24,14 @@ struct SpectralParams {
     float lobe_sigma_nm;
     float cross_radius;
     uint of_source;
+    uint look_up;
     vec4 table_scales[64];
     vec4 cross_scales[64];
+};
+struct SplinePlaces {
+    vec2 first;
+    vec2 second;
+    vec2 share;
 };
 const uint IDEAL = 0u;
 const uint DIELECTRIC = 1u;
@@ -34,6 +40,8 @@ const uint SCALAR = 0u;
 const uint VECTOR = 1u;
 const float NO_ANSWER = -1.0;
 const float SHORTEST_SLACK = 1e-6;
+const uint SPLINES = 1u;
+const uint LINEAR = 0u;
 
 layout(std140) uniform SpectralParams_block_0Fragment { SpectralParams _group_0_binding_0_fs; };
 
@@ -58,8 +66,8 @@ float geometry_factor(vec3 wi_2, vec3 wo_2) {
 }
 
 float v_cavity_shadowing(vec3 wi_3, vec3 wo_3) {
-    vec3 sum_2 = (wi_3 + wo_3);
-    vec3 m = (sum_2 / vec3(sqrt(dot(sum_2, sum_2))));
+    vec3 sum_4 = (wi_3 + wo_3);
+    vec3 m = (sum_4 / vec3(sqrt(dot(sum_4, sum_4))));
     float wo_m = dot(wo_3, m);
     if (!((wo_m > 0.0))) {
         return 0.0;
@@ -258,98 +266,216 @@ vec4 first_four(float x) {
     return vec4(1.0, x, second, (((2.0 * x) * second) - x));
 }
 
-vec4 next_four(vec4 basis, float x_1) {
-    float a_4 = (((2.0 * x_1) * basis.w) - basis.z);
-    float b_3 = (((2.0 * x_1) * a_4) - basis.w);
-    float c = (((2.0 * x_1) * b_3) - a_4);
-    return vec4(a_4, b_3, c, (((2.0 * x_1) * c) - b_3));
+vec4 spline_texel(SplinePlaces places, uint layer) {
+    vec4 a_4 = textureLod(_group_0_binding_1_fs, vec3(places.first, layer), 0.0);
+    vec4 b_3 = textureLod(_group_0_binding_1_fs, vec3(vec2(places.second.x, places.first.y), layer), 0.0);
+    vec4 c = textureLod(_group_0_binding_1_fs, vec3(vec2(places.first.x, places.second.y), layer), 0.0);
+    vec4 d = textureLod(_group_0_binding_1_fs, vec3(places.second, layer), 0.0);
+    return mix(mix(d, c, places.share.x), mix(b_3, a_4, places.share.x), places.share.y);
 }
 
-float expansion(vec2 at_1, float t) {
+vec4 next_four(vec4 basis, float x_1) {
+    float a_5 = (((2.0 * x_1) * basis.w) - basis.z);
+    float b_4 = (((2.0 * x_1) * a_5) - basis.w);
+    float c_1 = (((2.0 * x_1) * b_4) - a_5);
+    return vec4(a_5, b_4, c_1, (((2.0 * x_1) * c_1) - b_4));
+}
+
+float expansion_by_splines(SplinePlaces places_1, float t) {
     vec4 basis_1 = vec4(0.0);
     float sum = 0.0;
-    uint layer = 0u;
-    vec2 _e4 = texel_centred(at_1, uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
-    vec4 _e9 = first_four(((2.0 * t) - 1.0));
-    basis_1 = _e9;
+    uint layer_1 = 0u;
+    vec4 _e6 = first_four(((2.0 * t) - 1.0));
+    basis_1 = _e6;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e41 = layer;
-            layer = (_e41 + 1u);
+            uint _e35 = layer_1;
+            layer_1 = (_e35 + 1u);
         }
         loop_init = false;
-        uint _e15 = layer;
-        uint _e18 = _group_0_binding_0_fs.table_layers;
-        if ((_e15 < _e18)) {
+        uint _e12 = layer_1;
+        uint _e15 = _group_0_binding_0_fs.table_layers;
+        if ((_e12 < _e15)) {
         } else {
             break;
         }
         {
-            uint _e22 = layer;
-            vec4 texel_1 = textureLod(_group_0_binding_1_fs, vec3(_e4, _e22), 0.0);
-            float _e25 = sum;
-            vec4 _e26 = basis_1;
-            uint _e29 = layer;
-            vec4 _e31 = _group_0_binding_0_fs.table_scales[_e29];
-            sum = (_e25 + dot((_e26 * _e31), texel_1));
-            vec4 _e35 = basis_1;
-            vec4 _e40 = next_four(_e35, ((2.0 * t) - 1.0));
-            basis_1 = _e40;
+            float _e17 = sum;
+            vec4 _e18 = basis_1;
+            uint _e21 = layer_1;
+            vec4 _e23 = _group_0_binding_0_fs.table_scales[_e21];
+            uint _e25 = layer_1;
+            vec4 _e26 = spline_texel(places_1, _e25);
+            sum = (_e17 + dot((_e18 * _e23), _e26));
+            vec4 _e29 = basis_1;
+            vec4 _e34 = next_four(_e29, ((2.0 * t) - 1.0));
+            basis_1 = _e34;
         }
     }
-    float _e44 = sum;
-    return _e44;
+    float _e38 = sum;
+    return _e38;
 }
 
-float cross_value(vec3 q_1, float t_1) {
-    bool local_2 = false;
+SplinePlaces spline_places(vec2 uv) {
+    vec2 size_1 = vec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
+    vec2 texel_1 = ((uv * size_1) - vec2(0.5));
+    vec2 whole = floor(texel_1);
+    vec2 f = (texel_1 - whole);
+    vec2 g = (vec2(1.0) - f);
+    vec2 before = (((g * g) * g) / vec2(6.0));
+    vec2 last = (((f * f) * f) / vec2(6.0));
+    vec2 nearest = ((vec2(0.6666667) - (f * f)) + (3.0 * last));
+    vec2 share = (before + nearest);
+    vec2 first = ((whole - vec2(1.0)) + (nearest / share));
+    vec2 second_1 = ((whole + vec2(1.0)) + (last / (vec2(1.0) - share)));
+    return SplinePlaces(((first + vec2(0.5)) / size_1), ((second_1 + vec2(0.5)) / size_1), share);
+}
+
+float expansion(vec2 at_1, float t_1) {
     vec4 basis_2 = vec4(0.0);
     float sum_1 = 0.0;
-    uint layer_1 = 0u;
-    uint _e4 = _group_0_binding_0_fs.cross_layers;
-    if (!((_e4 == 0u))) {
-        float _e17 = _group_0_binding_0_fs.cross_radius;
-        local_2 = (max(abs(q_1.x), abs(q_1.y)) >= _e17);
+    uint layer_2 = 0u;
+    vec2 _e4 = texel_centred(at_1, uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
+    uint _e7 = _group_0_binding_0_fs.look_up;
+    if ((_e7 == SPLINES)) {
+        SplinePlaces _e10 = spline_places(_e4);
+        float _e11 = expansion_by_splines(_e10, t_1);
+        return _e11;
+    }
+    vec4 _e16 = first_four(((2.0 * t_1) - 1.0));
+    basis_2 = _e16;
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            uint _e48 = layer_2;
+            layer_2 = (_e48 + 1u);
+        }
+        loop_init_1 = false;
+        uint _e22 = layer_2;
+        uint _e25 = _group_0_binding_0_fs.table_layers;
+        if ((_e22 < _e25)) {
+        } else {
+            break;
+        }
+        {
+            uint _e29 = layer_2;
+            vec4 texel_2 = textureLod(_group_0_binding_1_fs, vec3(_e4, _e29), 0.0);
+            float _e32 = sum_1;
+            vec4 _e33 = basis_2;
+            uint _e36 = layer_2;
+            vec4 _e38 = _group_0_binding_0_fs.table_scales[_e36];
+            sum_1 = (_e32 + dot((_e33 * _e38), texel_2));
+            vec4 _e42 = basis_2;
+            vec4 _e47 = next_four(_e42, ((2.0 * t_1) - 1.0));
+            basis_2 = _e47;
+        }
+    }
+    float _e51 = sum_1;
+    return _e51;
+}
+
+vec4 lagrange_weights(float x_2) {
+    float a_6 = (x_2 - 1.0);
+    float b_5 = (x_2 - 2.0);
+    float c_2 = (x_2 - 3.0);
+    return vec4((((-(a_6) * b_5) * c_2) / 6.0), (((0.5 * x_2) * b_5) * c_2), (((-0.5 * x_2) * a_6) * c_2), (((x_2 * a_6) * b_5) / 6.0));
+}
+
+vec4 cross_texel(vec2 uv_1, uint layer_3) {
+    bool local_2 = false;
+    vec4 sum_2 = vec4(0.0, 0.0, 0.0, 0.0);
+    int k = 0;
+    ivec2 size_2 = ivec2(uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
+    uint _e7 = _group_0_binding_0_fs.look_up;
+    if (!((_e7 == LINEAR))) {
+        local_2 = (min(size_2.x, size_2.y) < 4);
     } else {
         local_2 = true;
     }
-    bool _e20 = local_2;
+    bool _e19 = local_2;
+    if (_e19) {
+        vec4 _e23 = textureLod(_group_0_binding_2_fs, vec3(uv_1, layer_3), 0.0);
+        return _e23;
+    }
+    vec2 at_2 = clamp(((uv_1 * vec2(size_2)) - vec2(0.5)), vec2(0.0, 0.0), vec2((size_2 - ivec2(1))));
+    ivec2 first_1 = min(max((ivec2(at_2) - ivec2(1)), ivec2(0, 0)), (size_2 - ivec2(4)));
+    vec4 _e52 = lagrange_weights((at_2.x - float(first_1.x)));
+    vec4 _e57 = lagrange_weights((at_2.y - float(first_1.y)));
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            int _e93 = k;
+            k = (_e93 + 1);
+        }
+        loop_init_2 = false;
+        int _e66 = k;
+        if ((_e66 < 16)) {
+        } else {
+            break;
+        }
+        {
+            int _e70 = k;
+            int _e73 = k;
+            vec4 texel_3 = texelFetch(_group_0_binding_2_fs, ivec3((first_1 + ivec2((_e70 % 4), (_e73 / 4))), int(layer_3)), 0);
+            vec4 _e81 = sum_2;
+            int _e82 = k;
+            int _e86 = k;
+            sum_2 = (_e81 + ((_e52[(_e82 % 4)] * _e57[(_e86 / 4)]) * texel_3));
+        }
+    }
+    vec4 _e96 = sum_2;
+    return _e96;
+}
+
+float cross_value(vec3 q_1, float t_2) {
+    bool local_3 = false;
+    vec4 basis_3 = vec4(0.0);
+    float sum_3 = 0.0;
+    uint layer_4 = 0u;
+    uint _e4 = _group_0_binding_0_fs.cross_layers;
+    if (!((_e4 == 0u))) {
+        float _e17 = _group_0_binding_0_fs.cross_radius;
+        local_3 = (max(abs(q_1.x), abs(q_1.y)) >= _e17);
+    } else {
+        local_3 = true;
+    }
+    bool _e20 = local_3;
     if (_e20) {
         return 0.0;
     }
     float _e25 = _group_0_binding_0_fs.cross_radius;
     vec2 _e30 = texel_centred((q_1.xy / vec2(_e25)), uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
-    vec4 _e35 = first_four(((2.0 * t_1) - 1.0));
-    basis_2 = _e35;
-    bool loop_init_1 = true;
+    vec4 _e35 = first_four(((2.0 * t_2) - 1.0));
+    basis_3 = _e35;
+    bool loop_init_3 = true;
     while(true) {
-        if (!loop_init_1) {
-            uint _e67 = layer_1;
-            layer_1 = (_e67 + 1u);
+        if (!loop_init_3) {
+            uint _e64 = layer_4;
+            layer_4 = (_e64 + 1u);
         }
-        loop_init_1 = false;
-        uint _e41 = layer_1;
+        loop_init_3 = false;
+        uint _e41 = layer_4;
         uint _e44 = _group_0_binding_0_fs.cross_layers;
         if ((_e41 < _e44)) {
         } else {
             break;
         }
         {
-            uint _e48 = layer_1;
-            vec4 texel_2 = textureLod(_group_0_binding_2_fs, vec3(_e30, _e48), 0.0);
-            float _e51 = sum_1;
-            vec4 _e52 = basis_2;
-            uint _e55 = layer_1;
-            vec4 _e57 = _group_0_binding_0_fs.cross_scales[_e55];
-            sum_1 = (_e51 + dot((_e52 * _e57), texel_2));
-            vec4 _e61 = basis_2;
-            vec4 _e66 = next_four(_e61, ((2.0 * t_1) - 1.0));
-            basis_2 = _e66;
+            uint _e46 = layer_4;
+            vec4 _e47 = cross_texel(_e30, _e46);
+            float _e48 = sum_3;
+            vec4 _e49 = basis_3;
+            uint _e52 = layer_4;
+            vec4 _e54 = _group_0_binding_0_fs.cross_scales[_e52];
+            sum_3 = (_e48 + dot((_e49 * _e54), _e47));
+            vec4 _e58 = basis_3;
+            vec4 _e63 = next_four(_e58, ((2.0 * t_2) - 1.0));
+            basis_3 = _e63;
         }
     }
-    float _e70 = sum_1;
-    return (_e70 / abs(q_1.z));
+    float _e67 = sum_3;
+    return (_e67 / abs(q_1.z));
 }
 
 float lobe_shape(float radius2_, float wavelength_nm_1) {
@@ -366,35 +492,35 @@ float power_texel(uint index_1) {
 
 float power_at(float abs_w) {
     uint _e3 = _group_0_binding_0_fs.lobe_count;
-    uint last = (_e3 - 1u);
-    float at_2 = (clamp((0.5 * abs_w), 0.0, 1.0) * float(last));
-    uint first = min(uint(at_2), (last - 1u));
-    float _e17 = power_texel(first);
-    float _e20 = power_texel((first + 1u));
-    return mix(_e17, _e20, (at_2 - float(first)));
+    uint last_1 = (_e3 - 1u);
+    float at_3 = (clamp((0.5 * abs_w), 0.0, 1.0) * float(last_1));
+    uint first_2 = min(uint(at_3), (last_1 - 1u));
+    float _e17 = power_texel(first_2);
+    float _e20 = power_texel((first_2 + 1u));
+    return mix(_e17, _e20, (at_3 - float(first_2)));
 }
 
 float brdf_spectral_with(Front front_5, vec3 wi_10, vec3 wo_10, float wavelength_nm_2) {
-    bool local_3 = false;
     bool local_4 = false;
+    bool local_5 = false;
     float shape = 0.0;
     if ((wi_10.z > 0.0)) {
-        local_3 = (wo_10.z > 0.0);
+        local_4 = (wo_10.z > 0.0);
     } else {
-        local_3 = false;
+        local_4 = false;
     }
-    bool _e13 = local_3;
+    bool _e13 = local_4;
     if (!(_e13)) {
         return 0.0;
     }
     float _e18 = _group_0_binding_0_fs.shortest_nm;
     float ratio = (_e18 / wavelength_nm_2);
     if ((ratio > 0.0)) {
-        local_4 = (ratio <= 1.000001);
+        local_5 = (ratio <= 1.000001);
     } else {
-        local_4 = false;
+        local_5 = false;
     }
-    bool _e27 = local_4;
+    bool _e27 = local_5;
     if (!(_e27)) {
         return NO_ANSWER;
     }

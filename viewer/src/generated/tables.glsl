@@ -24,6 +24,7 @@ struct TableParams {
     float first_column;
     float first_row;
     uint factor;
+    uint look_up;
     vec2 permittivity;
     vec4 pigment;
     vec4 table_scales[64];
@@ -35,6 +36,11 @@ struct Recurrence {
     float forward;
     float back;
 };
+struct SplinePlaces {
+    vec2 first;
+    vec2 second;
+    vec2 share;
+};
 const uint IDEAL = 0u;
 const uint DIELECTRIC = 1u;
 const uint CONDUCTOR = 2u;
@@ -44,6 +50,8 @@ const float NO_ANSWER = -1.0;
 const uint CHEBYSHEV = 0u;
 const uint TAYLOR = 1u;
 const float RANGE_SLACK = 0.02;
+const uint SPLINES = 1u;
+const uint LINEAR = 0u;
 
 layout(std140) uniform TableParams_block_0Fragment { TableParams _group_0_binding_0_fs; };
 
@@ -67,8 +75,8 @@ float geometry_factor(vec3 wi_2, vec3 wo_2) {
 }
 
 float v_cavity_shadowing(vec3 wi_3, vec3 wo_3) {
-    vec3 sum_2 = (wi_3 + wo_3);
-    vec3 m = (sum_2 / vec3(sqrt(dot(sum_2, sum_2))));
+    vec3 sum_5 = (wi_3 + wo_3);
+    vec3 m = (sum_5 / vec3(sqrt(dot(sum_5, sum_5))));
     float wo_m = dot(wo_3, m);
     if (!((wo_m > 0.0))) {
         return 0.0;
@@ -259,8 +267,8 @@ vec3 pigment_xyz(vec3 wi_10, vec3 wo_10) {
 }
 
 Recurrence shifted_values(float t) {
-    float x = ((2.0 * t) - 1.0);
-    return Recurrence(1.0, x, (2.0 * x), 1.0);
+    float x_1 = ((2.0 * t) - 1.0);
+    return Recurrence(1.0, x_1, (2.0 * x_1), 1.0);
 }
 
 Recurrence powers(float w) {
@@ -317,102 +325,225 @@ float share_of_range(vec2 at_2, float t_1) {
     return clamp(s_1, 0.0, 1.0);
 }
 
-vec3 expansion(Recurrence basis, vec2 at_3) {
+vec4 spline_texel(SplinePlaces places, uint layer) {
+    vec4 a_4 = textureLod(_group_0_binding_1_fs, vec3(places.first, layer), 0.0);
+    vec4 b_3 = textureLod(_group_0_binding_1_fs, vec3(vec2(places.second.x, places.first.y), layer), 0.0);
+    vec4 c = textureLod(_group_0_binding_1_fs, vec3(vec2(places.first.x, places.second.y), layer), 0.0);
+    vec4 d = textureLod(_group_0_binding_1_fs, vec3(places.second, layer), 0.0);
+    return mix(mix(d, c, places.share.x), mix(b_3, a_4, places.share.x), places.share.y);
+}
+
+vec3 expansion_by_splines(Recurrence basis, SplinePlaces places_1) {
     vec3 sum = vec3(0.0, 0.0, 0.0);
     float now = 0.0;
     float next = 0.0;
     uint n = 0u;
-    vec2 _e2 = table_place(at_3);
     now = basis.first;
     next = basis.second;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e49 = n;
-            n = (_e49 + 1u);
+            uint _e45 = n;
+            n = (_e45 + 1u);
         }
         loop_init = false;
-        uint _e14 = n;
-        uint _e17 = _group_0_binding_0_fs.table_count;
-        if ((_e14 < _e17)) {
+        uint _e13 = n;
+        uint _e16 = _group_0_binding_0_fs.table_count;
+        if ((_e13 < _e16)) {
         } else {
             break;
         }
         {
-            uint _e21 = n;
-            vec4 _e23 = textureLod(_group_0_binding_1_fs, vec3(_e2, _e21), 0.0);
-            vec3 texel_2 = _e23.xyz;
-            vec3 _e25 = sum;
-            float _e26 = now;
-            uint _e29 = n;
-            uint _e33 = n;
-            float _e37 = _group_0_binding_0_fs.table_scales[(_e29 / 4u)][(_e33 % 4u)];
-            sum = (_e25 + ((_e26 * _e37) * texel_2));
-            float _e42 = next;
-            float _e45 = now;
-            float after = ((basis.forward * _e42) - (basis.back * _e45));
-            float _e48 = next;
-            now = _e48;
+            vec3 _e18 = sum;
+            float _e19 = now;
+            uint _e22 = n;
+            uint _e26 = n;
+            float _e30 = _group_0_binding_0_fs.table_scales[(_e22 / 4u)][(_e26 % 4u)];
+            uint _e32 = n;
+            vec4 _e33 = spline_texel(places_1, _e32);
+            sum = (_e18 + ((_e19 * _e30) * _e33.xyz));
+            float _e38 = next;
+            float _e41 = now;
+            float after = ((basis.forward * _e38) - (basis.back * _e41));
+            float _e44 = next;
+            now = _e44;
             next = after;
         }
     }
-    vec3 _e52 = sum;
-    return _e52;
+    vec3 _e48 = sum;
+    return _e48;
 }
 
-vec3 cross_expansion(Recurrence basis_1, vec2 at_4) {
+SplinePlaces spline_places(vec2 uv) {
+    vec2 size_1 = vec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
+    vec2 texel_2 = ((uv * size_1) - vec2(0.5));
+    vec2 whole = floor(texel_2);
+    vec2 f = (texel_2 - whole);
+    vec2 g = (vec2(1.0) - f);
+    vec2 before = (((g * g) * g) / vec2(6.0));
+    vec2 last_1 = (((f * f) * f) / vec2(6.0));
+    vec2 nearest = ((vec2(0.6666667) - (f * f)) + (3.0 * last_1));
+    vec2 share = (before + nearest);
+    vec2 first_1 = ((whole - vec2(1.0)) + (nearest / share));
+    vec2 second = ((whole + vec2(1.0)) + (last_1 / (vec2(1.0) - share)));
+    return SplinePlaces(((first_1 + vec2(0.5)) / size_1), ((second + vec2(0.5)) / size_1), share);
+}
+
+vec3 expansion(Recurrence basis_1, vec2 at_3) {
     vec3 sum_1 = vec3(0.0, 0.0, 0.0);
     float now_1 = 0.0;
     float next_1 = 0.0;
     uint n_1 = 0u;
-    vec2 _e4 = texel_centred(at_4, uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
+    vec2 _e2 = table_place(at_3);
+    uint _e5 = _group_0_binding_0_fs.look_up;
+    if ((_e5 == SPLINES)) {
+        SplinePlaces _e8 = spline_places(_e2);
+        vec3 _e9 = expansion_by_splines(basis_1, _e8);
+        return _e9;
+    }
     now_1 = basis_1.first;
     next_1 = basis_1.second;
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e51 = n_1;
-            n_1 = (_e51 + 1u);
+            uint _e56 = n_1;
+            n_1 = (_e56 + 1u);
         }
         loop_init_1 = false;
-        uint _e16 = n_1;
+        uint _e21 = n_1;
+        uint _e24 = _group_0_binding_0_fs.table_count;
+        if ((_e21 < _e24)) {
+        } else {
+            break;
+        }
+        {
+            uint _e28 = n_1;
+            vec4 _e30 = textureLod(_group_0_binding_1_fs, vec3(_e2, _e28), 0.0);
+            vec3 texel_3 = _e30.xyz;
+            vec3 _e32 = sum_1;
+            float _e33 = now_1;
+            uint _e36 = n_1;
+            uint _e40 = n_1;
+            float _e44 = _group_0_binding_0_fs.table_scales[(_e36 / 4u)][(_e40 % 4u)];
+            sum_1 = (_e32 + ((_e33 * _e44) * texel_3));
+            float _e49 = next_1;
+            float _e52 = now_1;
+            float after_1 = ((basis_1.forward * _e49) - (basis_1.back * _e52));
+            float _e55 = next_1;
+            now_1 = _e55;
+            next_1 = after_1;
+        }
+    }
+    vec3 _e59 = sum_1;
+    return _e59;
+}
+
+vec4 lagrange_weights(float x) {
+    float a_5 = (x - 1.0);
+    float b_4 = (x - 2.0);
+    float c_1 = (x - 3.0);
+    return vec4((((-(a_5) * b_4) * c_1) / 6.0), (((0.5 * x) * b_4) * c_1), (((-0.5 * x) * a_5) * c_1), (((x * a_5) * b_4) / 6.0));
+}
+
+vec4 cross_texel(vec2 uv_1, uint layer_1) {
+    bool local_6 = false;
+    vec4 sum_2 = vec4(0.0, 0.0, 0.0, 0.0);
+    int k = 0;
+    ivec2 size_2 = ivec2(uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
+    uint _e7 = _group_0_binding_0_fs.look_up;
+    if (!((_e7 == LINEAR))) {
+        local_6 = (min(size_2.x, size_2.y) < 4);
+    } else {
+        local_6 = true;
+    }
+    bool _e19 = local_6;
+    if (_e19) {
+        vec4 _e23 = textureLod(_group_0_binding_2_fs, vec3(uv_1, layer_1), 0.0);
+        return _e23;
+    }
+    vec2 at_7 = clamp(((uv_1 * vec2(size_2)) - vec2(0.5)), vec2(0.0, 0.0), vec2((size_2 - ivec2(1))));
+    ivec2 first_2 = min(max((ivec2(at_7) - ivec2(1)), ivec2(0, 0)), (size_2 - ivec2(4)));
+    vec4 _e52 = lagrange_weights((at_7.x - float(first_2.x)));
+    vec4 _e57 = lagrange_weights((at_7.y - float(first_2.y)));
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            int _e93 = k;
+            k = (_e93 + 1);
+        }
+        loop_init_2 = false;
+        int _e66 = k;
+        if ((_e66 < 16)) {
+        } else {
+            break;
+        }
+        {
+            int _e70 = k;
+            int _e73 = k;
+            vec4 texel_4 = texelFetch(_group_0_binding_2_fs, ivec3((first_2 + ivec2((_e70 % 4), (_e73 / 4))), int(layer_1)), 0);
+            vec4 _e81 = sum_2;
+            int _e82 = k;
+            int _e86 = k;
+            sum_2 = (_e81 + ((_e52[(_e82 % 4)] * _e57[(_e86 / 4)]) * texel_4));
+        }
+    }
+    vec4 _e96 = sum_2;
+    return _e96;
+}
+
+vec3 cross_expansion(Recurrence basis_2, vec2 at_4) {
+    vec3 sum_3 = vec3(0.0, 0.0, 0.0);
+    float now_2 = 0.0;
+    float next_2 = 0.0;
+    uint n_2 = 0u;
+    vec2 _e4 = texel_centred(at_4, uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
+    now_2 = basis_2.first;
+    next_2 = basis_2.second;
+    bool loop_init_3 = true;
+    while(true) {
+        if (!loop_init_3) {
+            uint _e48 = n_2;
+            n_2 = (_e48 + 1u);
+        }
+        loop_init_3 = false;
+        uint _e16 = n_2;
         uint _e19 = _group_0_binding_0_fs.cross_count;
         if ((_e16 < _e19)) {
         } else {
             break;
         }
         {
-            uint _e23 = n_1;
-            vec4 _e25 = textureLod(_group_0_binding_2_fs, vec3(_e4, _e23), 0.0);
-            vec3 texel_3 = _e25.xyz;
-            vec3 _e27 = sum_1;
-            float _e28 = now_1;
-            uint _e31 = n_1;
-            uint _e35 = n_1;
-            float _e39 = _group_0_binding_0_fs.cross_scales[(_e31 / 4u)][(_e35 % 4u)];
-            sum_1 = (_e27 + ((_e28 * _e39) * texel_3));
-            float _e44 = next_1;
-            float _e47 = now_1;
-            float after_1 = ((basis_1.forward * _e44) - (basis_1.back * _e47));
-            float _e50 = next_1;
-            now_1 = _e50;
-            next_1 = after_1;
+            uint _e21 = n_2;
+            vec4 _e22 = cross_texel(_e4, _e21);
+            vec3 texel_5 = _e22.xyz;
+            vec3 _e24 = sum_3;
+            float _e25 = now_2;
+            uint _e28 = n_2;
+            uint _e32 = n_2;
+            float _e36 = _group_0_binding_0_fs.cross_scales[(_e28 / 4u)][(_e32 % 4u)];
+            sum_3 = (_e24 + ((_e25 * _e36) * texel_5));
+            float _e41 = next_2;
+            float _e44 = now_2;
+            float after_2 = ((basis_2.forward * _e41) - (basis_2.back * _e44));
+            float _e47 = next_2;
+            now_2 = _e47;
+            next_2 = after_2;
         }
     }
-    vec3 _e54 = sum_1;
-    return _e54;
+    vec3 _e51 = sum_3;
+    return _e51;
 }
 
 vec3 cross_value(vec3 q_1, float t_2) {
-    bool local_6 = false;
+    bool local_7 = false;
     uint _e4 = _group_0_binding_0_fs.cross_count;
     if (!((_e4 == 0u))) {
         float _e17 = _group_0_binding_0_fs.radius_max;
-        local_6 = (max(abs(q_1.x), abs(q_1.y)) >= _e17);
+        local_7 = (max(abs(q_1.x), abs(q_1.y)) >= _e17);
     } else {
-        local_6 = true;
+        local_7 = true;
     }
-    bool _e20 = local_6;
+    bool _e20 = local_7;
     if (_e20) {
         return vec3(0.0, 0.0, 0.0);
     }
@@ -422,19 +553,64 @@ vec3 cross_value(vec3 q_1, float t_2) {
     return (_e32 / vec3(abs(q_1.z)));
 }
 
-vec3 sample_(vec2 at_5) {
-    ivec2 last = (ivec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)).yx - ivec2(1));
-    vec2 inside_1 = clamp(at_5, vec2(0.0, 0.0), vec2(last));
-    ivec2 first_1 = max(min(ivec2(inside_1), (last - ivec2(1))), ivec2(0, 0));
-    ivec2 second = min((first_1 + ivec2(1)), last);
-    vec2 share = (inside_1 - vec2(first_1));
-    vec4 _e33 = texelFetch(_group_0_binding_3_fs, ivec2(first_1.y, first_1.x), 0);
-    vec4 _e40 = texelFetch(_group_0_binding_3_fs, ivec2(second.y, first_1.x), 0);
-    vec3 low = mix(_e33.xyz, _e40.xyz, share.y);
-    vec4 _e49 = texelFetch(_group_0_binding_3_fs, ivec2(first_1.y, second.x), 0);
-    vec4 _e56 = texelFetch(_group_0_binding_3_fs, ivec2(second.y, second.x), 0);
-    vec3 high = mix(_e49.xyz, _e56.xyz, share.y);
-    return mix(low, high, share.x);
+vec3 sample_cubic(vec2 at_5, ivec2 last) {
+    vec3 sum_4 = vec3(0.0, 0.0, 0.0);
+    int k_1 = 0;
+    ivec2 first_3 = min(max((ivec2(at_5) - ivec2(1)), ivec2(0, 0)), (last - ivec2(3)));
+    vec4 _e17 = lagrange_weights((at_5.x - float(first_3.x)));
+    vec4 _e22 = lagrange_weights((at_5.y - float(first_3.y)));
+    bool loop_init_4 = true;
+    while(true) {
+        if (!loop_init_4) {
+            int _e60 = k_1;
+            k_1 = (_e60 + 1);
+        }
+        loop_init_4 = false;
+        int _e30 = k_1;
+        if ((_e30 < 16)) {
+        } else {
+            break;
+        }
+        {
+            int _e35 = k_1;
+            int _e40 = k_1;
+            vec4 _e46 = texelFetch(_group_0_binding_3_fs, ivec2((first_3.y + (_e35 % 4)), (first_3.x + (_e40 / 4))), 0);
+            vec3 texel_6 = _e46.xyz;
+            vec3 _e48 = sum_4;
+            int _e49 = k_1;
+            int _e53 = k_1;
+            sum_4 = (_e48 + ((_e22[(_e49 % 4)] * _e17[(_e53 / 4)]) * texel_6));
+        }
+    }
+    vec3 _e63 = sum_4;
+    return _e63;
+}
+
+vec3 sample_(vec2 at_6) {
+    bool local_8 = false;
+    ivec2 last_2 = (ivec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)).yx - ivec2(1));
+    uint _e10 = _group_0_binding_0_fs.look_up;
+    if ((_e10 == SPLINES)) {
+        local_8 = (min(last_2.x, last_2.y) >= 3);
+    } else {
+        local_8 = false;
+    }
+    bool _e21 = local_8;
+    if (_e21) {
+        vec3 _e27 = sample_cubic(clamp(at_6, vec2(0.0, 0.0), vec2(last_2)), last_2);
+        return _e27;
+    }
+    vec2 inside_1 = clamp(at_6, vec2(0.0, 0.0), vec2(last_2));
+    ivec2 first_4 = max(min(ivec2(inside_1), (last_2 - ivec2(1))), ivec2(0, 0));
+    ivec2 second_1 = min((first_4 + ivec2(1)), last_2);
+    vec2 share_1 = (inside_1 - vec2(first_4));
+    vec4 _e53 = texelFetch(_group_0_binding_3_fs, ivec2(first_4.y, first_4.x), 0);
+    vec4 _e60 = texelFetch(_group_0_binding_3_fs, ivec2(second_1.y, first_4.x), 0);
+    vec3 low = mix(_e53.xyz, _e60.xyz, share_1.y);
+    vec4 _e69 = texelFetch(_group_0_binding_3_fs, ivec2(first_4.y, second_1.x), 0);
+    vec4 _e76 = texelFetch(_group_0_binding_3_fs, ivec2(second_1.y, second_1.x), 0);
+    vec3 high = mix(_e69.xyz, _e76.xyz, share_1.y);
+    return mix(low, high, share_1.x);
 }
 
 vec3 lobe_at(float radius, float w_1) {
@@ -442,10 +618,10 @@ vec3 lobe_at(float radius, float w_1) {
     if ((radius >= _e4)) {
         return vec3(0.0, 0.0, 0.0);
     }
-    vec2 last_1 = (vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) - vec2(1.0));
+    vec2 last_3 = (vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) - vec2(1.0));
     float _e18 = normalised_abs_w(vec3(radius, 0.0, w_1));
     float _e23 = _group_0_binding_0_fs.radius_max;
-    vec3 _e28 = sample_(vec2((_e18 * last_1.y), ((radius / _e23) * last_1.x)));
+    vec3 _e28 = sample_(vec2((_e18 * last_3.y), ((radius / _e23) * last_3.x)));
     return _e28;
 }
 
@@ -472,25 +648,25 @@ vec3 coherent_value(vec3 wi_11, vec3 wo_11, vec3 q_2) {
 }
 
 vec3 brdf_xyz(vec3 wi_12, vec3 wo_12) {
-    bool local_7 = false;
+    bool local_9 = false;
     float s = 0.0;
-    Recurrence basis_2 = Recurrence(0.0, 0.0, 0.0, 0.0);
+    Recurrence basis_3 = Recurrence(0.0, 0.0, 0.0, 0.0);
     if ((wi_12.z > 0.0)) {
-        local_7 = (wo_12.z > 0.0);
+        local_9 = (wo_12.z > 0.0);
     } else {
-        local_7 = false;
+        local_9 = false;
     }
-    bool _e11 = local_7;
+    bool _e11 = local_9;
     if (!(_e11)) {
         return vec3(0.0, 0.0, 0.0);
     }
     vec3 _e17 = wave_vector_change(wi_12, wo_12);
     float _e18 = normalised_abs_w(_e17);
-    vec2 at_6 = (0.5 * _e17.xy);
+    vec2 at_8 = (0.5 * _e17.xy);
     s = _e18;
     uint _e25 = _group_0_binding_0_fs.restricted;
     if ((_e25 != 0u)) {
-        float _e28 = share_of_range(at_6, _e18);
+        float _e28 = share_of_range(at_8, _e18);
         s = _e28;
         float _e29 = s;
         if ((_e29 < 0.0)) {
@@ -499,16 +675,16 @@ vec3 brdf_xyz(vec3 wi_12, vec3 wo_12) {
     }
     float _e36 = s;
     Recurrence _e37 = shifted_values(_e36);
-    basis_2 = _e37;
+    basis_3 = _e37;
     uint _e41 = _group_0_binding_0_fs.basis;
     if ((_e41 == TAYLOR)) {
         Recurrence _e46 = powers(abs(_e17.z));
-        basis_2 = _e46;
+        basis_3 = _e46;
     }
     Front _e47 = front_factor();
     float _e48 = diffuse_factor(_e47, wi_12, wo_12);
-    Recurrence _e49 = basis_2;
-    vec3 _e50 = expansion(_e49, at_6);
+    Recurrence _e49 = basis_3;
+    vec3 _e50 = expansion(_e49, at_8);
     vec3 _e51 = cross_value(_e17, _e18);
     vec3 diffuse = (_e48 * (_e50 + _e51));
     vec3 _e54 = coherent_value(wi_12, wo_12, _e17);
@@ -516,34 +692,34 @@ vec3 brdf_xyz(vec3 wi_12, vec3 wo_12) {
 }
 
 bool has_answer(vec3 xyz) {
-    bool local_8 = false;
-    bool local_9 = false;
+    bool local_10 = false;
+    bool local_11 = false;
     if ((xyz.x == NO_ANSWER)) {
-        local_8 = (xyz.y == NO_ANSWER);
+        local_10 = (xyz.y == NO_ANSWER);
     } else {
-        local_8 = false;
+        local_10 = false;
     }
-    bool _e10 = local_8;
+    bool _e10 = local_10;
     if (_e10) {
-        local_9 = (xyz.z == NO_ANSWER);
+        local_11 = (xyz.z == NO_ANSWER);
     } else {
-        local_9 = false;
+        local_11 = false;
     }
-    bool _e17 = local_9;
+    bool _e17 = local_11;
     return !(_e17);
 }
 
 vec3 surface_xyz(vec3 wi_13, vec3 wo_13) {
-    bool local_10 = false;
+    bool local_12 = false;
     vec3 _e2 = brdf_xyz(wi_13, wo_13);
     float _e6 = _group_0_binding_0_fs.pigment.w;
     if (!((_e6 == 0.0))) {
         bool _e12 = has_answer(_e2);
-        local_10 = !(_e12);
+        local_12 = !(_e12);
     } else {
-        local_10 = true;
+        local_12 = true;
     }
-    bool _e15 = local_10;
+    bool _e15 = local_12;
     if (_e15) {
         return _e2;
     }
