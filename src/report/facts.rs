@@ -1,7 +1,7 @@
 //! What the report says about a specimen in words and numbers.
 
 use crate::report::frames::period_letter;
-use crate::report::numbers;
+use crate::report::{look_up_facts, numbers};
 use crate::stages::results::{BuildResult, Period, SpecimenResult, SpectralResult, Statistics};
 use diffraction_brdf::dispersion::Origin;
 use diffraction_brdf::spectrum::Illuminant;
@@ -10,7 +10,6 @@ use diffraction_build::accuracy::rows::{Cause, ErrorRow, promised};
 use diffraction_build::height::statistics::{STEEP_SLOPE, WAVES_MIN, least_uv_radius};
 use diffraction_build::optics::config::{Edge, Material, OpticsConfig, Windows};
 use diffraction_build::optics::dispersive::Dispersive;
-use diffraction_build::tables::look_ups::LookUp;
 use diffraction_build::tables::model::{Basis, Rounding, Storage};
 
 /// A name and what is to be said about it.
@@ -51,7 +50,7 @@ pub(crate) fn of_specimen(specimen: &SpecimenResult) -> Vec<Fact> {
         facts.extend(built.rounding.map(|rounding| fact("Numbers", format_of(built.storage, rounding))));
         facts.push(fact("Texels", texels(built)));
         facts.push(fact("Rim", rim(built)));
-        facts.extend(look_ups(built, &specimen.errors).map(|text| fact("Look-ups", text)));
+        facts.extend(look_up_facts::look_ups(built, &specimen.errors).map(|text| fact("Look-ups", text)));
         facts.push(fact("Made from", made_from(built)));
     }
     facts.extend(specimen.spectral.as_ref().map(|spectral| fact("Spectral tables", spectral_tables(spectral))));
@@ -101,33 +100,6 @@ fn rim(built: &BuildResult) -> String {
         "look-ups err by a thousandth and more where light and viewer are both beyond {}° on one side",
         numbers::round_number(theta_deg, 3)
     )
-}
-
-/// Which look-ups keep the tolerance in total, and how many texels would; nothing where nothing was measured.
-fn look_ups(built: &BuildResult, errors: &[ErrorRow]) -> Option<String> {
-    let worst = |cause: Cause| {
-        let of_groups = errors.iter().filter(|row| row.cause == cause).map(|row| row.p95).filter(|p95| p95.is_finite());
-        of_groups.reduce(f64::max)
-    };
-    let in_words = |(name, look_up, cause): (&str, LookUp, Cause)| {
-        let error = worst(cause)?;
-        let said = numbers::number(error, 2);
-        Some(if error <= built.tolerance {
-            format!("{name} ones keep the tolerance in 95 % of lit directions ({said})")
-        } else {
-            let size = look_up.size_for(built.tolerance, built.size.max(3), error);
-            format!(
-                "{name} ones err by {said} or more in 5 % of lit directions, about {size} × {size} texels would keep the tolerance"
-            )
-        })
-    };
-    let kinds = [
-        ("spline", LookUp::Spline, Cause::TotalSpline),
-        ("linear", LookUp::Linear, Cause::Total),
-        ("cubic", LookUp::Cubic, Cause::TotalCubic),
-    ];
-    let parts: Vec<String> = kinds.into_iter().filter_map(in_words).collect();
-    (!parts.is_empty()).then(|| parts.join("; "))
 }
 
 /// The provenance of one scan: every entry of the JSON object, in its order. Empty entries are left out.

@@ -15,6 +15,7 @@ pub(crate) mod facts;
 mod frames;
 mod goniometry;
 mod gpu_facts;
+mod look_up_facts;
 mod map_frames;
 mod measured;
 mod numbers;

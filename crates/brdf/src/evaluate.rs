@@ -37,6 +37,17 @@ impl LookUp<'_> {
     }
 }
 
+impl TableSet {
+    /// The look-up that `FORMAT.md` describes for such tables, and for which their errors are promised: by splines; linear
+    /// where each texel has a range of its own, and of the published method.
+    pub fn look_up(&self) -> Interpolation {
+        match (&self.restriction, self.basis) {
+            (None, Basis::Chebyshev) => Interpolation::Spline,
+            _ => Interpolation::Bilinear,
+        }
+    }
+}
+
 /// XYZ of the BRDF in 1/sr; zero for directions not above the surface, not a number for those that the tables do not
 /// cover (see [`answers`]).
 pub fn brdf_xyz(set: &TableSet, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> Xyz {

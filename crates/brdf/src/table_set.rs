@@ -3,7 +3,6 @@
 use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 
-use crate::evaluate::Interpolation;
 use crate::front_factor::FrontFactor;
 use crate::material::Material;
 
@@ -105,15 +104,6 @@ impl TableSet {
         match &self.restriction {
             Some(restriction) => restriction.size,
             None => self.tables.first().map_or(0, |table| table.dim().0),
-        }
-    }
-
-    /// The look-up that `FORMAT.md` describes for such tables, and for which their errors are promised: by splines; linear
-    /// where each texel has a range of its own, and of the published method.
-    pub fn look_up(&self) -> Interpolation {
-        match (&self.restriction, self.basis) {
-            (None, Basis::Chebyshev) => Interpolation::Spline,
-            _ => Interpolation::Bilinear,
         }
     }
 
