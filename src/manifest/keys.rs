@@ -61,6 +61,7 @@ pub const SPECIMEN: Keys = Keys {
         "species",
         "scans",
         "page",
+        "channel",
         "pitch_nm",
         "height",
         "level",

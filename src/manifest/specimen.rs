@@ -91,6 +91,7 @@ fn read(section: &Section, name: String, common: Common) -> Result<SpecimenConfi
     optics::read_overrides(section, base, &mut optics)?;
     let species = section.get("species").map(|item| item.text_not_empty());
     let page = section.get("page").map(|item| item.integer_within(0, PAGE_MAX, ""));
+    let channel = section.get("channel").map(|item| item.text_not_empty());
     let blend = section.get("blend_nm").map(|item| item.number_above(0.0, LATERAL_MAX_NM, "nm"));
     let missing = section.get("max_missing_share").map(|item| item.number_within(0.0, 0.5, ""));
     Ok(SpecimenConfig {
@@ -99,6 +100,7 @@ fn read(section: &Section, name: String, common: Common) -> Result<SpecimenConfi
         scans: scans(&section.require("scans", "scans = [\"scans/snake_*.tif\"]")?, base)?,
         read: ReadConfig {
             page: page.transpose()?,
+            channel: channel.transpose()?.map(str::to_owned),
             pitch_nm: section.get("pitch_nm").map(|item| pitch(&item)).transpose()?,
             height: section.get("height").map(|item| height(&item)).transpose()?,
             max_missing_share: missing.transpose()?.unwrap_or(defaults::MAX_MISSING_SHARE),

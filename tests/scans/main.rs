@@ -10,5 +10,7 @@ mod bundled;
 mod dialects;
 mod formats;
 mod hostile;
+mod instruments;
 mod private_tags;
 mod statistics;
+mod tiff_kinds;

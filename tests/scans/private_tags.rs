@@ -84,8 +84,15 @@ fn jpk_page(order: Order, channel: &str, retrace: u16, raw: [i32; 4], scale: f64
 }
 
 fn jpk(reflect: u16, pages: &[PageParts]) -> Vec<u8> {
+    jpk_turned(reflect, None, pages)
+}
+
+fn jpk_turned(reflect: u16, angle_rad: Option<f64>, pages: &[PageParts]) -> Vec<u8> {
     let order = Order::Little;
     let mut thumbnail = PageParts::grey(order, [1, 1], 8, 1, vec![0]);
+    if let Some(angle_rad) = angle_rad {
+        thumbnail.double(order, 0x8044, angle_rad);
+    }
     thumbnail.short(order, 262, 3);
     thumbnail.double(order, 0x8042, 1e-6);
     thumbnail.double(order, 0x8043, 3e-6);
@@ -115,9 +122,17 @@ fn jpk_default_slot_of_the_best_height_channel() {
         let pitch = [500.0, 1500.0][axis];
         assert!((scan.field.pitch_nm[axis] - pitch).abs() < 1e-9);
     }
+    assert_eq!(scan.provenance.angle_deg, None);
     // Reflected scans stand upright.
     let scan = read(&jpk(1, &all), &plain).unwrap();
     assert!(near(&scan, [7.0, -4.0, -5.0, -6.0]), "{:?}", heights(&scan));
+    let scan = read(&jpk_turned(1, Some(std::f64::consts::FRAC_PI_4), &all), &plain).unwrap();
+    assert_eq!(scan.provenance.angle_deg, Some(45.0));
+    // A height that a map of force curves derived is not the measured one.
+    let mut at_force = jpk_page(order, "measuredHeight", 0, [9; 4], 1e-9);
+    at_force.text(0x8053, "algorithm.object-name.fancy-name : Ref. Force Height at 40%");
+    let scan = read(&jpk(0, &[at_force, all[3].clone()]), &plain).unwrap();
+    assert_eq!((scan.provenance.page, scan.provenance.channel.as_deref()), (2, Some("measuredHeight (trace)")));
     // Another channel by its page, and only the lesser height where there is no better one.
     let chosen = ReadConfig { page: Some(2), ..plain.clone() };
     assert!(near(&read(&jpk(0, &all), &chosen).unwrap(), [5.0, 6.0, 3.0, 4.0]));

@@ -25,7 +25,11 @@ use diffraction_build::tables::model::{Basis, Storage};
 #[command(after_help = "Examples:
   diffraction-atlas inspect scans/snake.tif --pitch-nm 48.8 --full-scale-nm 375
   diffraction-atlas inspect scans/snake.gsf --save-heights heights.tif
-  diffraction-atlas inspect out/atlas/squamates/v0001 --json")]
+  diffraction-atlas inspect scans/snake.spm --channel \"Height Sensor\"
+  diffraction-atlas inspect out/atlas/squamates/v0001 --json
+
+Formats, told apart by their content: TIFF (plain, ImageJ, OME, Park, JPK), Gwyddion .gwy and .gsf, Nanoscope .spm and .001,
+Asylum .ibw, Nanosurf .nid, Digital Surf .sur, X3P, WSxM .stp and .top, matrices as text. See docs/formats.md.")]
 pub(crate) struct InspectArgs {
     /// A scan, an atlas, or one version of it
     pub file: PathBuf,
@@ -44,6 +48,9 @@ pub(crate) struct InspectArgs {
     /// Page of a file with several, from 0
     #[arg(long)]
     pub page: Option<usize>,
+    /// Channel of a file with several: its name or a part of it
+    #[arg(long, value_name = "NAME")]
+    pub channel: Option<String>,
     /// Print as JSON
     #[arg(long)]
     pub json: bool,
@@ -66,6 +73,8 @@ const WORDS: CallerWords = CallerWords {
     add_integer_height: "add `--full-scale-nm N` (nm from the smallest to the largest value of the integer type), or \
                          `--unit U` where the numbers are heights",
     add_float_height: "add `--unit U`, U being pm, nm, um, mm, cm, m, angstrom or inch",
+    page: "`--page {}`",
+    channel: "`--channel \"{}\"`",
     or_accept_missing: "",
 };
 
@@ -99,7 +108,8 @@ fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
     };
     let pitch_nm = args.pitch_nm.map(|pitch| pitch.0);
     let words = CallerWords { height: if args.unit.is_some() { "--unit" } else { "--full-scale-nm" }, ..WORDS };
-    let config = ReadConfig { page: args.page, pitch_nm, height, words, ..ReadConfig::default() };
+    let config =
+        ReadConfig { page: args.page, channel: args.channel.clone(), pitch_nm, height, words, ..ReadConfig::default() };
     let scan = read_scan(&args.file, &config)?;
     if let Some(path) = &args.save_heights {
         write_scan_tiff(path, &scan.field)?;
@@ -129,7 +139,15 @@ impl ScanReport {
     fn to_text(&self) -> String {
         let (p, s) = (&self.provenance, &self.statistics);
         let mut lines = vec![
-            format!("{}: {}, page {}, {}", p.file_name, p.format, p.page, p.sample_format),
+            match &p.channel {
+                Some(channel) => {
+                    format!(
+                        "{}: {}, page {}, channel \"{channel}\", {}",
+                        p.file_name, p.format, p.page, p.sample_format
+                    )
+                }
+                None => format!("{}: {}, page {}, {}", p.file_name, p.format, p.page, p.sample_format),
+            },
             format!(
                 "size          {} x {} samples, {:.4} x {:.4} µm",
                 p.size[0], p.size[1], self.extent_um[0], self.extent_um[1]

@@ -5,22 +5,35 @@
 //! tags, not by their names. Every size a file claims is checked against the bytes it has before
 //! anything is allocated.
 
+mod archive;
+mod ascii;
+mod binary;
 mod calibration;
+mod channels;
 mod config;
 mod directory;
+mod foreign;
 mod free_text;
 mod gsf;
+mod gwy;
+mod ibw;
 mod imagej;
 mod jpk;
 mod missing;
+mod nanoscope;
+mod nid;
 mod ome;
 mod park;
 mod refusal;
 mod scan;
 mod stored;
+mod sur;
+mod text;
 mod tiff_pixels;
 mod tiff_scan;
 mod unit;
+mod wsxm;
+mod x3p;
 
 use std::fs::File;
 use std::io::Read;
@@ -35,7 +48,8 @@ pub use self::config::{CallerWords, HeightScale, ReadConfig};
 pub use self::scan::{Provenance, Scan};
 pub use self::unit::LengthUnit;
 
-/// Reads a height scan: TIFF (plain, ImageJ, OME, Park Systems, JPK) or Gwyddion simple field.
+/// Reads a height scan: TIFF (plain, ImageJ, OME, Park Systems, JPK), Gwyddion's native files and simple fields, Nanoscope, Igor
+/// binary waves, Nanosurf, Digital Surf, X3P, WSxM, or a matrix as text; `docs/formats.md` has the table.
 ///
 /// Heights come out in nm with row 0 at the +y edge. NaN, infinities and declared no-data values are
 /// missing samples, filled by the smoothest surface through their surroundings and counted.
@@ -70,7 +84,7 @@ fn read_file(path: &Path) -> Result<Vec<u8>> {
     let cannot_read = |source| Error::disk(path, "read", source);
     let metadata = std::fs::metadata(path).map_err(cannot_read)?;
     if !metadata.is_file() {
-        return Err(Error::bad_file(path, "this is not a regular file", "name a TIFF or .gsf file"));
+        return Err(Error::bad_file(path, "this is not a regular file", "name a scan's file"));
     }
     let mut bytes = Vec::new();
     // One byte beyond the announced length is enough to see that the file is being written to.
@@ -85,24 +99,30 @@ fn read_file(path: &Path) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Tells the format by the first bytes.
+/// Reads by whichever format the content is in.
 fn parse(bytes: &[u8], config: &ReadConfig) -> Parsed<stored::RawScan> {
-    const EXPORT: &str = "export the height channel as a TIFF with 16-bit or floating-point samples, \
-                          or as Gwyddion simple field (.gsf)";
-    match bytes {
-        [] => Err(Refusal::new("the file is empty", "copy it again")),
+    let raw = match bytes {
+        [] => return Err(Refusal::new("the file is empty", "copy it again")),
         [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..] => tiff_scan::read(bytes, config),
-        _ if bytes.starts_with(gsf::MAGIC) => match config.page {
-            None | Some(0) => gsf::read(bytes, config.max_samples),
-            Some(page) => Err(Refusal::new(format!("a Gwyddion simple field has no page {page}"), "leave `page` out")),
+        _ if bytes.starts_with(gsf::MAGIC) => gsf::read(bytes, config),
+        _ if bytes.starts_with(gwy::MAGIC) => gwy::read(bytes, config),
+        _ if bytes.starts_with(nid::MAGIC) => nid::read(bytes, config),
+        _ if bytes.starts_with(wsxm::MAGIC) => wsxm::read(bytes, config),
+        _ if bytes.starts_with(archive::MAGIC) => read_archive(bytes, config),
+        _ if nanoscope::is_nanoscope(bytes) => nanoscope::read(bytes, config),
+        _ if sur::is_surf(bytes) => sur::read(bytes, config),
+        _ if ascii::is_matrix(bytes) => ascii::read(bytes, config),
+        _ => match ibw::byte_order(bytes) {
+            Some(little_endian) => ibw::read(bytes, little_endian, config),
+            None => Err(foreign::refusal(bytes)),
         },
-        _ if bytes.starts_with(b"GWYP") => Err(Refusal::new(
-            "a Gwyddion native file (.gwy) is not read",
-            "save the channel from Gwyddion as Gwyddion simple field (.gsf)",
-        )),
-        _ if bytes.starts_with(b"\x89PNG") || bytes.starts_with(b"\xff\xd8\xff") => {
-            Err(Refusal::new("this is a picture (PNG or JPEG), not a height scan", EXPORT))
-        }
-        _ => Err(Refusal::new("neither a TIFF nor a Gwyddion simple field, going by its first bytes", EXPORT)),
-    }
+    }?;
+    channels::check_name(&raw, config)?;
+    Ok(raw)
+}
+
+/// A zip archive is an X3P file if it has that one's index.
+fn read_archive(bytes: &[u8], config: &ReadConfig) -> Parsed<stored::RawScan> {
+    let archive = archive::Archive::new(bytes)?;
+    if archive.has(x3p::MAIN) { x3p::read(&archive, config) } else { Err(foreign::archive_refusal(&archive)) }
 }

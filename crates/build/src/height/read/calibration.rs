@@ -50,6 +50,7 @@ pub(super) fn calibrate(mut raw: RawScan, config: &ReadConfig) -> Parsed<Scan> {
             height_from: line.from,
             missing_samples,
             channel: raw.channel,
+            angle_deg: raw.angle_deg.filter(|angle| angle.is_finite()),
             warnings: raw.warnings,
         },
     })

@@ -39,6 +39,10 @@ pub struct CallerWords {
     pub add_integer_height: &'static str,
     /// ...and its floating-point numbers.
     pub add_float_height: &'static str,
+    /// How to choose a page of a file, `{}` standing for its number...
+    pub page: &'static str,
+    /// ...and a channel, `{}` standing for its name.
+    pub channel: &'static str,
     /// Where more missing samples may be accepted, as the end of a sentence; empty where they may not.
     pub or_accept_missing: &'static str,
 }
@@ -53,6 +57,8 @@ impl CallerWords {
         add_integer_height: "add `height = { full_scale_nm = N }` (nm from the smallest to the largest value of the integer \
                              type) or `height = { nm_per_count = N, offset_nm = M }` to the specimen",
         add_float_height: "add `height = { unit = \"U\" }` to the specimen, U being pm, nm, um, mm, cm, m, angstrom or inch",
+        page: "`page = {}`",
+        channel: "`channel = \"{}\"`",
         or_accept_missing: ", or raise max_missing_share",
     };
 }
@@ -62,6 +68,8 @@ impl CallerWords {
 pub struct ReadConfig {
     /// Which page of a file with several, counted from 0; `None` where there is one choice only.
     pub page: Option<usize>,
+    /// Which channel of a file with several: its name or a part of it, in any case. Likewise.
+    pub channel: Option<String>,
     /// Sample spacing in nm along x and y; overrules the file.
     pub pitch_nm: Option<[f64; 2]>,
     /// What the numbers mean; overrules the file.
@@ -79,6 +87,7 @@ impl Default for ReadConfig {
     fn default() -> Self {
         Self {
             page: None,
+            channel: None,
             pitch_nm: None,
             height: None,
             max_missing_share: 0.05,

@@ -4,6 +4,7 @@
 //! Here every value is a range inside the file.
 
 use super::refusal::{Parsed, Refusal};
+use super::text;
 
 /// Longest text tag that is looked at, in bytes.
 const TEXT_MAX: usize = 4 << 20;
@@ -151,16 +152,22 @@ impl<'a> Directory<'a> {
         Ok(self.value(tag)?.map(|(_, bytes)| bytes))
     }
 
-    /// All unsigned integers of a tag.
+    /// All unsigned integers of a tag, also of signed types: real files have those too.
     pub(super) fn unsigned_list(&self, tag: u16) -> Parsed<Option<Vec<u64>>> {
         let Some((kind, bytes)) = self.value(tag)? else {
             return Ok(None);
         };
-        if !matches!(kind, 1 | 3 | 4 | 13 | 16 | 18) {
+        let is_signed = matches!(kind, 6 | 8 | 9 | 17);
+        if !is_signed && !matches!(kind, 1 | 3 | 4 | 13 | 16 | 18) {
             return Err(wrong_type(tag, kind));
         }
-        let numbers = bytes.chunks_exact(type_size(kind)).map(|bytes| self.file.number(bytes)).collect();
-        Ok(Some(numbers))
+        let size = type_size(kind);
+        let numbers = bytes.chunks_exact(size).map(|bytes| {
+            let number = self.file.number(bytes);
+            let is_negative = is_signed && number >> (8 * size - 1) == 1;
+            if is_negative { Err(Refusal::damaged(format!("tag {tag} is negative"))) } else { Ok(number) }
+        });
+        numbers.collect::<Parsed<_>>().map(Some)
     }
 
     /// The first unsigned integer of a tag.
@@ -197,7 +204,7 @@ impl<'a> Directory<'a> {
         }))
     }
 
-    /// The text of a tag up to its first NUL: UTF-8, or else Latin-1.
+    /// The text of a tag up to its first NUL.
     pub(super) fn text(&self, tag: u16) -> Parsed<Option<String>> {
         let Some((kind, bytes)) = self.value(tag)? else {
             return Ok(None);
@@ -211,11 +218,7 @@ impl<'a> Directory<'a> {
                 format!("shorten it; up to {TEXT_MAX} are read"),
             ));
         }
-        let bytes = bytes.split(|&byte| byte == 0).next().unwrap_or(bytes);
-        Ok(Some(match std::str::from_utf8(bytes) {
-            Ok(text) => text.to_owned(),
-            Err(_) => bytes.iter().map(|&byte| char::from(byte)).collect(),
-        }))
+        Ok(Some(text::decode(bytes)))
     }
 }
 

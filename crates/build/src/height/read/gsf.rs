@@ -1,7 +1,10 @@
 //! Gwyddion simple field: a text header, NUL padding, 32-bit floats from the top row down.
 
+use super::binary::Binary;
+use super::config::ReadConfig;
 use super::refusal::{Parsed, Refusal};
-use super::stored::{Found, Line, RawScan, SampleKind, Sourced, Stored};
+use super::stored::{Found, RawScan, SampleKind, Sourced, Stored};
+use super::text;
 use super::tiff_pixels::checked_size;
 use super::unit::LengthUnit;
 
@@ -11,7 +14,10 @@ pub(super) const MAGIC: &[u8] = b"Gwyddion Simple Field 1.0\n";
 const HEADER_MAX: usize = 1 << 20;
 
 /// Reads a simple field.
-pub(super) fn read(bytes: &[u8], max_samples: usize) -> Parsed<RawScan> {
+pub(super) fn read(bytes: &[u8], config: &ReadConfig) -> Parsed<RawScan> {
+    if let Some(page) = config.page.filter(|&page| page > 0) {
+        return Err(Refusal::new(format!("a Gwyddion simple field has no page {page}"), "leave `page` out"));
+    }
     let end = bytes
         .iter()
         .take(HEADER_MAX)
@@ -22,8 +28,8 @@ pub(super) fn read(bytes: &[u8], max_samples: usize) -> Parsed<RawScan> {
     if bytes.get(end..data_at).is_none_or(|pad| pad.iter().any(|&byte| byte != 0)) {
         return Err(Refusal::damaged("its header is not padded with NULs"));
     }
-    let header =
-        std::str::from_utf8(&bytes[MAGIC.len()..end]).map_err(|_| Refusal::damaged("its header is not UTF-8"))?;
+    // UTF-8 by its definition; older programs write Latin-1.
+    let header = text::decode(&bytes[MAGIC.len()..end]);
     let field = |name: &str| {
         header.lines().find_map(|line| {
             let (key, value) = line.split_once('=')?;
@@ -37,29 +43,20 @@ pub(super) fn read(bytes: &[u8], max_samples: usize) -> Parsed<RawScan> {
             .filter(|&side| side > 0)
             .ok_or_else(|| Refusal::damaged(format!("{name} is {text:?}, not a number of samples")))
     };
-    let size = checked_size([side("XRes")?, side("YRes")?], max_samples)?;
-    let size = size.map(|side| side as usize);
-    let values = samples(&bytes[data_at..], size)?;
+    let size = checked_size([side("XRes")?, side("YRes")?], config.max_samples)?;
+    let [nx, ny] = size;
+    // No overflow: the number of samples has been checked, and sides are 32-bit.
+    let (needed, held) = (u64::from(nx) * u64::from(ny) * 4, bytes.len() - data_at);
+    if held as u64 != needed {
+        return Err(Refusal::damaged(format!("{nx} x {ny} samples need {needed} bytes; the file has {held}")));
+    }
+    let values = Binary::little(bytes).samples(data_at, size, SampleKind::F32)?;
     Ok(RawScan {
-        format: "GSF",
-        page: 0,
         channel: field("Title").map(str::to_owned),
-        stored: Stored { size, kind: SampleKind::F32, values },
-        no_data: None,
-        numbers: Line::IDENTITY,
         unit_nm: unit(field("ZUnits"), "ZUnits").map(|nm| Sourced::new(nm, "gsf header")),
         pitch_nm: pitch(size, &field),
-        warnings: Vec::new(),
+        ..RawScan::of("GSF", Stored::of(size, SampleKind::F32, values))
     })
-}
-
-fn samples(data: &[u8], [nx, ny]: [usize; 2]) -> Parsed<Vec<f64>> {
-    // No overflow: the number of samples has been checked, and sides are 32-bit.
-    let needed = nx as u64 * ny as u64 * 4;
-    if data.len() as u64 != needed {
-        return Err(Refusal::damaged(format!("{nx} x {ny} samples need {needed} bytes; the file has {}", data.len())));
-    }
-    Ok(data.chunks_exact(4).map(|word| f64::from(f32::from_le_bytes([word[0], word[1], word[2], word[3]]))).collect())
 }
 
 fn unit(text: Option<&str>, name: &str) -> Result<f64, String> {
@@ -70,12 +67,12 @@ fn unit(text: Option<&str>, name: &str) -> Result<f64, String> {
 }
 
 /// Real sizes are of the whole field.
-fn pitch<'h>(size: [usize; 2], field: &impl Fn(&str) -> Option<&'h str>) -> Found<[f64; 2]> {
+fn pitch<'h>(size: [u32; 2], field: &impl Fn(&str) -> Option<&'h str>) -> Found<[f64; 2]> {
     let unit_nm = unit(field("XYUnits"), "XYUnits")?;
-    let side = |name: &str, samples: usize| {
+    let side = |name: &str, samples: u32| {
         let text = field(name).ok_or_else(|| format!("its header has no {name}"))?;
         let extent: f64 = text.parse().map_err(|_| format!("its header's {name} is {text:?}, not a number"))?;
-        Ok::<f64, String>(extent * unit_nm / samples as f64)
+        Ok::<f64, String>(extent * unit_nm / f64::from(samples))
     };
     let pitch = [side("XReal", size[0])?, side("YReal", size[1])?];
     Ok(Sourced::new(pitch, "gsf header"))
@@ -91,6 +88,18 @@ mod tests {
         bytes.extend(std::iter::repeat_n(0, padding));
         bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
         bytes
+    }
+
+    fn read(bytes: &[u8], max_samples: usize) -> Parsed<RawScan> {
+        super::read(bytes, &ReadConfig { max_samples, ..ReadConfig::default() })
+    }
+
+    #[test]
+    fn headers_of_old_programs_are_latin_1() {
+        let mut bytes = field("XRes = 1\nYRes = 1\nXReal = 2\nYReal = 2\nXYUnits = um\nZUnits = nm\n", &[1.0]);
+        let at = bytes.windows(4).position(|window| window == b"= um").unwrap();
+        bytes[at + 2] = 0xB5;
+        assert_eq!(read(&bytes, 4).unwrap().pitch_nm.unwrap().value, [2000.0; 2]);
     }
 
     #[test]

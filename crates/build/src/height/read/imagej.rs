@@ -56,7 +56,6 @@ pub(super) fn check_stack(keys: &Description, directories: usize, asked: Option<
 
 /// Fills in what ImageJ knows of the scan. `first` is the directory with the description.
 pub(super) fn apply(scan: &mut RawScan, keys: &Description, first: &Directory) -> Parsed<()> {
-    scan.format = "ImageJ TIFF";
     scan.pitch_nm = pitch(keys, first, &mut scan.warnings)?;
     apply_line(scan, keys)?;
     scan.unit_nm = unit(scan, keys, first)?;

@@ -1,5 +1,6 @@
 //! JPK (Bruker NanoWizard) TIFF: one channel per page, each with several calibrations ("slots").
 
+use super::channels::{self, Channel};
 use super::config::ReadConfig;
 use super::directory::Directory;
 use super::refusal::{Parsed, Refusal};
@@ -8,9 +9,12 @@ use super::tiff_pixels;
 use super::unit::LengthUnit;
 
 const SCAN_SIZE: [u16; 2] = [0x8042, 0x8043];
+/// Angle of the fast axis in rad.
+const ANGLE: u16 = 0x8044;
 const REFLECT: u16 = 0x8045;
 const CHANNEL: u16 = 0x8050;
 const RETRACE: u16 = 0x8051;
+const ALGORITHM: u16 = 0x8053;
 const SLOTS: u16 = 0x8080;
 const DEFAULT_SLOT: u16 = 0x8081;
 /// Tags of the first slot; those of slot n lie n strides further.
@@ -23,104 +27,66 @@ const SLOT_STRIDE: u16 = 0x30;
 /// Slots whose tags fit below 65536.
 const SLOTS_MAX: u64 = 600;
 
-/// Channels that are heights, best first: by the height sensor, by its old name, by the piezo's voltage.
-const HEIGHTS: [&str; 3] = ["measuredHeight", "capacitiveSensorHeight", "height"];
-
 /// Whether the file carries JPK's private tags.
 pub(super) fn is_jpk(directories: &[Directory]) -> bool {
     SCAN_SIZE.iter().all(|&tag| directories[0].has(tag))
         && directories.iter().any(|directory| directory.has(DEFAULT_SLOT))
 }
 
-/// Reads the best height channel, or the page asked for.
+/// Reads the best height channel, or the one asked for.
 pub(super) fn read(directories: &[Directory], config: &ReadConfig) -> Parsed<RawScan> {
     let channels = channels(directories)?;
-    let page = choose(&channels, config.page)?;
+    let (place, remark) = channels::choose(&channels, config)?;
+    let page = channels[place].page;
     let directory = &directories[page];
     let mut stored = tiff_pixels::decode(directory, config.max_samples)?;
     // The bottom row comes first, unless the scan was mirrored.
-    let reflected = directories[0].number(REFLECT)?.unwrap_or(0.0) != 0.0;
+    let reflected = number(&directories[0], REFLECT).unwrap_or(0.0) != 0.0;
     if !reflected {
         stored.flip_rows();
     }
-    let mut warnings = Vec::new();
-    let chosen = channels.iter().find(|channel| channel.page == page);
-    let others = channels.iter().filter(|channel| channel.page != page && channel.rank().is_some()).count();
-    if config.page.is_none() && others > 0 {
-        warnings.push(format!("page {page} is read; {others} other pages hold heights too (set `page` to choose)"));
-    }
-    let (numbers, unit_nm) = default_slot(directory)?;
-    Ok(RawScan {
-        format: "JPK TIFF",
+    let pitch_nm = pitch(&directories[0], stored.size);
+    let mut scan = RawScan {
         page,
-        channel: chosen.map(Channel::label),
-        pitch_nm: pitch(&directories[0], stored.size)?,
-        stored,
-        no_data: None,
-        numbers,
-        unit_nm,
-        warnings,
-    })
-}
-
-/// One page with a channel name. Page 0 is the thumbnail.
-struct Channel {
-    page: usize,
-    name: String,
-    retrace: bool,
-}
-
-impl Channel {
-    /// Place in the order of preference; `None` for what is not a height.
-    fn rank(&self) -> Option<(usize, bool)> {
-        let place = HEIGHTS.iter().position(|name| *name == self.name)?;
-        Some((place, self.retrace))
+        channel: Some(channels[place].name.clone()),
+        pitch_nm,
+        angle_deg: number(&directories[0], ANGLE).map(f64::to_degrees),
+        warnings: remark.into_iter().collect(),
+        ..RawScan::of("JPK TIFF", stored)
+    };
+    match default_slot(directory) {
+        Ok((numbers, unit_nm)) => (scan.numbers, scan.unit_nm) = (numbers, unit_nm),
+        Err(refusal) => scan.unit_nm = Err(refusal.what),
     }
-
-    fn label(&self) -> String {
-        let direction = if self.retrace { "retrace" } else { "trace" };
-        format!("{} ({direction})", self.name)
-    }
+    Ok(scan)
 }
 
+/// A number of a tag that may be left out or broken.
+fn number(directory: &Directory, tag: u16) -> Option<f64> {
+    directory.number(tag).ok().flatten()
+}
+
+/// The pages with a channel's name. Page 0 is the thumbnail.
 fn channels(directories: &[Directory]) -> Parsed<Vec<Channel>> {
     let mut channels = Vec::new();
     for (page, directory) in directories.iter().enumerate().skip(1) {
         if let Some(name) = directory.text(CHANNEL)? {
-            channels.push(Channel {
-                page,
-                name: name.trim().to_owned(),
-                retrace: directory.number(RETRACE)?.unwrap_or(0.0) != 0.0,
-            });
+            let direction = if number(directory, RETRACE).unwrap_or(0.0) != 0.0 { "retrace" } else { "trace" };
+            let name = match derived(directory) {
+                Some(made) => format!("{}, {made} ({direction})", name.trim()),
+                None => format!("{} ({direction})", name.trim()),
+            };
+            channels.push(Channel { page, name, is_length: None });
         }
     }
     Ok(channels)
 }
 
-fn choose(channels: &[Channel], asked: Option<usize>) -> Parsed<usize> {
-    let list = || {
-        let names: Vec<_> =
-            channels.iter().map(|channel| format!("page {}: {}", channel.page, channel.label())).collect();
-        names.join("; ")
-    };
-    if let Some(page) = asked {
-        return if channels.iter().any(|channel| channel.page == page) {
-            Ok(page)
-        } else {
-            Err(Refusal::new(
-                format!("page {page} holds no channel ({})", list()),
-                "set `page` to one of these, or leave it out",
-            ))
-        };
-    }
-    channels.iter().filter_map(|channel| Some((channel.rank()?, channel.page))).min().map(|(_, page)| page).ok_or_else(
-        || {
-            Refusal::new(
-                format!("no channel of this JPK file is a height ({})", list()),
-                "export measuredHeight or height; or set `page` to a channel with a length unit",
-            )
-        },
-    )
+/// What a map of force curves made of a channel, such as its height at another force: the page then has the channel's own name too.
+fn derived(directory: &Directory) -> Option<String> {
+    let text = directory.text(ALGORITHM).ok()??;
+    let name = text.lines().find_map(|line| line.trim().strip_prefix("algorithm.object-name.fancy-name"))?;
+    Some(name.trim_start_matches([' ', ':', '=']).trim().to_owned()).filter(|name| !name.is_empty())
 }
 
 /// The line and unit of the slot that the page names as its default. Every slot leads from the stored
@@ -168,11 +134,11 @@ fn scaling(directory: &Directory, tag: impl Fn(u16) -> u16) -> Parsed<Line> {
 }
 
 /// Scan size over samples; the tags hold the whole scan's size in metres.
-fn pitch(first: &Directory, size: [usize; 2]) -> Parsed<Found<[f64; 2]>> {
+fn pitch(first: &Directory, size: [usize; 2]) -> Found<[f64; 2]> {
     let mut pitch = [0.0; 2];
     for axis in 0..2 {
-        let extent_m = first.number(SCAN_SIZE[axis])?.unwrap_or(f64::NAN);
+        let extent_m = first.number(SCAN_SIZE[axis]).map_err(|refusal| refusal.what)?.unwrap_or(f64::NAN);
         pitch[axis] = extent_m * 1e9 / size[axis] as f64;
     }
-    Ok(Ok(Sourced::new(pitch, "JPK scan size")))
+    Ok(Sourced::new(pitch, "JPK scan size"))
 }

@@ -17,22 +17,31 @@ pub(super) fn is_ome(description: &str) -> bool {
 
 /// Fills in what the OME-XML says of the page.
 pub(super) fn apply(scan: &mut RawScan, description: &str) -> Parsed<()> {
-    scan.format = "OME-TIFF";
     scan.unit_nm = Err("OME-TIFF has no height unit".to_owned());
-    let options = ParsingOptions { nodes_limit: NODES_MAX, ..ParsingOptions::default() };
-    let document = Document::parse_with_options(description.trim(), options)
-        .map_err(|error| Refusal::damaged(format!("its OME-XML is not XML: {error}")))?;
+    let document = parsed(description)?;
     let Some(pixels) = pixels_of(&document, scan.page) else {
         scan.pitch_nm = Err("its OME-XML does not describe this page".to_owned());
         return Ok(());
     };
     scan.pitch_nm = pitch(pixels);
-    // Which of several channels a page holds depends on the order of dimensions; one is certain.
-    let mut channels = pixels.children().filter(|node| node.has_tag_name_of("Channel"));
-    if let (Some(channel), None) = (channels.next(), channels.next()) {
-        scan.channel = channel.attribute("Name").map(str::to_owned);
-    }
     Ok(())
+}
+
+fn parsed(description: &str) -> Parsed<Document<'_>> {
+    let options = ParsingOptions { nodes_limit: NODES_MAX, ..ParsingOptions::default() };
+    Document::parse_with_options(description.trim(), options)
+        .map_err(|error| Refusal::damaged(format!("its OME-XML is not XML: {error}")))
+}
+
+/// The channel that each of `pages` pages holds, where that is certain: one image, and a page for each of its channels.
+pub(super) fn names(description: &str, pages: usize) -> Vec<Option<String>> {
+    let none = vec![None; pages];
+    let Ok(document) = parsed(description) else { return none };
+    let mut all = document.descendants().filter(|node| node.has_tag_name_of("Pixels"));
+    let (Some(pixels), None) = (all.next(), all.next()) else { return none };
+    let channels = pixels.children().filter(|node| node.has_tag_name_of("Channel"));
+    let names: Vec<_> = channels.map(|channel| channel.attribute("Name").map(str::to_owned)).collect();
+    if names.len() == pages { names } else { none }
 }
 
 /// Compares local names: the namespace differs between OME versions.

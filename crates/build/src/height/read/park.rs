@@ -1,5 +1,7 @@
 //! Park Systems TIFF (SmartScan, XEI): heights in a private tag behind a palette preview.
 
+use super::binary::Binary;
+use super::channels::{self, Channel, Named};
 use super::config::ReadConfig;
 use super::directory::Directory;
 use super::refusal::{Parsed, Refusal};
@@ -37,23 +39,25 @@ struct Header {
 
 /// Reads the height map.
 pub(super) fn read(directory: &Directory, config: &ReadConfig) -> Parsed<RawScan> {
-    if config.page.is_some_and(|page| page > 0) {
-        return Err(Refusal::new("a Park TIFF has one page (page 0)", "leave `page` out"));
-    }
     let header =
         Header::new(directory.bytes(TAG_HEADER)?.unwrap_or_default(), directory.unsigned(50433)?.unwrap_or(0))?;
-    let channel = header.source.to_lowercase();
-    let is_height = ["height", "topography", "z detector", "z drive"].iter().any(|name| channel.contains(name));
-    if !is_height && config.height.is_none() {
+    let channel = Channel { page: 0, name: header.source.clone(), is_length: None };
+    let is_asked = config.page.is_some() || config.channel.is_some() || config.height.is_some();
+    if !is_asked && !matches!(channels::named(&header.source), Named::Height(_)) {
         return Err(Refusal::new(
             format!("its channel is {:?}, not a height", header.source),
-            "export the height or topography channel; or, if this one is a height after all, say \
-             what its numbers mean: `height = { unit = \"um\" }`",
+            format!(
+                "export the height or topography channel; or, if this one is a height after all, ask for it: {}",
+                config.words.channel.replace("{}", &header.source)
+            ),
         ));
     }
+    if config.page.is_some() || config.channel.is_some() {
+        channels::choose(&[channel], config)?;
+    }
     let size = checked_size(header.size, config.max_samples)?;
-    let values = samples(directory.bytes(TAG_DATA)?.unwrap_or_default(), size, header.kind)?;
-    let mut stored = Stored { size: size.map(|side| side as usize), kind: header.kind, values };
+    let data = Binary::little(directory.bytes(TAG_DATA)?.unwrap_or_default());
+    let mut stored = Stored::of(size, header.kind, data.samples(0, size, header.kind)?);
     // The bottom row comes first.
     stored.flip_rows();
     let unit_nm = LengthUnit::parse(&header.z_unit)
@@ -61,15 +65,11 @@ pub(super) fn read(directory: &Directory, config: &ReadConfig) -> Parsed<RawScan
         .ok_or_else(|| format!("its Park header's z unit is {:?}, not a length", header.z_unit));
     let pitch = [0, 1].map(|axis| header.extent_um[axis] * 1e3 / header.size[axis] as f64);
     Ok(RawScan {
-        format: "Park TIFF",
-        page: 0,
         channel: Some(header.source),
-        stored,
-        no_data: None,
         numbers: Line { scale: header.gain * header.z_scale, offset: header.gain * header.z_offset },
         unit_nm,
         pitch_nm: Ok(Sourced::new(pitch, "Park header")),
-        warnings: Vec::new(),
+        ..RawScan::of("Park TIFF", stored)
     })
 }
 
@@ -138,22 +138,4 @@ fn float(bytes: &[u8], at: usize) -> f64 {
 fn text(bytes: &[u8]) -> String {
     let units = bytes.chunks_exact(2).map(|pair| u16::from_le_bytes([pair[0], pair[1]])).take_while(|&unit| unit != 0);
     char::decode_utf16(units).map(|character| character.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
-}
-
-fn samples(bytes: &[u8], size: [u32; 2], kind: SampleKind) -> Parsed<Vec<f64>> {
-    let needed = size[0] as usize * size[1] as usize * kind.bytes();
-    let Some(bytes) = bytes.get(..needed) else {
-        return Err(Refusal::damaged(format!(
-            "its Park data have {} bytes; {} x {} samples need {needed}",
-            bytes.len(),
-            size[0],
-            size[1]
-        )));
-    };
-    let values = bytes.chunks_exact(kind.bytes());
-    Ok(match kind {
-        SampleKind::I16 => values.map(|word| f64::from(i16::from_le_bytes([word[0], word[1]]))).collect(),
-        SampleKind::I32 => values.map(|word| f64::from(integer(word, 0))).collect(),
-        _ => values.map(|word| f64::from(f32::from_bits(integer(word, 0) as u32))).collect(),
-    })
 }

@@ -11,7 +11,7 @@ pub struct Provenance {
     pub file_name: String,
     /// SHA-256 of the whole file, hexadecimal.
     pub sha256: String,
-    /// "ImageJ TIFF", "OME-TIFF", "Park TIFF", "JPK TIFF", "TIFF" or "GSF".
+    /// The format's name, such as "ImageJ TIFF", "JPK TIFF", "Gwyddion" or "Nanoscope".
     pub format: String,
     /// The page read, counted from 0.
     pub page: usize,
@@ -29,6 +29,10 @@ pub struct Provenance {
     pub missing_samples: usize,
     /// The channel's name, where the file gives one.
     pub channel: Option<String>,
+    /// By how much the fast scan axis was turned against the instrument's x, counterclockwise in degrees, where the file says. The
+    /// heights are in the scan's own axes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angle_deg: Option<f64>,
     /// What a careful user wants to know: overruled or contradictory statements, filled samples.
     pub warnings: Vec<String>,
 }

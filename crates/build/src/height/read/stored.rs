@@ -78,6 +78,10 @@ pub(super) struct Stored {
 }
 
 impl Stored {
+    pub(super) fn of(size: [u32; 2], kind: SampleKind, values: Vec<f64>) -> Self {
+        Self { size: size.map(|side| side as usize), kind, values }
+    }
+
     /// Puts the last row first.
     pub(super) fn flip_rows(&mut self) {
         let [nx, ny] = self.size;
@@ -137,7 +141,27 @@ pub(super) struct RawScan {
     pub(super) unit_nm: Found<f64>,
     /// Sample spacing in nm along x and y.
     pub(super) pitch_nm: Found<[f64; 2]>,
+    /// By how much the scanner's fast axis is turned against x, counterclockwise, in degrees.
+    pub(super) angle_deg: Option<f64>,
     pub(super) warnings: Vec<String>,
+}
+
+impl RawScan {
+    /// Samples of which nothing else is known.
+    pub(super) fn of(format: &'static str, stored: Stored) -> Self {
+        Self {
+            format,
+            page: 0,
+            channel: None,
+            stored,
+            no_data: None,
+            numbers: Line::IDENTITY,
+            unit_nm: Err("nothing in the file gives a height unit".to_owned()),
+            pitch_nm: Err("nothing in the file gives a pixel size".to_owned()),
+            angle_deg: None,
+            warnings: Vec::new(),
+        }
+    }
 }
 
 #[cfg(test)]

@@ -4,8 +4,10 @@
 //! bytes and nothing else. What would mislead the decoder never reaches it: loops, private tags, byte
 //! counts that are missing, too large or beyond the file, and WhiteIsZero, which it inverts silently.
 
-use std::io::Cursor;
+use std::borrow::Cow;
+use std::io::{Cursor, Read};
 
+use ruzstd::decoding::StreamingDecoder;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
 
 use super::directory::Directory;
@@ -17,12 +19,23 @@ use super::stored::{SampleKind, Stored};
 pub(super) struct Page {
     pub(super) size: [u64; 2],
     pub(super) content: Content,
+    /// What a second number per pixel is, where there is one.
+    pub(super) second: Option<Second>,
     /// 0 WhiteIsZero, 1 BlackIsZero.
     pub(super) photometric: u64,
     /// Marked as a thumbnail, a level of a pyramid or a mask.
     pub(super) preview: bool,
     /// TIFF orientation, 1 to 8.
     pub(super) orientation: u64,
+}
+
+/// What the second number of a pixel is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Second {
+    /// Opacity: 0 where there is no sample.
+    Mask,
+    /// Another channel, of which the file says nothing.
+    Channel,
 }
 
 /// Whether a page can be heights at all.
@@ -46,8 +59,13 @@ impl Page {
         let samples = or(277, 1)?;
         let content = match photometric {
             3 => Content::Palette,
-            0 | 1 if samples == 1 => grey(or(258, 1)?, or(339, 1)?),
+            0 | 1 if matches!(samples, 1 | 2) => grey(all_alike(directory, 258)?, all_alike(directory, 339)?),
             _ => Content::Colour,
+        };
+        let second = match or(338, 0)? {
+            _ if samples != 2 => None,
+            1 | 2 => Some(Second::Mask),
+            _ => Some(Second::Channel),
         };
         let required = |tag: u16, name: &str| {
             directory
@@ -58,6 +76,7 @@ impl Page {
         Ok(Self {
             size: [required(256, "width")?, required(257, "height")?],
             content,
+            second,
             photometric,
             preview: or(254, 0)? & 0b101 != 0 || or(255, 1)? == 2,
             orientation: or(274, 1)?,
@@ -73,9 +92,21 @@ impl Page {
             Content::Colour => "colour picture".to_owned(),
             Content::Palette => "palette picture".to_owned(),
         };
-        let mark = if self.preview { ", a preview" } else { "" };
+        let mark = match (self.preview, self.second) {
+            (true, _) => ", a preview",
+            (false, Some(Second::Mask)) => " with a mask",
+            (false, Some(Second::Channel)) => ", two channels",
+            (false, None) => "",
+        };
         format!("{nx} x {ny} {content}{mark}")
     }
+}
+
+/// A tag with one value for each number of a pixel, 1 by default; 0 where they differ.
+fn all_alike(directory: &Directory, tag: u16) -> Parsed<u64> {
+    let values = directory.unsigned_list(tag)?.unwrap_or_else(|| vec![1]);
+    let first = values.first().copied().unwrap_or(0);
+    Ok(if values.iter().all(|&value| value == first) { first } else { 0 })
 }
 
 fn grey(bits: u64, format: u64) -> Content {
@@ -99,32 +130,39 @@ struct Layout<'a> {
     kind: SampleKind,
     compression: u64,
     predictor: u64,
+    /// Numbers of a pixel that lie side by side, 1 or 2.
+    interleaved: usize,
     tiled: bool,
     chunk_size: [u32; 2],
-    chunks: Vec<&'a [u8]>,
+    chunks: Vec<Cow<'a, [u8]>>,
 }
 
-/// Decodes a grey page; rows in the file's order, numbers as stored whatever the photometric tag says.
+/// Decodes a grey page; rows in the file's order, numbers as stored whatever the photometric tag says. Of two numbers per pixel the
+/// first is returned; where the second is a mask, NaN stands where that is 0, unless it is 0 everywhere.
 pub(super) fn decode(directory: &Directory, max_samples: usize) -> Parsed<Stored> {
-    let layout = Layout::new(directory, max_samples)?;
-    let samples = layout.size[0] as usize * layout.size[1] as usize;
-    let file = directory.file();
-    let packed = layout.pack(file.little_endian);
-    let limits = {
-        let mut limits = Limits::default();
-        limits.decoding_buffer_size = samples * layout.kind.bytes();
-        limits.intermediate_buffer_size = packed.len();
-        limits
-    };
-    let cannot_decode = |error: tiff::TiffError| Refusal::damaged(format!("its pixels cannot be decoded: {error}"));
-    let mut decoder = Decoder::new(Cursor::new(packed)).map_err(cannot_decode)?.with_limits(limits);
-    let values = as_f64(decoder.read_image().map_err(cannot_decode)?);
-    match values {
-        Some(values) if values.len() == samples => {
-            Ok(Stored { size: layout.size.map(|side| side as usize), kind: layout.kind, values })
+    let page = Page::new(directory)?;
+    let planar = page.second.is_some() && directory.unsigned(284)? == Some(2);
+    let first = Layout::new(directory, &page, max_samples, 0)?;
+    let (size, kind) = (first.size, first.kind);
+    let (mut values, mask) = match (page.second, planar) {
+        (None, _) => (first.decode(directory)?, None),
+        (Some(second), false) => {
+            let pairs = first.decode(directory)?;
+            let of = |place: usize| pairs.iter().skip(place).step_by(2).copied().collect::<Vec<_>>();
+            (of(0), (second == Second::Mask).then(|| of(1)))
         }
-        _ => Err(Refusal::damaged("its pixels decode to another number of samples than it claims")),
+        (Some(second), true) => {
+            let values = first.decode(directory)?;
+            let decode_mask = || Layout::new(directory, &page, max_samples, 1)?.decode(directory);
+            (values, (second == Second::Mask).then(decode_mask).transpose()?)
+        }
+    };
+    if let Some(mask) = mask.filter(|mask| mask.iter().any(|&opacity| opacity != 0.0)) {
+        for (value, _) in values.iter_mut().zip(mask).filter(|(_, opacity)| *opacity == 0.0) {
+            *value = f64::NAN;
+        }
     }
+    Ok(Stored::of(size, kind, values))
 }
 
 /// Widens every type that [`SampleKind`] lists; exact.
@@ -147,9 +185,9 @@ fn as_f64(result: DecodingResult) -> Option<Vec<f64>> {
 }
 
 impl<'a> Layout<'a> {
-    fn new(directory: &Directory<'a>, max_samples: usize) -> Parsed<Self> {
-        let page = Page::new(directory)?;
-        let kind = heights_kind(&page)?;
+    /// The layout of plane `plane`, where the numbers of a pixel lie in planes.
+    fn new(directory: &Directory<'a>, page: &Page, max_samples: usize, plane: usize) -> Parsed<Self> {
+        let kind = heights_kind(page)?;
         let size = checked_size(page.size, max_samples)?;
         let or = |tag: u16, default: u64| Ok(directory.unsigned(tag)?.unwrap_or(default));
         let compression = or(259, 1)?;
@@ -157,7 +195,8 @@ impl<'a> Layout<'a> {
         let predictor = or(317, 1)?;
         let fits = match predictor {
             1 => true,
-            2 => kind.range().is_some(),
+            // On floating-point samples, too, differences are taken of the bits as integers.
+            2 => true,
             3 => kind.range().is_none(),
             _ => false,
         };
@@ -183,9 +222,44 @@ impl<'a> Layout<'a> {
         if chunk_size.contains(&0) {
             return Err(Refusal::damaged("its strips or tiles are empty"));
         }
-        let mut layout = Self { size, kind, compression, predictor, tiled, chunk_size, chunks: Vec::new() };
-        layout.chunks = layout.find_chunks(directory)?;
+        let is_planar = page.second.is_some() && or(284, 1)? == 2;
+        let interleaved = if page.second.is_some() && !is_planar { 2 } else { 1 };
+        let mut layout =
+            Self { size, kind, compression, predictor, interleaved, tiled, chunk_size, chunks: Vec::new() };
+        layout.chunks = layout.find_chunks(directory, plane)?;
+        if compression == ZSTANDARD {
+            layout.unpack_zstandard()?;
+        }
         Ok(layout)
+    }
+
+    /// The numbers of the page, those of a pixel side by side.
+    fn decode(&self, directory: &Directory) -> Parsed<Vec<f64>> {
+        let numbers = self.size[0] as usize * self.size[1] as usize * self.interleaved;
+        let packed = self.pack(directory.file().little_endian);
+        let mut limits = Limits::default();
+        limits.decoding_buffer_size = numbers * self.kind.bytes();
+        limits.intermediate_buffer_size = packed.len();
+        let cannot_decode = |error: tiff::TiffError| Refusal::damaged(format!("its pixels cannot be decoded: {error}"));
+        let mut decoder = Decoder::new(Cursor::new(packed)).map_err(cannot_decode)?.with_limits(limits);
+        let values = as_f64(decoder.read_image().map_err(cannot_decode)?);
+        values
+            .filter(|values| values.len() == numbers)
+            .ok_or_else(|| Refusal::damaged("its pixels decode to another number of samples than it claims"))
+    }
+
+    /// Decompresses what the TIFF decoder does not, each chunk to the size that it must have.
+    fn unpack_zstandard(&mut self) -> Parsed<()> {
+        for index in 0..self.chunks.len() {
+            let damaged = || Refusal::damaged(format!("strip or tile {index} is not whole Zstandard data"));
+            // No overflow: the chunk is at most `largest_expansion` times as long as its stored bytes.
+            let mut decoded = vec![0; self.chunk_bytes(index) as usize];
+            let mut stream = StreamingDecoder::new(self.chunks[index].as_ref()).map_err(|_| damaged())?;
+            stream.read_exact(&mut decoded).map_err(|_| damaged())?;
+            self.chunks[index] = Cow::Owned(decoded);
+        }
+        self.compression = 1;
+        Ok(())
     }
 
     /// Decoded bytes of one chunk: tiles are stored whole, the last strip only as far as it goes.
@@ -197,28 +271,29 @@ impl<'a> Layout<'a> {
             let above = index as u64 * u64::from(self.chunk_size[1]);
             (u64::from(self.size[1]) - above).min(u64::from(self.chunk_size[1])) as u32
         };
-        u64::from(self.chunk_size[0]) * u64::from(rows) * self.kind.bytes() as u64
+        u64::from(self.chunk_size[0]) * u64::from(rows) * (self.kind.bytes() * self.interleaved) as u64
     }
 
     /// The compressed bytes of every chunk, checked against file and decoded size.
-    fn find_chunks(&self, directory: &Directory<'a>) -> Parsed<Vec<&'a [u8]>> {
+    fn find_chunks(&self, directory: &Directory<'a>, plane: usize) -> Parsed<Vec<Cow<'a, [u8]>>> {
         let [across, down] = [0, 1].map(|axis| self.size[axis].div_ceil(self.chunk_size[axis]) as usize);
         let count = across * down;
+        let (start, end) = (plane * count, (plane + 1) * count);
         let (offsets_tag, counts_tag) = if self.tiled { (324, 325) } else { (273, 279) };
         let offsets = directory.unsigned_list(offsets_tag)?.unwrap_or_default();
         let counts = directory.unsigned_list(counts_tag)?;
-        if offsets.len() < count || counts.as_ref().is_some_and(|counts| counts.len() < count) {
-            return Err(Refusal::damaged(format!("it needs {count} strips or tiles but lists fewer")));
+        if offsets.len() < end || counts.as_ref().is_some_and(|counts| counts.len() < end) {
+            return Err(Refusal::damaged(format!("it needs {end} strips or tiles but lists fewer")));
         }
         let file = directory.file().bytes;
         let mut total = 0;
         let mut chunks = Vec::with_capacity(count);
-        for (index, &offset) in offsets[..count].iter().enumerate() {
+        for (index, &offset) in offsets[start..end].iter().enumerate() {
             let decoded = self.chunk_bytes(index);
             let stored = match (&counts, self.compression) {
                 // Some programs count bits instead of bytes: what is not needed is not looked at.
-                (Some(counts), 1) => counts[index].min(decoded),
-                (Some(counts), _) => counts[index],
+                (Some(counts), 1) => counts[start + index].min(decoded),
+                (Some(counts), _) => counts[start + index],
                 (None, 1) => decoded,
                 (None, _) if count == 1 => (file.len() as u64).saturating_sub(offset),
                 (None, _) => {
@@ -242,7 +317,7 @@ impl<'a> Layout<'a> {
                 )));
             }
             total += chunk.len();
-            chunks.push(chunk);
+            chunks.push(Cow::Borrowed(chunk));
         }
         if total > file.len() {
             return Err(Refusal::damaged("its strips or tiles overlap"));
@@ -266,7 +341,7 @@ impl<'a> Layout<'a> {
             (258, self.kind.bytes() as u64 * 8),
             (259, self.compression),
             (262, 1),
-            (277, 1),
+            (277, self.interleaved as u64),
             (317, self.predictor),
             (339, sample_format(self.kind)),
             (offsets_tag, 0),
@@ -305,12 +380,17 @@ impl<'a> Layout<'a> {
             } else {
                 (3, 1, value)
             };
+            // Of two numbers per pixel each has an entry, of the same value.
+            let (count, value) = match tag {
+                258 | 339 if self.interleaved == 2 => (2, value << 16 | value),
+                _ => (count, value),
+            };
             packed.extend(bytes_of(u64::from(tag), 2));
             packed.extend(bytes_of(kind, 2));
             packed.extend(bytes_of(count, 8));
             // Short values stand at the front of the field.
             let width = match kind {
-                3 => 2,
+                3 => 2 * count as usize,
                 4 => 4,
                 _ => 8,
             };
@@ -354,6 +434,10 @@ fn heights_kind(page: &Page) -> Parsed<SampleKind> {
             format!("{bits}-bit samples of TIFF sample format {format} are not read as heights"),
             EXPORT,
         )),
+        Content::Colour if page.photometric <= 1 => Err(Refusal::new(
+            "each of its pixels holds three or more numbers, and which is the height is not said",
+            EXPORT,
+        )),
         Content::Colour => Err(Refusal::new(
             "this is a colour picture (a rendered figure or a photograph), not a height scan: \
              colours, rulers and legends have no heights",
@@ -374,28 +458,31 @@ pub(super) fn checked_size(size: [u64; 2], max_samples: usize) -> Parsed<[u32; 2
 
 fn check_compression(compression: u64) -> Parsed<()> {
     let name = match compression {
-        1 | 5 | 8 | 32946 | 32773 => return Ok(()),
+        1 | 5 | 8 | 32946 | 32773 | ZSTANDARD => return Ok(()),
         2..=4 => "fax",
         6 | 7 => "JPEG",
         34712 => "JPEG 2000",
         34925 => "LZMA",
-        50000 => "Zstandard",
         50001 => "WebP",
         _ => "unknown",
     };
     Err(Refusal::new(
         format!("its compression ({compression}, {name}) is not read"),
-        "save the TIFF without compression, or with LZW or Deflate",
+        "save the TIFF without compression, or with LZW, Deflate or Zstandard",
     ))
 }
 
+/// The number that libtiff gives to Zstandard.
+const ZSTANDARD: u64 = 50000;
+
 /// Upper bound of decoded bytes per stored byte. Deflate: 258 bytes by two 1-bit codes; PackBits: 128
-/// by 2 bytes; LZW: at most 4096 bytes by 9 bits, codes growing by one byte each time.
+/// by 2 bytes; LZW: at most 4096 bytes by 9 bits, codes growing by one byte each time; Zstandard: a block of 128 KiB by 4 bytes.
 fn largest_expansion(compression: u64) -> u64 {
     match compression {
         1 => 1,
         32773 => 64,
         5 => 3641,
+        ZSTANDARD => 32768,
         _ => 1032,
     }
 }
