@@ -3,7 +3,8 @@
 use std::path::Path;
 
 /// Folders at the root whose paths documents write in full.
-const FOLDERS: [&str; 8] = ["src/", "crates/", "tests/", "docs/", "examples/", "benches/", "specimens/", ".ci/"];
+const FOLDERS: [&str; 9] =
+    ["src/", "crates/", "tests/", "docs/", "examples/", "benches/", "specimens/", "tools/", ".ci/"];
 
 /// Paths in backticks, from the root, and links, from the document's own folder, that lead nowhere. A path with a placeholder or a
 /// pattern in it is none.
