@@ -91,7 +91,7 @@ fn horizontal_predictor_on_floats_of_every_width() {
 
 /// A frame of one raw block: magic, single segment with one byte of size, last block of type 0.
 fn zstandard(content: &[u8]) -> Vec<u8> {
-    let header = ((content.len() as u32) << 3 | 1).to_le_bytes();
+    let header = (((content.len() as u32) << 3) | 1).to_le_bytes();
     [&[0x28, 0xB5, 0x2F, 0xFD, 0x20, content.len() as u8][..], &header[..3], content].concat()
 }
 

@@ -16,7 +16,7 @@ const HEADER_MAX: usize = 1 << 20;
 /// Reads a simple field.
 pub(super) fn read(bytes: &[u8], config: &ReadConfig) -> Parsed<RawScan> {
     if let Some(page) = config.page.filter(|&page| page > 0) {
-        return Err(Refusal::new(format!("a Gwyddion simple field has no page {page}"), "leave `page` out"));
+        return Err(Refusal::new(format!("a Gwyddion simple field has no page {page}"), "leave the page out"));
     }
     let end = bytes
         .iter()

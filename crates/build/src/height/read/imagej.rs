@@ -1,5 +1,6 @@
 //! Calibration in ImageJ's manner: the description's keys, the resolution tags, the image's own info text.
 
+use super::config::ReadConfig;
 use super::directory::Directory;
 use super::free_text;
 use super::refusal::{Parsed, Refusal};
@@ -43,12 +44,12 @@ pub(super) fn parse(text: &str) -> Option<Description> {
 }
 
 /// Refuses to choose from a stack whose images have no directory each, as ImageJ saves very large ones.
-pub(super) fn check_stack(keys: &Description, directories: usize, asked: Option<usize>) -> Parsed<()> {
+pub(super) fn check_stack(keys: &Description, directories: usize, config: &ReadConfig) -> Parsed<()> {
     let images: Option<usize> = keys.images.as_deref().and_then(|text| text.parse().ok());
     match images {
-        Some(images) if images > directories && asked.is_none() => Err(Refusal::new(
+        Some(images) if images > directories && config.page.is_none() => Err(Refusal::new(
             format!("a stack of {images} images of which only {directories} can be told apart"),
-            "save the scan alone, or add `page = 0` to read the first image",
+            format!("save the scan alone, or read the first image: {}", config.words.page.replace("{}", "0")),
         )),
         _ => Ok(()),
     }

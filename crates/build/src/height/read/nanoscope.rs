@@ -263,7 +263,6 @@ fn pitch(image: &List, scan: Option<&List>, own: [u64; 2], size: [u64; 2]) -> Fo
     let (fast, rest) = number_and_unit(text).ok_or_else(unclear)?;
     let (slow, unit) = number_and_unit(rest).unwrap_or((fast, rest));
     let nm = |unit: &str| length(unit).map(|unit| unit.value).map_err(|_| unclear());
-    let mut extent_nm = [fast * nm(unit)?, slow * nm(unit)?];
     let of_scan = |key: &str| number_and_unit(scan?.get(key)?);
     if let Some(((fast, fast_unit), (slow, slow_unit))) = of_scan("scan size").zip(of_scan("slow axis size")) {
         let stated = [fast * nm(fast_unit)?, slow * nm(slow_unit)?];
@@ -278,8 +277,6 @@ fn pitch(image: &List, scan: Option<&List>, own: [u64; 2], size: [u64; 2]) -> Fo
         ));
     }
     // The image's size belongs to the image's own samples.
-    for axis in 0..2 {
-        extent_nm[axis] /= own[axis] as f64;
-    }
-    Ok(Sourced::new(extent_nm, "Nanoscope scan size"))
+    let pitch = [fast * nm(unit)? / own[0] as f64, slow * nm(unit)? / own[1] as f64];
+    Ok(Sourced::new(pitch, "Nanoscope scan size"))
 }

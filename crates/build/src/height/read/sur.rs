@@ -118,14 +118,12 @@ fn unpack(binary: Binary, at: usize, size: [u32; 2], kind: SampleKind) -> Parsed
 }
 
 fn pitch(binary: Binary) -> Parsed<Found<[f64; 2]>> {
-    let mut pitch = [0.0; 2];
-    for axis in 0..2 {
-        match length(&binary.text(180 + 16 * axis, 16)?, "pixels") {
-            Ok(unit) => pitch[axis] = binary.f32(120 + 4 * axis)? * unit.value,
-            Err(reason) => return Ok(Err(reason)),
-        }
-    }
-    Ok(Ok(Sourced::new(pitch, "Digital Surf header")))
+    let units = [length(&binary.text(180, 16)?, "pixels"), length(&binary.text(196, 16)?, "pixels")];
+    let steps = [binary.f32(120)?, binary.f32(124)?];
+    Ok(match units {
+        [Ok(x), Ok(y)] => Ok(Sourced::new([steps[0] * x.value, steps[1] * y.value], "Digital Surf header")),
+        [Err(reason), _] | [_, Err(reason)] => Err(reason),
+    })
 }
 
 fn length(unit: &str, what: &str) -> Found<f64> {

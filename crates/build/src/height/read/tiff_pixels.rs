@@ -382,7 +382,7 @@ impl<'a> Layout<'a> {
             };
             // Of two numbers per pixel each has an entry, of the same value.
             let (count, value) = match tag {
-                258 | 339 if self.interleaved == 2 => (2, value << 16 | value),
+                258 | 339 if self.interleaved == 2 => (2, (value << 16) | value),
                 _ => (count, value),
             };
             packed.extend(bytes_of(u64::from(tag), 2));

@@ -44,7 +44,7 @@ fn read_plain(directories: &[Directory], config: &ReadConfig) -> Parsed<RawScan>
     }
     scan.no_data = no_data(directory, &mut scan.warnings);
     if let Some(description) = imagej::parse(&first_description) {
-        imagej::check_stack(&description, directories.len(), config.page)?;
+        imagej::check_stack(&description, directories.len(), config)?;
         scan.format = "ImageJ TIFF";
         let applied = imagej::apply(&mut scan, &description, &directories[0]);
         keep_going(&mut scan, applied);

@@ -129,7 +129,7 @@ fn mask(values: &mut [f64], bits: &[u8]) -> Parsed<()> {
         return Err(Refusal::damaged("its mask of valid points is cut short"));
     }
     for (index, value) in values.iter_mut().enumerate() {
-        if bits[index / 8] >> (index % 8) & 1 == 0 {
+        if (bits[index / 8] >> (index % 8)) & 1 == 0 {
             *value = f64::NAN;
         }
     }
