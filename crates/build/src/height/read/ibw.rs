@@ -251,12 +251,10 @@ impl Wave {
     }
 
     fn pitch(&self) -> Found<[f64; 2]> {
-        let mut pitch = [0.0; 2];
-        for axis in 0..2 {
-            let unit = length(&self.step_units[axis], "pixels")?.value;
-            // A scanner may run against its axis.
-            pitch[axis] = self.step[axis].abs() * unit;
-        }
+        // A scanner may run against its axis.
+        let side =
+            |axis: usize| length(&self.step_units[axis], "pixels").map(|unit| self.step[axis].abs() * unit.value);
+        let pitch = [side(0)?, side(1)?];
         Ok(Sourced::new(pitch, "Igor wave header"))
     }
 }

@@ -25,7 +25,7 @@ pub(super) fn read(bytes: &[u8], config: &ReadConfig) -> Parsed<RawScan> {
         .position(|window| window == END)
         .ok_or_else(|| Refusal::damaged("its header has no end"))?;
     let header = text::decode(&head[..end]);
-    if !header.lines().nth(1).is_some_and(|line| line.trim() == "SxM Image file") {
+    if header.lines().nth(1).is_none_or(|line| line.trim() != "SxM Image file") {
         return Err(Refusal::new(
             "this WSxM file holds no image",
             "save the topography as .stp or .top, or export it as .gsf",
