@@ -1,6 +1,8 @@
 //! The real scans of `tests/real_scans.toml`, which are not part of the repository.
+//!
+//! `REAL_SCANS` may name the atlas that a run of that manifest has just made, so that it is not made twice.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::place::{Place, call};
 use crate::skip::shared;
@@ -23,24 +25,14 @@ const PITCH_MAX_NM: f64 = 95.0;
 #[test]
 #[ignore = "slow: whole scans"]
 fn the_real_scans_make_an_atlas() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     if shared("specimens").is_none() {
         return;
     }
-    // Relative paths start at the manifest: here it lies elsewhere.
-    let manifest = std::fs::read_to_string(root.join("tests/real_scans.toml")).unwrap();
-    let shared = root.join("../shared").canonicalize().unwrap();
     let place = Place::empty();
-    let manifest = manifest
-        .replace("\"../../shared/", &format!("\"{}/", shared.display()))
-        .replace("out = \"../out/atlas\"", "out = \"out\"");
-    place.write("real_scans.toml", &manifest);
-    let run = call(place.folder(), "--quiet run real_scans.toml").ended(0);
-    assert!(run.stdout.starts_with("published out/real_scans/v0001 in "), "{}", run.stdout);
-    assert!(!run.stderr.contains("failed"), "{}", run.stderr);
-    place.call("verify out/real_scans --samples 0").ended(0);
-
-    let report = place.json("out/real_scans/v0001/report.json");
+    let atlas = std::env::var_os("REAL_SCANS").map_or_else(|| made(&place), PathBuf::from);
+    let version = atlas.join(std::fs::read_to_string(atlas.join("latest")).unwrap().trim());
+    let report = std::fs::read(version.join("report.json")).unwrap();
+    let report: serde_json::Value = serde_json::from_slice(&report).unwrap();
     let specimens = report["specimens"].as_array().unwrap();
     let names: Vec<&str> = specimens.iter().map(|s| s["name"].as_str().unwrap()).collect();
     assert_eq!(names, SPECIMENS.map(|(name, _)| name));
@@ -58,8 +50,25 @@ fn the_real_scans_make_an_atlas() {
             assert!((found / expected - 1.0).abs() < 0.05, "{name}: {found} nm, {expected} nm expected");
         }
         for file in ["specimen.json", "table.000.exr", "lobe.exr", "preview.png", "scenes/sphere.png"] {
-            assert!(place.path(&format!("out/real_scans/v0001/{name}/{file}")).is_file(), "{name}/{file}");
+            assert!(version.join(name).join(file).is_file(), "{name}/{file}");
         }
     }
-    assert!(place.path("out/real_scans/v0001/elaphe_guttata/scenes/screen.compare.png").is_file());
+    assert!(version.join("elaphe_guttata/scenes/screen.compare.png").is_file());
+}
+
+/// The atlas of the manifest, made in this place.
+fn made(place: &Place) -> PathBuf {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    // Relative paths start at the manifest: here it lies elsewhere.
+    let manifest = std::fs::read_to_string(root.join("tests/real_scans.toml")).unwrap();
+    let shared = root.join("../shared").canonicalize().unwrap();
+    let manifest = manifest
+        .replace("\"../../shared/", &format!("\"{}/", shared.display()))
+        .replace("out = \"../out/atlas\"", "out = \"out\"");
+    place.write("real_scans.toml", &manifest);
+    let run = call(place.folder(), "--quiet run real_scans.toml").ended(0);
+    assert!(run.stdout.starts_with("published out/real_scans/v0001 in "), "{}", run.stdout);
+    assert!(!run.stderr.contains("failed"), "{}", run.stderr);
+    place.call("verify out/real_scans --samples 0").ended(0);
+    place.path("out/real_scans")
 }
