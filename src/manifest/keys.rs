@@ -67,6 +67,8 @@ pub const SPECIMEN: Keys = Keys {
         "despike",
         "blend_nm",
         "max_missing_share",
+        "missing_value",
+        "crop",
         "material",
         "albedo",
         "illuminant",

@@ -12,7 +12,7 @@ mod free_text;
 mod gsf;
 mod imagej;
 mod jpk;
-mod missing;
+pub(crate) mod missing;
 mod ome;
 mod park;
 mod refusal;
