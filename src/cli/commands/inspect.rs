@@ -155,7 +155,10 @@ fn verdict(advice: &Advice) -> Verdict {
         (!doubts(field, range_nm, MATERIAL, Factor::Vector).is_empty(), "some orders are doubtful, see the warnings"),
         (found.is_ambiguous(), "steps between samples are too high for violet light"),
     ];
-    let limits: Vec<String> = limits.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.into()).collect();
+    let of_findings =
+        advice.findings.iter().filter(|finding| finding.is_limit()).map(|finding| finding.in_short.clone());
+    let limits = limits.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.to_owned());
+    let limits: Vec<String> = of_findings.chain(limits).collect();
     let blend_nm = seam_warning(field).map(|_| two_digits(BLEND_SHARE * smallest_side_nm(field)));
     scan_verdict(advice, range_nm, &limits, blend_nm)
 }

@@ -2,7 +2,7 @@
 
 use super::warnings::{are_unlike, repetition_warning, seam_warnings};
 use crate::stages::ingest::Scans;
-use diffraction_build::height::quality::{Fault, Finding, Grade, Remedy, Verdict};
+use diffraction_build::height::quality::{Finding, Grade, Remedy, Verdict};
 use diffraction_build::optics::validity::doubts;
 
 /// What else than scans a verdict goes by.
@@ -19,8 +19,7 @@ pub(super) struct Outcome {
 /// What to think of a specimen, the most serious reason first.
 pub(super) fn verdict(scans: &Scans, outcome: &Outcome) -> Verdict {
     let findings: Vec<&Finding> = scans.findings.iter().flatten().collect();
-    let (limits, faults): (Vec<&Finding>, Vec<&Finding>) =
-        findings.into_iter().partition(|finding| finding.fault == Fault::Tilt);
+    let (limits, faults): (Vec<&Finding>, Vec<&Finding>) = findings.into_iter().partition(|finding| finding.is_limit());
     if !faults.is_empty() {
         let reasons: Vec<String> = faults.iter().map(|finding| reason(finding)).collect();
         return Verdict { grade: Grade::Red, sentence: format!("not good because: {}.", distinct(reasons).join("; ")) };

@@ -1,6 +1,8 @@
 //! Which settings mend a scan, found by trying them.
 
-use super::{Fault, Finding, Remedy, findings, marks};
+use super::checks::findings;
+use super::finding::{Fault, Finding, Remedy};
+use super::marks;
 use crate::height::HeightField;
 use crate::height::prepare::repair::fill_marked;
 use crate::height::prepare::{Despike, Level, PrepareConfig, prepare};
@@ -66,7 +68,7 @@ fn is_new(remedy: &Remedy, settings: &[Remedy]) -> bool {
 /// Whether a finding is told of the scan as it was read although what was made of it is mended.
 fn is_mended(finding: &Finding, settings: &[Remedy]) -> bool {
     match finding.fault {
-        Fault::Tilt => true,
+        Fault::Tilt | Fault::Pixels => true,
         Fault::LostLines => finding.remedy.is_some_and(|remedy| settings.contains(&remedy)),
         _ => false,
     }

@@ -1,6 +1,6 @@
 //! Spikes and pieces of dust.
 
-use super::{Fault, Finding, Remedy};
+use super::finding::{Fault, Finding, Remedy};
 use crate::height::HeightField;
 use crate::height::prepare::blobs::blobs;
 

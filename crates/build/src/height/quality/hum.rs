@@ -1,6 +1,7 @@
 //! A regular disturbance in time, such as the mains', which runs on from line to line.
 
-use super::{Fault, Finding, Prepared};
+use super::finding::{Fault, Finding};
+use super::prepared::Prepared;
 use crate::height::prepare::robust::median;
 
 /// Longest period across the lines that is taken for a disturbance, in lines. Of a mains whose phase from line to line is anything, a third lies

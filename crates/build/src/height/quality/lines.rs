@@ -1,6 +1,7 @@
 //! Scan lines that are offset against each other.
 
-use super::{Fault, Finding, Prepared, Remedy};
+use super::finding::{Fault, Finding, Remedy};
+use super::prepared::Prepared;
 use crate::height::prepare::robust::{median, sigma_about};
 
 /// Least standard deviation of the offsets that is told, in rms heights: as its square, a thousandth of the scattered light lies in a streak. Good

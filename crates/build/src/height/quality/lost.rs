@@ -1,6 +1,6 @@
 //! Aborted scans and lost lines.
 
-use super::{Fault, Finding, Remedy};
+use super::finding::{Fault, Finding, Remedy};
 use crate::height::HeightField;
 use crate::height::prepare::lost_lines::longest_block;
 use crate::height::prepare::repair::LOST_BLOCK_MAX;

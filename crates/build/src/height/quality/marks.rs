@@ -1,6 +1,6 @@
 //! Numbers that stand for missing samples without being declared.
 
-use super::{Fault, Finding, Remedy};
+use super::finding::{Fault, Finding, Remedy};
 use crate::height::HeightField;
 use crate::height::prepare::range_nm;
 

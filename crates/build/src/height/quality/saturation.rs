@@ -1,6 +1,6 @@
 //! Heights cut off at the end of the instrument's range.
 
-use super::{Fault, Finding};
+use super::finding::{Fault, Finding};
 use crate::height::HeightField;
 
 /// Least share of samples at an extreme that is told: as much of the surface is replaced by a plane.

@@ -1,6 +1,7 @@
 //! Streaks along the fast axis.
 
-use super::{Fault, Finding, Prepared, Remedy};
+use super::finding::{Fault, Finding, Remedy};
+use super::prepared::Prepared;
 use crate::height::prepare::scars::scars;
 
 /// Tells streaks one line wide, of at least 12 samples, that rise over both lines beside them by 0.4 times the rms height

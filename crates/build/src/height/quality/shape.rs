@@ -1,6 +1,7 @@
 //! Tilt and bow: what of the heights is the stage's and the scanner's.
 
-use super::{Fault, Finding, Prepared, Remedy};
+use super::finding::{Fault, Finding, Remedy};
+use super::prepared::Prepared;
 use crate::height::HeightField;
 use crate::height::prepare::level::{Order, subtract_surface};
 use crate::height::prepare::repair::rms_nm;

@@ -2,7 +2,8 @@
 
 use ndarray::{ArrayView2, Axis};
 
-use super::{Fault, Finding, Prepared, Remedy};
+use super::finding::{Fault, Finding, Remedy};
+use super::prepared::Prepared;
 use crate::height::prepare::robust::{median, sigma_about};
 
 /// Least step in rms heights.

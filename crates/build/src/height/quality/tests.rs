@@ -7,6 +7,8 @@ use ndarray::Array2;
 use proptest::prelude::*;
 
 use super::*;
+use crate::height::HeightField;
+use crate::height::prepare::repair::{levelled, rms_nm};
 use crate::height::synthesize::{Structure, synthesize};
 
 /// Generated surfaces without a fault, with their names.
@@ -72,6 +74,18 @@ fn scans_too_small_to_tell_survive() {
         let field = HeightField { heights_nm, pitch_nm: [50.0; 2] };
         assert_eq!(faults(&field), [], "{size:?}");
     }
+}
+
+#[test]
+fn a_decimal_comma_is_told_by_its_pixels() {
+    let mut field = surface(0, [200, 160], 5);
+    field.pitch_nm = [48.0, 8.0];
+    let advice = advise(&field).unwrap();
+    assert_eq!(advice.findings[0].fault, Fault::Pixels);
+    assert!(advice.findings[0].sentence.contains("6.0 times") && advice.findings[0].sentence.contains("comma"));
+    assert!(advice.left.is_empty(), "it may be meant");
+    field.pitch_nm = [48.0, 12.0];
+    assert_eq!(faults(&field), []);
 }
 
 proptest! {

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::advice::Advice;
+use super::finding::Remedy;
 use crate::height::HeightField;
 use crate::height::statistics::WAVES_MIN;
 
@@ -47,7 +48,7 @@ pub fn scan_verdict(advice: &Advice, wavelength_nm: [f64; 2], limits: &[String],
     }
     let Reach { words, is_all } = reach(&advice.prepared, wavelength_nm);
     let blend = blend_nm.map(|width| format!("blend_nm = {width}"));
-    let settings: Vec<String> = advice.settings.iter().map(super::Remedy::toml).chain(blend).collect();
+    let settings: Vec<String> = advice.settings.iter().map(Remedy::toml).chain(blend).collect();
     let mut sentence = match settings.is_empty() {
         true => format!("good for {words}"),
         false => format!("good with {}, for {words}", settings.join(", ")),
@@ -99,7 +100,7 @@ mod tests {
     use ndarray::Array2;
 
     use super::*;
-    use crate::height::quality::{Fault, Finding, Remedy};
+    use crate::height::quality::finding::{Fault, Finding};
 
     fn advice(pitch_nm: f64, settings: Vec<Remedy>, left: Vec<Finding>) -> Advice {
         let prepared = HeightField { heights_nm: Array2::zeros((100, 200)), pitch_nm: [pitch_nm; 2] };
