@@ -43,11 +43,8 @@ pub(super) fn check(prepared: &Prepared) -> Option<Finding> {
     let candidates = (least_y..=ny / 2).flat_map(|y| (WAVES_MIN..=reach(y)).flat_map(move |x| [[x, y], [-x, y]]));
     let wave = candidates.max_by(|a, b| spectrum.power(*a).total_cmp(&spectrum.power(*b)))?;
     let power = spectrum.power(wave);
-    let within =
-        |reach: i64| (-reach..=reach).flat_map(move |dy| (-reach..=reach).map(move |dx| [wave[0] + dx, wave[1] + dy]));
-    let sum = |reach: i64| within(reach).map(|line| spectrum.power(line)).sum::<f64>();
-    let mut around: Vec<f64> = within(AROUND).map(|line| spectrum.power(line)).collect();
-    let background = median(&mut around) / std::f64::consts::LN_2;
+    let sum = |reach: i64| block(wave, reach).map(|line| spectrum.power(line)).sum::<f64>();
+    let background = background(prepared, wave);
     let above = |reach: i64| sum(reach) - background * (2 * reach + 1).pow(2) as f64;
     // A Hann window spreads a sinusoid's power over lines whose sum is 1.5² times that of the highest.
     let amplitude_nm = 2.0 * (sum(WAVE) / 2.25).sqrt();
@@ -75,10 +72,23 @@ pub(super) fn check(prepared: &Prepared) -> Option<Finding> {
     })
 }
 
-/// Whether a coarser, stronger wave has this as its multiple.
+/// Whether a coarser, stronger wave has this as its multiple: one that stands out of what is around it itself, as the lines of a random surface
+/// do not.
 fn is_harmonic(prepared: &Prepared, wave: [i64; 2], power: f64) -> bool {
     (2..=HARMONICS).any(|order| {
         let near = wave.map(|line| (line as f64 / order as f64).round() as i64);
-        (-1..=1).any(|dy| (-1..=1).any(|dx| prepared.spectrum.power([near[0] + dx, near[1] + dy]) > power))
+        let mut stronger = block(near, 1).filter(|line| prepared.spectrum.power(*line) > power);
+        stronger.any(|line| prepared.spectrum.power(line) > RATIO_MIN * background(prepared, line))
     })
+}
+
+/// Mean power of a random surface's lines around one, from their median.
+fn background(prepared: &Prepared, line: [i64; 2]) -> f64 {
+    let mut around: Vec<f64> = block(line, AROUND).map(|line| prepared.spectrum.power(line)).collect();
+    median(&mut around) / std::f64::consts::LN_2
+}
+
+/// Lines up to so many away along either axis.
+fn block([x, y]: [i64; 2], reach: i64) -> impl Iterator<Item = [i64; 2]> {
+    (-reach..=reach).flat_map(move |dy| (-reach..=reach).map(move |dx| [x + dx, y + dy]))
 }
