@@ -208,3 +208,36 @@ fn settings_bring_the_light_of_a_faulty_scan_back() {
         assert!(after[0] <= median && after[1] <= ninth, "{name}: {before:?} {after:?}");
     }
 }
+
+#[test]
+fn periods_of_good_scans_are_still_found() {
+    let first = |path: PathBuf| periods(&path).first().map(|period| period.period_nm);
+    let bundled = [
+        ("corn_snake_like", 1140.0),
+        ("sunbeam_snake_like", 1550.0),
+        ("cd_track_like", 1600.0),
+        ("blazed_2500nm", 2500.0),
+        ("sinusoid_1600nm", 1600.0),
+        ("grating_nanosurf_314nm", 314.3),
+    ];
+    for (name, period_nm) in bundled {
+        let found = first(root("specimens").join(name).with_extension("tif"));
+        assert!(found.is_some_and(|found| (found / period_nm - 1.0).abs() < 0.05), "{name}: {found:?}");
+    }
+    let Some(folder) = shared("specimens/real") else { return };
+    let real = [
+        ("butterfly-vcardui-10x3", Some(1681.0)),
+        ("butterfly-vcardui-41pct", Some(1697.0)),
+        ("grating-silicon-3um", Some(3000.0)),
+        ("polymer-sbs-pmma-25um", None),
+        ("rough-film-dimension-10um", None),
+    ];
+    for (name, expected) in real {
+        let found = first(folder.join(name).with_extension("tif"));
+        let agrees = match (found, expected) {
+            (Some(found), Some(expected)) => f64::abs(found / expected - 1.0) < 0.1,
+            (found, expected) => found == expected,
+        };
+        assert!(agrees, "{name}: {found:?}");
+    }
+}

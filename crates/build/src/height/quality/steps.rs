@@ -26,7 +26,7 @@ pub(super) fn check(prepared: &Prepared) -> Option<Finding> {
     let heights = prepared.levelled.heights_nm.view();
     let [nx, ny] = prepared.field.size();
     if let Some((column, step_nm)) = step(heights, Axis(1), prepared.rms_nm) {
-        let kept = if column > nx - column { [0, 0, column, ny] } else { [column, 0, nx - column, ny] };
+        let kept = if column >= nx - column { [0, 0, column, ny] } else { [column, 0, nx - column, ny] };
         return Some(Finding {
             fault: Fault::Step,
             in_short: format!("a step of {:.0} nm", step_nm.abs()),
