@@ -30,11 +30,14 @@ fn shared(folder: &str) -> Option<PathBuf> {
 }
 
 fn read(path: &Path) -> HeightField {
+    let name = path.file_stem().unwrap().to_string_lossy();
     let mut config = ReadConfig::default();
-    if path.file_stem().is_some_and(|name| name == "elaphe_guttata") {
+    // What these files do not say themselves.
+    if name == "elaphe_guttata" {
         config.pitch_nm = Some([48.8; 2]);
         config.height = Some(HeightScale::FullScaleNm(375.0));
-    } else if path.parent().is_some_and(|folder| folder.ends_with("real")) || path.ends_with("xenopeltis_unicolor.tif")
+    } else if path.parent().is_some_and(|folder| folder.ends_with("real"))
+        || ["xenopeltis_unicolor", "grating_nanosurf_314nm"].contains(&name.as_ref())
     {
         config.height = Some(HeightScale::Unit(LengthUnit::Nm));
     }
