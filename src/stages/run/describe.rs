@@ -214,7 +214,7 @@ fn result(
     let (specimen, field) = (job.specimen, &ingested.scans.fields[0]);
     let outcome = Outcome {
         usable_radius: measured.stored.set.usable_radius,
-        breaks_tolerance: !rows::broken_tolerances(&measured.errors, ingested.tables.tolerance).is_empty(),
+        breaks_tolerance: measured.errors.iter().any(|row| row.is_over(ingested.tables.tolerance)),
         is_material_given: specimen.is_material_given,
     };
     let verdict = verdict(&ingested.scans, &outcome);
