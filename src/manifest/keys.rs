@@ -68,6 +68,8 @@ pub const SPECIMEN: Keys = Keys {
         "despike",
         "blend_nm",
         "max_missing_share",
+        "missing_value",
+        "crop",
         "material",
         "albedo",
         "illuminant",

@@ -27,6 +27,9 @@ const ACCEPTANCE_MAX_DEG: f64 = 60.0;
 /// Widest slit: half of the shortest wavelength remains at its foot.
 const BANDWIDTH_MAX_NM: f64 = 100.0;
 
+/// Most samples along a side.
+const SAMPLES_MAX: usize = 1 << 20;
+
 /// Largest page number.
 const PAGE_MAX: usize = 65_535;
 
@@ -104,6 +107,8 @@ fn read(section: &Section, name: String, common: Common) -> Result<SpecimenConfi
             pitch_nm: section.get("pitch_nm").map(|item| pitch(&item)).transpose()?,
             height: section.get("height").map(|item| height(&item)).transpose()?,
             max_missing_share: missing.transpose()?.unwrap_or(defaults::MAX_MISSING_SHARE),
+            missing_value: section.get("missing_value").map(|item| item.number()).transpose()?,
+            crop: section.get("crop").map(|item| crop(&item)).transpose()?,
             ..ReadConfig::default()
         },
         prepare: PrepareConfig {
@@ -184,6 +189,15 @@ fn existing(item: &Item, base: &Path) -> Result<PathBuf> {
         return Err(item.error(files::no_file(&path)));
     }
     Ok(path)
+}
+
+/// First column, first row, width, height.
+fn crop(item: &Item) -> Result<[usize; 4]> {
+    let [x, y, width, height] =
+        item.list_of::<4>("four numbers of samples such as [0, 0, 512, 400]: first column, first row, width, height")?;
+    let first = |item: &Item| item.integer_within(0, SAMPLES_MAX, "samples");
+    let length = |item: &Item| item.integer_within(1, SAMPLES_MAX, "samples");
+    Ok([first(&x)?, first(&y)?, length(&width)?, length(&height)?])
 }
 
 fn pitch(item: &Item) -> Result<[f64; 2]> {

@@ -7,7 +7,7 @@ use crate::report::facts::{self, Fact};
 use crate::report::svg::{escape, printable};
 use crate::report::{budget_facts, frames, goniometry, gpu_facts, measured, numbers, plots};
 use crate::stages::cache::store::CacheUse;
-use crate::stages::results::{RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
+use crate::stages::results::{Grade, RunResults, SceneResult, SharedSceneResult, SpecimenResult, StageTime};
 use crate::stages::viewer::page::REPORT_WITHOUT;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::accuracy::directions::Group;
@@ -200,6 +200,15 @@ fn first_words(warning: &str) -> String {
     format!("{} …", cut.rsplit_once(' ').map_or(cut.as_str(), |(start, _)| start))
 }
 
+/// Class of the colour that goes with a verdict's words.
+fn colour(grade: Grade) -> &'static str {
+    match grade {
+        Grade::Green => "green",
+        Grade::Amber => "amber",
+        Grade::Red => "red",
+    }
+}
+
 fn specimen_section(
     number: usize,
     specimen: &SpecimenResult,
@@ -245,6 +254,8 @@ fn specimen_section(
         species => specimen.species.clone().unwrap_or_default(),
         generated => specimen.generated,
         failed => specimen.failed.clone().unwrap_or_default(),
+        grade => specimen.verdict.as_ref().map(|verdict| colour(verdict.grade)).unwrap_or_default(),
+        verdict => specimen.verdict.as_ref().map(|verdict| verdict.sentence.clone()).unwrap_or_default(),
         warnings => facts::warnings(specimen),
         preview => preview.map(|still| still.show("still", &format!("Preview of {}", specimen.name))),
         facts => fact_values(&facts::of_specimen(specimen)),

@@ -6,6 +6,7 @@ use super::config::SpecimenConfig;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::height::HeightField;
 use diffraction_build::height::prepare::{PrepareRecord, prepare};
+use diffraction_build::height::quality::{Finding, findings};
 use diffraction_build::height::read::{Provenance, read_scan};
 use diffraction_build::height::statistics::{Statistics, statistics};
 use diffraction_build::optics::config::OpticsConfig;
@@ -23,6 +24,8 @@ pub struct Scans {
     pub preparation: Vec<PrepareRecord>,
     /// Statistics of each prepared field.
     pub statistics: Vec<Statistics>,
+    /// What is wrong with each, as it was read and after preparing.
+    pub findings: Vec<Vec<Finding>>,
 }
 
 /// Reads and prepares every scan of a specimen.
@@ -37,12 +40,14 @@ pub fn ingest(specimen: &SpecimenConfig) -> Result<Scans> {
         provenance: Vec::new(),
         preparation: Vec::new(),
         statistics: Vec::new(),
+        findings: Vec::new(),
     };
     let shortest_nm = specimen.optics.illuminant.reach_nm(specimen.optics.wavelength_nm)[0];
     for path in &specimen.scans {
         let scan = read_scan(path, &specimen.read)?;
         refuse_other_angle(path, &scan.provenance, &scans.provenance)?;
         let (field, record) = prepare(&scan.field, &specimen.prepare)?;
+        scans.findings.push(findings(&scan.field, &field));
         scans.statistics.push(statistics(&field, shortest_nm));
         scans.fields.push(field);
         scans.provenance.push(scan.provenance);

@@ -14,6 +14,7 @@ use diffraction_brdf::error::{Error, Result};
 use diffraction_build::accuracy::power_sums::{DirectionalAlbedo, PowerSum};
 use diffraction_build::accuracy::rows::ErrorRow;
 use diffraction_build::ground::null_for_nan;
+pub use diffraction_build::height::quality::{Grade, Verdict};
 pub use diffraction_build::height::statistics::{Period, Statistics};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::Pigment;
@@ -147,6 +148,9 @@ pub struct SpecimenResult {
     /// What its tables leave out and what that saves; `None` where they are not restricted to scenes.
     #[serde(default)]
     pub budget: Option<Budget>,
+    /// What to think of it in one line; `None` in files of older programs.
+    #[serde(default)]
+    pub verdict: Option<Verdict>,
     /// What the reader must know before using the tables.
     pub warnings: Vec<String>,
     /// Why there are no tables.

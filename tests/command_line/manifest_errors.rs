@@ -106,6 +106,8 @@ const CASES: &[Case] = &[
     ("n = 1.56", "n = 1.5, k = 0", "24:27", "0", &["above 0", "`k`"]),
     ("threshold_rms = 8", "threshold_rms = 0", "25:29", "0", &["1000"]),
     ("level = \"plane\"", "max_missing_share = 0.9", "23:21", "0.9", &["0.5"]),
+    ("level = \"plane\"", "crop = [0, 0, 0, 9]", "23:15", "0", &["1048576 samples"]),
+    ("level = \"plane\"", "crop = [0, 9]", "23:8", "[0, 9]", &["width"]),
     ("level = \"plane\"", "blend_nm = -1", "23:12", "-1", &["above 0"]),
     ("level = \"plane\"", "page = -1", "23:8", "-1", &["65535"]),
     ("size_px = 512", "size_px = 9000", "35:11", "9000", &["16", "8192"]),

@@ -107,6 +107,7 @@ fn every_key_of_the_example_arrives() {
     assert_eq!((integers.prepare.level, integers.prepare.blend_nm), (Level::Quadratic, Some(500.0)));
     assert_eq!(integers.prepare.despike.map(|despike| despike.threshold_rms), Some(8.0));
     assert_eq!(integers.read.max_missing_share, 0.01);
+    assert_eq!((integers.read.missing_value, integers.read.crop), (Some(-9999.0), Some([0, 0, 512, 400])));
     let file = folder.path().join("measured.csv");
     assert_eq!(integers.measured, Some(MeasuredConfig { file, acceptance_deg: 1.5, bandwidth_nm: 2.0 }));
     // Its own sigma and windows, but the edge of `[optics]`.

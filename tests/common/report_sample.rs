@@ -143,6 +143,7 @@ fn truncated() -> SpecimenResult {
         reached_png: None,
         spectral: None,
         budget: None,
+        verdict: Some(Verdict { grade: Grade::Red, sentence: "no tables: scans/torn.tif ends early".into() }),
         warnings: vec![],
         failed: Some(
             "scans/torn.tif: the file ends after 31 of 512 rows\n  copy the scan again from the instrument".into(),
@@ -208,6 +209,7 @@ fn specimen(
             errors: errors().into_iter().filter(|row| row.cause != Cause::WavelengthStep).collect(),
         }),
         budget: None,
+        verdict: Some(Verdict { grade: Grade::Amber, sentence: "good within limits: its edges do not fit.".into() }),
         warnings: vec![],
         failed: None,
     }
@@ -249,6 +251,7 @@ fn statistics(field: &HeightField, dominant_periods: Vec<Period>) -> Statistics 
         wave_slope: 0.187,
         wall_share: 0.002,
         ambiguous_share: 0.0,
+        surface: None,
         warnings: vec![],
     }
 }

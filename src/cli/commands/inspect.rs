@@ -11,9 +11,11 @@ use crate::error::Result;
 use crate::stages::archive::specimen_file;
 use diffraction_brdf::atlas;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
+use diffraction_build::height::quality::{Advice, Finding, Remedy, Verdict, advise, scan_verdict};
 use diffraction_build::height::read::{CallerWords, HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
 use diffraction_build::height::statistics::{
-    STEEP_SLOPE, Statistics, WAVES_MIN, is_whole_grating, least_uv_radius, seam_warning, statistics,
+    PsdRing, STEEP_SLOPE, Statistics, SurfaceParameters, WAVES_MIN, is_whole_grating, least_uv_radius, radial_psd,
+    seam_warning, statistics,
 };
 use diffraction_build::height::write::write_scan_tiff;
 use diffraction_build::optics::config::{Factor, Material, TILE_SIGMAS, smallest_side_nm};
@@ -89,6 +91,14 @@ struct ScanReport {
     extent_um: [f64; 2],
     /// Of the heights with the best plane taken away.
     statistics: Statistics,
+    /// Power spectral density averaged over all directions, of the same heights.
+    radial_psd: Vec<PsdRing>,
+    /// What is wrong with the scan.
+    findings: Vec<Finding>,
+    /// The keys of a specimen that mend what can be mended, as they are written in a manifest.
+    settings: Vec<String>,
+    /// What to think of it.
+    verdict: Verdict,
 }
 
 /// The shortest wavelength that `usable_uv_radius` refers to: the violet end of the observer.
@@ -117,6 +127,8 @@ fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
     let plane = PrepareConfig { level: Level::Plane, despike: None, blend_nm: None };
     let (levelled, _) = prepare(&scan.field, &plane)?;
     let mut found = statistics(&levelled, WAVELENGTH_MIN_NM);
+    let advice = advise(&scan.field)?;
+    let verdict = verdict(&advice);
     found.warnings.extend(doubts(&levelled, [WAVELENGTH_MIN_NM, WAVELENGTH_MAX_NM], MATERIAL, Factor::Vector));
     found.warnings.extend(seam_warning(&levelled));
     let side_um = smallest_side_nm(&levelled) * 1e-3;
@@ -124,8 +136,12 @@ fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
         resolved_sigma_um: (!is_whole_grating(&levelled) && side_um.is_finite()).then_some(side_um / TILE_SIGMAS),
         least_uv_radius: least_uv_radius(side_um * 1e3, f64::INFINITY, WAVELENGTH_MIN_NM),
         extent_um: scan.field.extent_nm().map(|nm| nm * 1e-3),
+        radial_psd: radial_psd(&levelled),
         statistics: found,
         provenance: scan.provenance,
+        settings: advice.settings.iter().map(Remedy::toml).collect(),
+        findings: advice.findings,
+        verdict,
     };
     if args.json {
         output::print_json(&report)?;
@@ -133,6 +149,34 @@ fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
         output::print(&report.to_text())?;
     }
     Ok(Outcome::Done)
+}
+
+/// Share of the shorter side over which opposite edges are advised to be blended.
+const BLEND_SHARE: f64 = 0.1;
+
+/// What to think of a scan under the settings that were advised, with what no setting takes away.
+fn verdict(advice: &Advice) -> Verdict {
+    let range_nm = [WAVELENGTH_MIN_NM, WAVELENGTH_MAX_NM];
+    let field = &advice.prepared;
+    let found = statistics(field, WAVELENGTH_MIN_NM);
+    let limits = [
+        (found.rms_height_nm == 0.0, "it is flat and diffracts nothing"),
+        (found.rms_height_nm > 0.0 && found.autocorrelation_length_nm.is_nan(), "it is smaller than its structure"),
+        (!doubts(field, range_nm, MATERIAL, Factor::Vector).is_empty(), "some orders are doubtful, see the warnings"),
+        (found.is_ambiguous(), "steps between samples are too high for violet light"),
+    ];
+    let of_findings =
+        advice.findings.iter().filter(|finding| finding.is_limit()).map(|finding| finding.in_short.clone());
+    let limits = limits.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.to_owned());
+    let limits: Vec<String> = of_findings.chain(limits).collect();
+    let blend_nm = seam_warning(field).map(|_| two_digits(BLEND_SHARE * smallest_side_nm(field)));
+    scan_verdict(advice, range_nm, &limits, blend_nm)
+}
+
+/// Rounded to two digits.
+fn two_digits(value: f64) -> f64 {
+    let unit = 10f64.powf(value.log10().floor() - 1.0);
+    (value / unit).round() * unit
 }
 
 impl ScanReport {
@@ -183,15 +227,37 @@ impl ScanReport {
                 100.0 * s.wall_share
             ),
         ];
+        if let Some(surface) = &s.surface {
+            lines.push(surface_line(surface));
+        }
         for period in &s.dominant_periods {
             lines.push(format!(
                 "period        {:.1} nm at {:.1} deg, relative power {:.3}",
                 period.period_nm, period.direction_deg, period.relative_power
             ));
         }
-        lines.extend(p.warnings.iter().chain(&s.warnings).map(|warning| format!("warning: {warning}")));
+        let findings = self.findings.iter().map(|finding| &finding.sentence);
+        let warnings = p.warnings.iter().chain(findings).chain(&s.warnings);
+        lines.extend(warnings.map(|warning| format!("warning: {warning}")));
+        lines.push(format!("verdict       {}", self.verdict.sentence));
         lines.join("\n") + "\n"
     }
+}
+
+/// The parameters of ISO 25178 on one line; what a scan is too small to tell is left out.
+fn surface_line(surface: &SurfaceParameters) -> String {
+    let SurfaceParameters { sa_nm, sq_nm, ssk, sku, sz_nm, sdq, sdr, sal_nm, str_ratio } = *surface;
+    let mut line = format!(
+        "ISO 25178     Sa {sa_nm:.2} nm, Sq {sq_nm:.2} nm, Sz {sz_nm:.1} nm, Ssk {ssk:.2}, Sku {sku:.2}, Sdq {sdq:.3}, Sdr {:.2} %",
+        100.0 * sdr
+    );
+    if !sal_nm.is_nan() {
+        line += &format!(", Sal {sal_nm:.0} nm");
+    }
+    if !str_ratio.is_nan() {
+        line += &format!(", Str {str_ratio:.2}");
+    }
+    line
 }
 
 fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {

@@ -12,7 +12,7 @@ use crate::report::spectrum_picture::{spectrum_half_range_per_um, spectrum_pictu
 use crate::report::{self, facts, pictures};
 use crate::stages::archive::publish::Published;
 use crate::stages::config::RunConfig;
-use crate::stages::results::{Failure, HeightMapFile, SpecimenResult, SpectrumFile, Statistics};
+use crate::stages::results::{Failure, Grade, HeightMapFile, SpecimenResult, SpectrumFile, Statistics};
 use crate::stages::run::pipeline::{self, Helpers};
 use diffraction_build::height::HeightField;
 use diffraction_render::render::png_image::write_png;
@@ -57,7 +57,7 @@ pub(crate) fn run(args: &RunArgs, global: &Global) -> Result<Outcome> {
         output::print(&summary(published, &config, outcome.results.total_wall_s))?;
     }
     if !global.quiet {
-        eprint!("{}", warning_lines(&outcome.results.specimens));
+        eprint!("{}{}", warning_lines(&outcome.results.specimens), verdict_lines(&outcome.results.specimens));
     }
     let failures: Vec<String> = outcome.results.failures.iter().map(failure_line).collect();
     Ok(if failures.is_empty() { Outcome::Done } else { Outcome::Failures(failures) })
@@ -98,6 +98,17 @@ fn warning_lines(specimens: &[SpecimenResult]) -> String {
         lines += &format!("{} warnings; all of them are in the report\n", told.len());
     }
     lines
+}
+
+/// What to think of each specimen, a line each; of more than a screen holds, of those that are not good.
+fn verdict_lines(specimens: &[SpecimenResult]) -> String {
+    const SHOWN: usize = 20;
+    let is_shown = |grade: Grade| specimens.len() <= SHOWN || grade == Grade::Red;
+    let verdicts = specimens.iter().filter_map(|specimen| Some((&specimen.name, specimen.verdict.as_ref()?)));
+    verdicts
+        .filter(|(_, verdict)| is_shown(verdict.grade))
+        .map(|(name, verdict)| format!("verdict: {name}: {}\n", verdict.sentence))
+        .collect()
 }
 
 fn failure_line(failure: &Failure) -> String {

@@ -10,6 +10,7 @@ use super::clock::{Clock, Step};
 use super::job::Job;
 use super::measure::Measured;
 use super::spectral::Spectral;
+use super::verdict::{Outcome, failed_verdict, verdict};
 use super::warnings::{scan_warnings, table_warnings};
 use crate::stages::archive::specimen_file::{self, SpecimenFile};
 use crate::stages::cache::store::CacheUse;
@@ -211,6 +212,12 @@ fn result(
     warnings: Vec<String>,
 ) -> SpecimenResult {
     let (specimen, field) = (job.specimen, &ingested.scans.fields[0]);
+    let outcome = Outcome {
+        usable_radius: measured.stored.set.usable_radius,
+        breaks_tolerance: measured.errors.iter().any(|row| row.is_over(ingested.tables.tolerance)),
+        is_material_given: specimen.is_material_given,
+    };
+    let verdict = verdict(&ingested.scans, &outcome);
     let [width_nm, height_nm] = field.extent_nm();
     let (height_map, spectrum) = pictures.heights.unzip();
     SpecimenResult {
@@ -242,6 +249,7 @@ fn result(
         reached_png: pictures.coverage_png,
         spectral: None,
         budget,
+        verdict: Some(verdict),
         warnings,
         failed: None,
     }
@@ -299,6 +307,7 @@ pub(super) fn failed_result(specimen: &SpecimenConfig, error: &Error) -> Specime
         reached_png: None,
         spectral: None,
         budget: None,
+        verdict: Some(failed_verdict(&error.to_string())),
         warnings: Vec::new(),
         failed: Some(error.to_string()),
     }

@@ -14,4 +14,5 @@ pub mod pipeline;
 pub mod reference_forecast;
 mod specimen;
 mod spectral;
+mod verdict;
 pub(crate) mod warnings;

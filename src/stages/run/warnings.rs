@@ -52,14 +52,15 @@ fn format_warning(storage: Storage, tables: &TablesConfig, rounding: Rounding) -
 /// Ratio of two scans' rms heights or pitches from which on they are doubted to show one surface.
 const UNLIKE: f64 = 2.0;
 
-/// Of scans: of each but the first, whose statistics stand beside these warnings, by its
-/// file's name; where the model ends on each; whether they are alike enough to be averaged; whether each fits itself where it
-/// repeats.
+/// Of scans: what is wrong with each, by its file's name where there are several; of each but the first, whose statistics stand beside
+/// these warnings, those of its statistics; where the model ends on each; whether they are alike enough to be averaged; whether each
+/// fits itself where it repeats.
 pub(crate) fn scan_warnings(scans: &Scans, optics: &OpticsConfig) -> Vec<String> {
-    let name = |index: usize| scans.provenance[index].file_name.as_str();
-    let several = scans.fields.len() > 1;
-    let prefix = |index: usize| if several { format!("{}: ", name(index)) } else { String::new() };
+    let prefix = |index: usize| prefix(scans, index);
     let mut warnings = Vec::new();
+    for (index, findings) in scans.findings.iter().enumerate() {
+        warnings.extend(findings.iter().map(|finding| prefix(index) + &finding.sentence));
+    }
     let wavelength_nm = optics.illuminant.reach_nm(optics.wavelength_nm);
     for (index, field) in scans.fields.iter().enumerate() {
         let doubts = doubts(field, wavelength_nm, optics.material, optics.factor);
@@ -69,25 +70,43 @@ pub(crate) fn scan_warnings(scans: &Scans, optics: &OpticsConfig) -> Vec<String>
         warnings.extend(statistics.warnings.iter().map(|warning| prefix(index) + warning));
     }
     warnings.extend(repetition_warning(&scans.fields, optics));
-    if optics.edge != Edge::Fade {
-        let seen = scans.fields.iter().enumerate().filter(|(_, field)| seams_are_seen(field, optics));
-        for (index, field) in seen {
-            warnings.extend(seam_warning(field).map(|warning| prefix(index) + &warning));
-        }
+    warnings.extend(seam_warnings(scans, optics));
+    warnings.extend(unlike_warnings(scans));
+    warnings
+}
+
+/// The file's name where there are several.
+fn prefix(scans: &Scans, index: usize) -> String {
+    if scans.fields.len() > 1 { format!("{}: ", scans.provenance[index].file_name) } else { String::new() }
+}
+
+/// Of scans whose edges do not fit each other where a window lies on them.
+pub(super) fn seam_warnings(scans: &Scans, optics: &OpticsConfig) -> Vec<String> {
+    if optics.edge == Edge::Fade {
+        return Vec::new();
     }
+    let seen = scans.fields.iter().enumerate().filter(|(_, field)| seams_are_seen(field, optics));
+    seen.filter_map(|(index, field)| seam_warning(field).map(|warning| prefix(scans, index) + &warning)).collect()
+}
+
+/// Whether scans are doubted to show one surface.
+pub(super) fn are_unlike(scans: &Scans) -> bool {
+    !unlike_warnings(scans).is_empty()
+}
+
+fn unlike_warnings(scans: &Scans) -> Vec<String> {
+    let name = |index: usize| scans.provenance[index].file_name.as_str();
     let rms: Vec<f64> = scans.statistics.iter().map(|statistics| statistics.rms_height_nm).collect();
     let pitch = |axis: usize| scans.fields.iter().map(|field| field.pitch_nm[axis]).collect::<Vec<_>>();
-    for (what, values) in [("rms height", rms), ("pitch along x", pitch(0)), ("pitch along y", pitch(1))] {
-        warnings.extend(unlike(what, &values, &name));
-    }
-    warnings
+    let kinds = [("rms height", rms), ("pitch along x", pitch(0)), ("pitch along y", pitch(1))];
+    kinds.into_iter().filter_map(|(what, values)| unlike(what, &values, &name)).collect()
 }
 
 /// Ripple between the lines of a repeated scan from which on it is warned of: what the eye sees in a smooth gradient.
 const RIPPLE_WARNED: f64 = 0.02;
 
 /// Of scans that are small beside the light's coherence: what their repetition shows, or what was taken in its place.
-fn repetition_warning(fields: &[HeightField], optics: &OpticsConfig) -> Option<String> {
+pub(super) fn repetition_warning(fields: &[HeightField], optics: &OpticsConfig) -> Option<String> {
     let told = fields.iter().filter(|field| !is_whole_grating(field));
     let side_nm = told.map(smallest_side_nm).fold(f64::INFINITY, f64::min);
     let (side_um, fits_um) = (side_nm * 1e-3, side_nm * 1e-3 / TILE_SIGMAS);

@@ -1,6 +1,7 @@
-//! Height floor: reading and writing scans, generating and preparing them, and their statistics.
+//! Height floor: reading and writing scans, generating, judging and preparing them, and their statistics.
 
 pub mod prepare;
+pub mod quality;
 pub mod read;
 pub mod statistics;
 pub mod synthesize;
@@ -21,6 +22,12 @@ impl HeightField {
     /// Number of samples along x and y.
     pub fn size(&self) -> [usize; 2] {
         [self.heights_nm.ncols(), self.heights_nm.nrows()]
+    }
+
+    /// The part from a first column and row on, of so many columns and rows: `[x, y, width, height]`, within the field.
+    pub(crate) fn cropped(&self, [x, y, width, height]: [usize; 4]) -> Self {
+        let heights_nm = Array2::from_shape_fn((height, width), |(row, column)| self.heights_nm[[y + row, x + column]]);
+        Self { heights_nm, pitch_nm: self.pitch_nm }
     }
 
     /// Extent in nm along x and y (samples times pitch: each sample stands for one cell).

@@ -1,13 +1,20 @@
-//! Preparing of a scan: removal of outliers, levelling, blending of the edges, centring.
+//! Preparing of a scan: removal of what is no surface, levelling, blending of the edges, centring.
 
 mod blend;
+pub(crate) mod blobs;
 mod despike;
 pub(crate) mod level;
+pub(crate) mod lost_lines;
+pub(crate) mod repair;
+pub(crate) mod robust;
+pub(crate) mod scars;
 
 use serde::{Deserialize, Serialize};
 
 use crate::height::HeightField;
 use diffraction_brdf::error::{Error, Result};
+
+pub use self::repair::Repaired;
 
 /// What levelling subtracts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -24,7 +31,7 @@ pub enum Level {
     Rows,
 }
 
-/// Removal of single outliers.
+/// Removal of what is no surface: lines without a measurement, dust, scars, and single outliers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Despike {
     /// How far from the median of its surroundings a sample may lie, in robust standard deviations
@@ -37,7 +44,7 @@ pub struct Despike {
 pub struct PrepareConfig {
     /// What is subtracted.
     pub level: Level,
-    /// Removal of single outliers; `None` for none.
+    /// Removal of lost lines, dust, scars and single outliers; `None` for none.
     pub despike: Option<Despike>,
     /// Distance in nm from the edges within which opposite edges are made to fit each other, for
     /// surfaces that repeat; `None` leaves them as they are.
@@ -57,13 +64,16 @@ pub struct PrepareRecord {
     pub removed_lines_rms_nm: f64,
     /// Number of outliers replaced by the median of their surroundings.
     pub spikes: usize,
+    /// What was masked and filled in smoothly after that.
+    #[serde(default)]
+    pub repaired: Repaired,
     /// Distance in nm from the edges within which heights were changed to make opposite ones fit; 0 for none.
     pub blended_nm: f64,
     /// Height in nm added to all samples at last, which puts 0 midway between the highest and lowest.
     pub centring_nm: f64,
 }
 
-/// Prepares a height field: outliers, level, edges, and at last 0 midway between highest and lowest.
+/// Prepares a height field: what is no surface is filled in, then level, edges, and at last 0 midway between highest and lowest.
 ///
 /// Size and pitch stay. Levelling what is levelled changes nothing; outliers and edges may be treated anew.
 ///
@@ -73,6 +83,7 @@ pub fn prepare(field: &HeightField, config: &PrepareConfig) -> Result<(HeightFie
     check(field, config)?;
     let mut prepared = field.clone();
     let spikes = config.despike.map_or(0, |despike| despike::despike(&mut prepared.heights_nm, despike.threshold_rms));
+    let repaired = config.despike.map_or_else(Repaired::default, |_| repair::repair(&mut prepared));
     let removed = match config.level {
         Level::None => level::Surface::default(),
         Level::Plane | Level::Rows => level::subtract_surface(&mut prepared, level::Order::Plane),
@@ -92,6 +103,7 @@ pub fn prepare(field: &HeightField, config: &PrepareConfig) -> Result<(HeightFie
         removed_curvature_per_nm: removed.curvature_per_nm,
         removed_lines_rms_nm,
         spikes,
+        repaired,
         blended_nm: config.blend_nm.unwrap_or(0.0),
         centring_nm,
     };

@@ -19,7 +19,7 @@ mod gwy;
 mod ibw;
 mod imagej;
 mod jpk;
-mod missing;
+pub(crate) mod missing;
 mod nanoscope;
 mod nid;
 mod ome;

@@ -5,6 +5,8 @@ mod periods;
 mod repetition;
 mod seams;
 mod slopes;
+pub(crate) mod spectrum;
+mod surface;
 mod wave_scale;
 
 use serde::{Deserialize, Deserializer, Serialize};
@@ -18,11 +20,15 @@ pub use periods::{Period, WAVES_MIN};
 pub use repetition::is_whole_grating;
 pub use seams::seam_warning;
 pub use slopes::STEEP_SLOPE;
+pub use surface::{PsdRing, SurfaceParameters, radial_psd};
 pub use wave_scale::{wall_share, wave_slope};
 pub(crate) use wave_scale::{wave_slope_max, wavelength_told_nm};
 
 /// Share of surface that rises too much between samples from which on the reader is warned.
 pub(crate) const AMBIGUOUS_SHARE_WARNED: f64 = 0.01;
+
+/// Share to which ISO 25178-2 has the autocorrelation fall.
+const SAL_SHARE: f64 = 0.2;
 
 /// Full width at half maximum of an order in (u, v), in wavelengths over the standard deviation of the coherence window.
 const ORDER_WIDTH: f64 = 0.265;
@@ -64,8 +70,18 @@ pub struct Statistics {
     /// sample to the next, 0 to 1: the phase in between is a guess. NaN in files of older programs.
     #[serde(default = "unknown", with = "null_for_nan")]
     pub ambiguous_share: f64,
+    /// Parameters of ISO 25178-2; `None` of a flat surface and in files of older programs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surface: Option<SurfaceParameters>,
     /// Doubts in whole sentences.
     pub warnings: Vec<String>,
+}
+
+impl Statistics {
+    /// Whether so much of the surface rises by more than a quarter wavelength between samples that the reader is warned.
+    pub fn is_ambiguous(&self) -> bool {
+        self.ambiguous_share > AMBIGUOUS_SHARE_WARNED
+    }
 }
 
 /// Statistics of a height field that is not empty and whose heights are finite; `wavelength_min_nm` is
@@ -80,10 +96,12 @@ pub fn statistics(field: &HeightField, wavelength_min_nm: f64) -> Statistics {
     let slopes = slopes::slopes(field, 0.25 * wavelength_min_nm);
     // Below 1e-12 of the heights' size there is rounding only.
     let flat = mean_square.sqrt() <= 1e-12 * low.abs().max(high.abs());
-    let (length_nm, periods) = if flat {
-        (f64::NAN, Vec::new())
+    let (length_nm, periods, surface) = if flat {
+        (f64::NAN, Vec::new(), None)
     } else {
-        (autocorrelation::length_nm(&levelled), periods::dominant(&levelled))
+        let [to_one_in_e, to_a_fifth] = autocorrelation::decays(&levelled, [(-1.0f64).exp(), SAL_SHARE]);
+        let surface = surface::parameters(&levelled, to_a_fifth);
+        (to_one_in_e.shortest_nm, periods::dominant(&levelled), Some(surface))
     };
     let mut statistics = Statistics {
         rms_height_nm: if flat { 0.0 } else { mean_square.sqrt() },
@@ -96,6 +114,7 @@ pub fn statistics(field: &HeightField, wavelength_min_nm: f64) -> Statistics {
         wave_slope: wave_slope(field, wavelength_min_nm),
         wall_share: wall_share(field, wavelength_min_nm),
         ambiguous_share: slopes.ambiguous_share,
+        surface,
         warnings: Vec::new(),
     };
     statistics.warnings = warnings(&statistics, flat, wavelength_min_nm);
@@ -124,7 +143,7 @@ fn warnings(found: &Statistics, flat: bool, wavelength_min_nm: f64) -> Vec<Strin
                 .to_owned(),
         );
     }
-    if found.ambiguous_share > AMBIGUOUS_SHARE_WARNED {
+    if found.is_ambiguous() {
         warnings.push(format!(
             "{:.1} % of the surface rises by more than a quarter of {wavelength_min_nm} nm from one sample to the next: \
              the phase in between is a guess; a finer scan would tell.",

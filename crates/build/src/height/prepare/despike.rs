@@ -1,7 +1,9 @@
-//! Removal of single outliers, such as dust and glitches of the tip.
+//! Removal of single outliers, such as glitches of the tip.
 
 use ndarray::Array2;
 use rayon::prelude::*;
+
+use super::robust::{SIGMA_PER_MAD, median};
 
 /// Samples on each side of the one in question that make up its surroundings.
 const REACH: usize = 2;
@@ -9,9 +11,6 @@ const REACH: usize = 2;
 /// A group of outliers takes at most this share of its surroundings: 4 of 25 samples. The corner of a
 /// square pit takes 9 and a line one sample wide takes 5; those are structure.
 const GROUP_SHARE: f64 = 1.0 / 6.0;
-
-/// Ratio of standard deviation to median absolute deviation of a normal distribution, `1 / Φ⁻¹(3/4)`.
-const SIGMA_PER_MAD: f64 = 1.482_602_218_505_602;
 
 /// Ratio of standard deviation to mean absolute deviation of a normal distribution, `sqrt(π/2)`.
 const SIGMA_PER_MEAN_DEVIATION: f64 = 1.253_314_137_315_500_3;
@@ -76,17 +75,4 @@ fn robust_sigma(residuals: &[Residual]) -> f64 {
     // More than half of the samples equal their surroundings, as on coarsely quantised flat ground;
     // the mean still tells whether there is anything to measure outliers against.
     SIGMA_PER_MEAN_DEVIATION * deviations.iter().sum::<f64>() / deviations.len() as f64
-}
-
-/// Median, of an even number the mean of the middle two; reorders the values, of which there is at least one.
-fn median(values: &mut [f64]) -> f64 {
-    let middle = values.len() / 2;
-    let odd = values.len() % 2 == 1;
-    let (below, upper, _) = values.select_nth_unstable_by(middle, f64::total_cmp);
-    let upper = *upper;
-    if odd {
-        return upper;
-    }
-    let lower = below.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    0.5 * lower + 0.5 * upper
 }

@@ -17,13 +17,16 @@ const PITCH_MAX_NM: f64 = 1e6;
 /// Calibrates, fills and checks a scan. File name and digest are left empty.
 pub(super) fn calibrate(mut raw: RawScan, config: &ReadConfig) -> Parsed<Scan> {
     let (pitch, line) = both(&mut raw, config)?;
+    if let Some(part) = config.crop {
+        crop(&mut raw, part)?;
+    }
     let [nx, ny] = raw.stored.size;
-    let missing_samples = mask(&mut raw);
+    let missing_samples = mask(&mut raw, config.missing_value);
     let mut heights = std::mem::take(&mut raw.stored.values);
     for height in &mut heights {
         *height = line.value.scale * *height + line.value.offset;
     }
-    check_range(&heights, &line.from, config)?;
+    check_range(&heights, &line, config)?;
     check_missing(missing_samples, heights.len(), config)?;
     if missing_samples > 0 {
         let converged = missing::fill(&mut heights, [nx, ny], pitch.value);
@@ -144,15 +147,34 @@ fn line(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<Line>> {
     Ok(Sourced::new(line, format!("{}: {}", words.source, words.height)))
 }
 
+/// Keeps a part of the samples: first column, first row, width, height.
+fn crop(raw: &mut RawScan, part: [usize; 4]) -> Parsed<()> {
+    let [x, y, width, height] = part;
+    let [nx, ny] = raw.stored.size;
+    let is_within = |first: usize, length: usize, count: usize| {
+        length > 0 && first.checked_add(length).is_some_and(|end| end <= count)
+    };
+    if !is_within(x, width, nx) || !is_within(y, height, ny) {
+        return Err(Refusal::new(
+            format!("`crop` = {part:?} is no part of this scan of {nx} x {ny} samples"),
+            "set `crop` to [first column, first row, width, height] within the scan",
+        ));
+    }
+    let rows = raw.stored.values.chunks_exact(nx).skip(y).take(height);
+    raw.stored.values = rows.flat_map(|row| row[x..x + width].iter().copied()).collect();
+    raw.stored.size = [width, height];
+    Ok(())
+}
+
 /// Turns everything that means "no data" into NaN and counts it.
-fn mask(raw: &mut RawScan) -> usize {
+fn mask(raw: &mut RawScan, by_caller: Option<f64>) -> usize {
     let kind = raw.stored.kind;
-    let no_data = raw.no_data.map(|value| kind.rounded(value));
+    let no_data = [raw.no_data, by_caller].map(|value| value.map(|value| kind.rounded(value)));
     let mut count = 0;
     for value in &mut raw.stored.values {
         // The largest single-precision number is the customary mark where no tag names one.
         let is_mark = kind.range().is_none() && value.abs() == f64::from(f32::MAX);
-        if !value.is_finite() || is_mark || no_data == Some(*value) {
+        if !value.is_finite() || is_mark || no_data.contains(&Some(*value)) {
             *value = f64::NAN;
             count += 1;
         }
@@ -177,16 +199,22 @@ fn check_missing(missing: usize, samples: usize, config: &ReadConfig) -> Parsed<
     ))
 }
 
-fn check_range(heights: &[f64], from: &str, config: &ReadConfig) -> Parsed<()> {
+fn check_range(heights: &[f64], line: &Sourced<Line>, config: &ReadConfig) -> Parsed<()> {
     let largest = heights.iter().fold(0.0, |largest: f64, height| {
-        // `max` ignores NaN, the mark of missing samples.
-        largest.max(height.abs())
+        // Comparisons ignore NaN, the mark of missing samples.
+        if height.abs() > largest.abs() { *height } else { largest }
     });
-    if largest <= HEIGHT_MAX_NM {
+    if largest.abs() <= HEIGHT_MAX_NM {
         return Ok(());
     }
+    // The number in the file, as far as it can be told after scaling.
+    let stored = ((largest - line.value.offset) / line.value.scale) as f32;
     Err(Refusal::new(
-        format!("its heights reach {largest:.3e} nm, more than a metre ({from})"),
-        format!("the unit is probably wrong: correct it, or {}", config.words.add_float_height),
+        format!("its heights reach {largest:.3e} nm, more than a metre ({})", line.from),
+        format!(
+            "where {stored:e} marks missing samples, set `missing_value = {stored:e}`; otherwise the unit is probably wrong: \
+             correct it, or {}",
+            config.words.add_float_height
+        ),
     ))
 }

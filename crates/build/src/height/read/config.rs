@@ -76,6 +76,10 @@ pub struct ReadConfig {
     pub height: Option<HeightScale>,
     /// Largest accepted share of missing samples, 0 to 1. Those there are get filled in.
     pub max_missing_share: f64,
+    /// Number in the file that stands for a missing sample, besides those that the file declares.
+    pub missing_value: Option<f64>,
+    /// The part that is kept: first column, first row, width, height, in samples of the file. `None` for all.
+    pub crop: Option<[usize; 4]>,
     /// Largest accepted number of samples: bounds the memory, about 60 bytes each, 120
     /// for missing ones.
     pub max_samples: usize,
@@ -91,6 +95,8 @@ impl Default for ReadConfig {
             pitch_nm: None,
             height: None,
             max_missing_share: 0.05,
+            missing_value: None,
+            crop: None,
             max_samples: 1 << 26,
             words: CallerWords::MANIFEST,
         }

@@ -14,7 +14,7 @@ const RELATIVE_RESIDUAL: f64 = 1e-9;
 
 /// Replaces every NaN of a field of `size` by a smooth interpolation; `false` if it had to stop before
 /// the solution was reached. The field must have a known sample, and `pitch` be positive.
-pub(super) fn fill(heights: &mut [f64], size: [usize; 2], pitch: [f64; 2]) -> bool {
+pub(crate) fn fill(heights: &mut [f64], size: [usize; 2], pitch: [f64; 2]) -> bool {
     let missing: Vec<usize> = (0..heights.len()).filter(|&index| heights[index].is_nan()).collect();
     if missing.is_empty() || missing.len() == heights.len() {
         return missing.is_empty();

@@ -6,22 +6,46 @@ use rustfft::num_complex::Complex;
 use crate::ground::fft::fft2;
 use crate::height::HeightField;
 
-/// Shortest distance in nm over all directions at which the autocorrelation falls to 1/e (the `Sal` of
-/// ISO 25178-2 with `s = 1/e`), of heights with mean 0; NaN where it does not within half of the scan.
-pub fn length_nm(field: &HeightField) -> f64 {
+/// Distances at which an autocorrelation falls to some share of its value at 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Decay {
+    /// Shortest over all directions in nm; NaN where it does not fall so far within half of the scan.
+    pub shortest_nm: f64,
+    /// Longest in nm, within which it stays above in that direction; NaN where it does not fall within half of the scan in some direction.
+    pub longest_nm: f64,
+}
+
+/// [`decays`] to one share.
+#[cfg(test)]
+pub fn decay(field: &HeightField, share: f64) -> Decay {
+    let [decay] = decays(field, [share]);
+    decay
+}
+
+/// Falls to shares of the value at 0, of heights with mean 0: the shortest is `Sal` of ISO 25178-2 with the share as its `s`, the
+/// ratio of shortest to longest `Str`.
+pub fn decays<const N: usize>(field: &HeightField, shares: [f64; N]) -> [Decay; N] {
     let correlation = autocorrelation(&field.heights_nm);
+    shares.map(|share| fall(&correlation, field.pitch_nm, share))
+}
+
+fn fall(correlation: &Array2<f64>, [dx, dy]: [f64; 2], share: f64) -> Decay {
     let (rows, columns) = correlation.dim();
-    let level = (-1.0f64).exp() * correlation[[0, columns / 2]];
     let middle = columns / 2;
-    let [dx, dy] = field.pitch_nm;
-    let mut shortest = f64::INFINITY;
+    let level = share * correlation[[0, middle]];
+    let region = region_above(correlation, level);
+    let mut decay = Decay { shortest_nm: f64::INFINITY, longest_nm: 0.0 };
     // Where the contour cuts the grid's lines, by linear interpolation.
     let mut cut = |from: [usize; 2], to: [usize; 2]| {
         let (a, b) = (correlation[from] - level, correlation[to] - level);
         if (a > 0.0) != (b > 0.0) {
             let t = a / (a - b);
             let at = |axis: usize| from[axis] as f64 + t * (to[axis] as f64 - from[axis] as f64);
-            shortest = shortest.min(((at(1) - middle as f64) * dx).hypot(at(0) * dy));
+            let distance_nm = ((at(1) - middle as f64) * dx).hypot(at(0) * dy);
+            decay.shortest_nm = decay.shortest_nm.min(distance_nm);
+            if region[from] || region[to] {
+                decay.longest_nm = decay.longest_nm.max(distance_nm);
+            }
         }
     };
     for row in 0..rows {
@@ -34,7 +58,40 @@ pub fn length_nm(field: &HeightField) -> f64 {
             }
         }
     }
-    if shortest.is_finite() { shortest } else { f64::NAN }
+    let is_border = |(row, column): (usize, usize)| row + 1 == rows || column == 0 || column + 1 == columns;
+    if region.indexed_iter().any(|(place, inside)| *inside && is_border(place)) {
+        decay.longest_nm = f64::NAN;
+    }
+    if !decay.shortest_nm.is_finite() {
+        decay.shortest_nm = f64::NAN;
+    }
+    decay
+}
+
+/// The lags that hang together with 0 and at which the autocorrelation is above a level.
+fn region_above(correlation: &Array2<f64>, level: f64) -> Array2<bool> {
+    let (rows, columns) = correlation.dim();
+    let mut region = Array2::from_elem((rows, columns), false);
+    let mut next = vec![[0, columns / 2]];
+    while let Some([row, column]) = next.pop() {
+        if region[[row, column]] || correlation[[row, column]] <= level {
+            continue;
+        }
+        region[[row, column]] = true;
+        if row > 0 {
+            next.push([row - 1, column]);
+        }
+        if column > 0 {
+            next.push([row, column - 1]);
+        }
+        if row + 1 < rows {
+            next.push([row + 1, column]);
+        }
+        if column + 1 < columns {
+            next.push([row, column + 1]);
+        }
+    }
+    region
 }
 
 /// Mean product of heights a lag apart, over all pairs there are, for lags up to half of the field:

@@ -1,13 +1,12 @@
 //! Periods that stand out of the power spectrum.
 
-use std::f64::consts::{LN_2, TAU};
+use std::f64::consts::LN_2;
 
-use ndarray::Array2;
-use rustfft::num_complex::Complex;
 use serde::{Deserialize, Serialize};
 
-use crate::ground::fft::fft2;
+use super::spectrum::Spectrum;
 use crate::height::HeightField;
+use crate::height::prepare::robust::median;
 
 /// Most periods reported.
 const PERIODS_MAX: usize = 3;
@@ -23,6 +22,10 @@ const FIRST_POWER_MIN: f64 = 0.02;
 /// Least power of the strongest peak, relative to the highest line at any frequency: 3e-5 of its amplitude. What is left of a surface that
 /// is one slow wave is rounding, and a Hann window's far side lobes.
 const LEAST_POWER_MIN: f64 = 1e-9;
+
+/// Least share of the mean square height that lies in the strongest peak. Peaks that stand out of nothing, as rounding leaves it, are no
+/// property of a surface.
+const SHARE_MIN: f64 = 2.5e-3;
 
 /// Half width of a peak in lines: of a sinusoid, a Hann window makes a lobe that ends at 2.
 const RANGE_LINES: f64 = 2.5;
@@ -58,14 +61,6 @@ pub struct Period {
     pub relative_power: f64,
 }
 
-/// Power spectrum of the windowed heights, and what its lines are.
-struct Spectrum {
-    /// Transform; index 0 is frequency 0, rows first.
-    values: Array2<Complex<f64>>,
-    /// Distance of the lines in 1/nm along x and y.
-    line_per_nm: [f64; 2],
-}
-
 /// A peak of the power.
 #[derive(Clone, Copy)]
 struct Peak {
@@ -81,18 +76,24 @@ struct Peak {
 ///
 /// The heights are weighted with a Hann window. A peak counts if a random surface with the mean power found
 /// at that distance from the origin would reach its height anywhere in the spectrum with a probability of
-/// 1e-6 only. Its place is the centre of the power around it, which lies between the lines: exactly so
+/// 1e-6 only, and if the strongest has its share of the mean square height. Of what is constant along the scan lines, or along
+/// the columns, lines across tell nothing, so the strongest peak has to rise above its own axis too ([`stands_out_along`]).
+///
+/// Its place is the centre of the power around it, which lies between the lines: exactly so
 /// for a sinusoid, whose power a Hann window spreads over five lines, and in the middle of the many lines of a grating
 /// that is not quite regular. One that varies more has several peaks.
 pub(crate) fn dominant(field: &HeightField) -> Vec<Period> {
-    let spectrum = spectrum(field);
+    let spectrum = Spectrum::new(field);
     let maxima = local_maxima(&spectrum);
     let Some(highest) = maxima.first().map(|&line| spectrum.power(line)) else { return Vec::new() };
-    let slowest_too = spectrum.values.iter().map(|value| value.norm_sqr()).fold(0.0, f64::max);
+    let slowest_too = spectrum.powers().fold(0.0, f64::max);
     let first_least = (FIRST_POWER_MIN * highest).max(LEAST_POWER_MIN * slowest_too);
     let background = Background::new(&spectrum);
     // Powers of a random surface's lines are distributed exponentially about their mean.
-    let threshold = (0.5 * spectrum.values.len() as f64 / FALSE_ALARM).ln();
+    let threshold = (0.5 * spectrum.count() as f64 / FALSE_ALARM).ln();
+    let is_first = |line: [i64; 2]| {
+        2.0 * around(&spectrum, line) > SHARE_MIN * background.total && stands_out_along(&spectrum, &background, line)
+    };
     let mut peaks: Vec<Peak> = Vec::new();
     for line in maxima {
         let power = spectrum.power(line);
@@ -104,8 +105,8 @@ pub(crate) fn dominant(field: &HeightField) -> Vec<Period> {
         if peaks.iter().any(|peak| peak.holds(place)) {
             continue;
         }
-        if power > threshold * background.around(spectrum.ring(place)) {
-            let peak = centred(&spectrum, place, power);
+        if power > threshold * background.around(spectrum.ring(place)) && (!peaks.is_empty() || is_first(line)) {
+            let peak = centred(&spectrum, line, power);
             // A wave between the lines may be longer than its highest one says.
             let is_told = peak.line[0].hypot(peak.line[1]) >= LINES_MIN;
             if is_told && !peaks.iter().any(|other| other.holds(peak.line)) {
@@ -115,6 +116,51 @@ pub(crate) fn dominant(field: &HeightField) -> Vec<Period> {
     }
     let strongest = peaks.first().map_or(0.0, |peak| peak.power);
     peaks.iter().map(|peak| period(peak, &spectrum, strongest)).collect()
+}
+
+/// Power of a line and the eight around it: nearly all that a Hann window leaves of a sinusoid, wherever between the lines it lies.
+fn around(spectrum: &Spectrum, [x, y]: [i64; 2]) -> f64 {
+    (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| [x + dx, y + dy])).map(|line| spectrum.power(line)).sum()
+}
+
+/// Least ratio of a peak's power to what lies along its axis: independent heights reach it once in a thousand scans, a random walk once
+/// in five hundred (10,000 of each, of 32 to 512 lines).
+const ALONG_MIN: f64 = 12.0;
+
+/// Share of the power on an axis from which on a surface is constant across it.
+const ON_AXIS: f64 = 0.95;
+
+/// Nearest and farthest lines that tell the power beside a peak on its axis; the farthest are half of its own number further.
+const BESIDE: [i64; 2] = [4, 8];
+
+/// Whether a peak stands out of the lines along its own axis, where that is the only one that holds any power; and likewise
+/// one constant along the scan lines, where offsets between those have all their power. Others do.
+///
+/// What lies beside it is the median of the lines beside it, as they are or as they would be if the power fell as in a random walk, whichever
+/// is more.
+fn stands_out_along(spectrum: &Spectrum, background: &Background, line: [i64; 2]) -> bool {
+    let [x, y] = line;
+    let axis = match (x.abs() <= 1, y.abs() <= 1) {
+        (true, _) => 1,
+        (_, true) if background.on_x_axis > ON_AXIS => 0,
+        _ => return true,
+    };
+    // Along the axis from the peak's own distance across it, which the window blurs by one line.
+    let at = |number: i64| if axis == 0 { [number, y] } else { [x, number] };
+    let number = line[axis].abs();
+    let sign = line[axis].signum();
+    let numbers = (BESIDE[0]..BESIDE[1] + number / 2).flat_map(|apart| [number - apart, number + apart]);
+    let beside: Vec<(f64, f64)> = numbers
+        .filter(|&n| n >= 2 && spectrum.has(at(sign * n)))
+        .map(|n| (n as f64, around(spectrum, at(sign * n))))
+        .collect();
+    if beside.is_empty() {
+        return true;
+    }
+    let mut as_they_are: Vec<f64> = beside.iter().map(|(_, power)| *power).collect();
+    let mut as_a_walk: Vec<f64> = beside.iter().map(|(n, power)| power * (n / number as f64).powi(2)).collect();
+    let expected = median(&mut as_they_are).max(median(&mut as_a_walk)) / LN_2;
+    around(spectrum, line) > ALONG_MIN * expected
 }
 
 impl Peak {
@@ -128,8 +174,10 @@ impl Peak {
     }
 }
 
-/// The peak near a line, its range moved until its own centre of power is its middle.
-fn centred(spectrum: &Spectrum, start: [f64; 2], power: f64) -> Peak {
+/// The peak at a highest line, its range moved until its own centre of power is its middle. Where stronger power beside the peak draws that
+/// away, the peak lies between the line and its neighbours as a sinusoid would.
+fn centred(spectrum: &Spectrum, highest: [i64; 2], power: f64) -> Peak {
+    let start = highest.map(|line| line as f64);
     let [fx, fy] = [start[0] * spectrum.line_per_nm[0], start[1] * spectrum.line_per_nm[1]];
     let width = RANGE_SHARE * fx.hypot(fy);
     let range = spectrum.line_per_nm.map(|line| (width / line).max(RANGE_LINES));
@@ -154,7 +202,27 @@ fn centred(spectrum: &Spectrum, start: [f64; 2], power: f64) -> Peak {
             break;
         }
     }
+    let drift = |axis: usize| (peak.line[axis] - start[axis]).abs() / (range[axis] / RANGE_LINES);
+    if drift(0).max(drift(1)) > 1.0 {
+        peak.line = between_lines(spectrum, highest);
+    }
     peak
+}
+
+/// Place of a sinusoid of which a Hann window leaves most in this line, from how much it leaves in the stronger neighbour: of amplitudes
+/// `A(δ)` that lie `δ` lines from its centre, `A(1 - δ)/A(δ) = (1 + δ)/(2 - δ)`.
+fn between_lines(spectrum: &Spectrum, highest: [i64; 2]) -> [f64; 2] {
+    [0, 1].map(|axis| {
+        let amplitude = |step: i64| {
+            let mut line = highest;
+            line[axis] += step;
+            spectrum.power(line).sqrt()
+        };
+        let sign = if amplitude(1) > amplitude(-1) { 1 } else { -1 };
+        let ratio = amplitude(sign) / amplitude(0);
+        let shift = ((2.0 * ratio - 1.0) / (1.0 + ratio)).clamp(0.0, 0.5);
+        highest[axis] as f64 + sign as f64 * shift
+    })
 }
 
 fn period(peak: &Peak, spectrum: &Spectrum, strongest: f64) -> Period {
@@ -165,62 +233,6 @@ fn period(peak: &Peak, spectrum: &Spectrum, strongest: f64) -> Period {
         // A tiny negative angle rounds to 180 itself.
         direction_deg: if turned < 180.0 { turned } else { 0.0 },
         relative_power: peak.power / strongest,
-    }
-}
-
-/// Hann window with zeros just outside the samples, its sum 1; 1 for a single sample.
-fn hann(count: usize) -> Vec<f64> {
-    (0..count).map(|i| (1.0 - (TAU * (i as f64 + 0.5) / count as f64).cos()) / count as f64).collect()
-}
-
-fn spectrum(field: &HeightField) -> Spectrum {
-    let [nx, ny] = field.size();
-    let single = |count: usize| if count == 1 { vec![1.0] } else { hann(count) };
-    let (wx, wy) = (single(nx), single(ny));
-    let weighted = || field.heights_nm.indexed_iter().map(|((j, i), height)| wy[j] * wx[i] * height);
-    let mean: f64 = weighted().sum::<f64>() / (wx.iter().sum::<f64>() * wy.iter().sum::<f64>());
-    let mut values =
-        Array2::from_shape_fn((ny, nx), |(j, i)| Complex::from(wy[j] * wx[i] * (field.heights_nm[[j, i]] - mean)));
-    fft2(&mut values);
-    let [x, y] = field.extent_nm();
-    Spectrum { values, line_per_nm: [1.0 / x, 1.0 / y] }
-}
-
-impl Spectrum {
-    /// Signed line numbers of a bin, along x and along the rows.
-    fn line(&self, [row, column]: [usize; 2]) -> [i64; 2] {
-        let signed =
-            |index: usize, count: usize| if 2 * index > count { index as i64 - count as i64 } else { index as i64 };
-        [signed(column, self.values.ncols()), signed(row, self.values.nrows())]
-    }
-
-    /// The value at a line, repeated beyond the ends.
-    fn at(&self, [x, y]: [i64; 2]) -> Complex<f64> {
-        let wrapped = |line: i64, count: usize| line.rem_euclid(count as i64) as usize;
-        self.values[[wrapped(y, self.values.nrows()), wrapped(x, self.values.ncols())]]
-    }
-
-    /// Whether a line is within the spectrum, not its repetition; an axis of one sample has line 0 only.
-    fn has(&self, [x, y]: [i64; 2]) -> bool {
-        2 * x.unsigned_abs() <= self.values.ncols() as u64 && 2 * y.unsigned_abs() <= self.values.nrows() as u64
-    }
-
-    fn power(&self, line: [i64; 2]) -> f64 {
-        self.at(line).norm_sqr()
-    }
-
-    /// Distance of a line from the origin, in the coarser of the two lines.
-    fn ring(&self, [x, y]: [f64; 2]) -> usize {
-        let coarse = self.line_per_nm[0].max(self.line_per_nm[1]);
-        (x * self.line_per_nm[0] / coarse).hypot(y * self.line_per_nm[1] / coarse).round() as usize
-    }
-
-    /// Bins of the half plane that stands for all, with their lines.
-    fn half_plane(&self) -> impl Iterator<Item = [i64; 2]> + '_ {
-        let (rows, columns) = self.values.dim();
-        (0..rows)
-            .flat_map(move |row| (0..columns).map(move |column| self.line([row, column])))
-            .filter(|&[x, y]| x > 0 || (x == 0 && y > 0))
     }
 }
 
@@ -240,22 +252,31 @@ fn local_maxima(spectrum: &Spectrum) -> Vec<[i64; 2]> {
     maxima
 }
 
-/// Powers by distance from the origin.
+/// Powers by distance from the origin, and sums.
 struct Background {
     rings: Vec<Vec<f64>>,
+    /// Of all lines.
+    total: f64,
+    /// Share of those that are constant along y, within the Hann window's reach, among all that may be periods.
+    on_x_axis: f64,
 }
 
 impl Background {
     fn new(spectrum: &Spectrum) -> Self {
         let mut rings: Vec<Vec<f64>> = Vec::new();
+        let [mut on_x_axis, mut all] = [0.0; 2];
         for [x, y] in spectrum.half_plane() {
+            if (x as f64).hypot(y as f64) >= LINES_MIN {
+                all += spectrum.power([x, y]);
+                on_x_axis += if y.abs() <= 1 { spectrum.power([x, y]) } else { 0.0 };
+            }
             let ring = spectrum.ring([x as f64, y as f64]);
             if rings.len() <= ring {
                 rings.resize(ring + 1, Vec::new());
             }
             rings[ring].push(spectrum.power([x, y]));
         }
-        Self { rings }
+        Self { rings, total: spectrum.powers().sum(), on_x_axis: on_x_axis / all }
     }
 
     /// Mean power that a random surface would have at this distance from the origin: from the median, which a

@@ -175,3 +175,65 @@ fn a_surface_larger_than_the_scan_has_no_correlation_length_and_survives_json() 
     assert!(back.autocorrelation_length_nm.is_nan());
     assert_eq!(serde_json::to_string(&back).unwrap(), text);
 }
+
+/// A profile along y (or x), the same in every column (or row).
+fn profile(heights_nm: &[f64], along_x: bool) -> HeightField {
+    let count = heights_nm.len();
+    let at = |row: usize, column: usize| heights_nm[if along_x { column } else { row }];
+    HeightField {
+        heights_nm: Array2::from_shape_fn((count, count), |(row, column)| at(row, column)),
+        pitch_nm: [50.0; 2],
+    }
+}
+
+#[test]
+fn surfaces_that_repeat_nothing_have_no_period() {
+    for seed in 0..20 {
+        let mut random = fastrand::Rng::with_seed(seed);
+        let white: Vec<f64> = (0..128).map(|_| 20.0 * (random.f64() - 0.5)).collect();
+        let walk: Vec<f64> = white
+            .iter()
+            .scan(0.0, |sum, step| {
+                Some({
+                    *sum += step;
+                    *sum
+                })
+            })
+            .collect();
+        let step: Vec<f64> = (0..128).map(|i| if i < 30 + seed { 0.0 } else { 50.0 }).collect();
+        for along_x in [false, true] {
+            for (name, heights) in [("white", &white), ("walk", &walk), ("step", &step)] {
+                let found = statistics(&profile(heights, along_x), 400.0).dominant_periods;
+                assert_eq!(found, [], "{name} {seed} {along_x}");
+            }
+        }
+    }
+    let bump = Array2::from_shape_fn((128, 128), |(j, i)| {
+        100.0 * (-((i as f64 - 60.0).powi(2) + (j as f64 - 70.0).powi(2)) / 200.0).exp()
+    });
+    assert_eq!(statistics(&HeightField { heights_nm: bump, pitch_nm: [50.0; 2] }, 400.0).dominant_periods, []);
+}
+
+#[test]
+fn rounding_of_a_slow_wave_is_no_period() {
+    for waves in [0.3, 0.7, 1.0, 1.6] {
+        let mut field = sinusoid([64, 64], [50.0; 2], 100.0, 3200.0 / waves, 20.0);
+        for step_nm in [1e-5, 1e-2, 0.1] {
+            field.heights_nm.mapv_inplace(|height| (height / step_nm).round() * step_nm);
+            assert_eq!(statistics(&field, 400.0).dominant_periods, [], "{waves} {step_nm}");
+        }
+    }
+}
+
+/// What lies between the lines and beside slow waves that are ten times stronger is found in its place.
+#[test]
+fn a_period_beside_slow_waves_is_not_drawn_towards_them() {
+    for waves in [6.5, 6.61, 7.3, 9.5] {
+        let side_nm = 256.0 * 39.1;
+        let mut field = sinusoid([256, 256], [39.1; 2], 30.0, side_nm / waves, 8.0);
+        let slow = sinusoid(field.size(), field.pitch_nm, 300.0, side_nm / 0.9, 5.0);
+        field.heights_nm += &slow.heights_nm;
+        let found = statistics(&field, 400.0).dominant_periods;
+        assert!((found[0].period_nm / (side_nm / waves) - 1.0).abs() < 0.03, "{waves}: {found:?}");
+    }
+}
