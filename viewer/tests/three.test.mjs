@@ -52,9 +52,9 @@ after(async () => {
 });
 
 /** Linear sRGB of a square from above under a light of unit intensity, row by row from below. */
-function drawn(light, options = {}, mirrored = false, tangents = true) {
+function drawn(light, options = {}, mirrored = false, tangents = true, uvs = true) {
   return page.evaluate(
-    async ([light, options, mirrored, tangents, side, height, specimen]) => {
+    async ([light, options, mirrored, tangents, uvs, side, height, specimen]) => {
       const three = await import('three');
       const { layStructure, openAtlas } = await import('diffraction-atlas-three');
       window.atlas ??= await openAtlas('atlas');
@@ -65,6 +65,7 @@ function drawn(light, options = {}, mirrored = false, tangents = true) {
       const lamp = new three.DirectionalLight('white', 1);
       lamp.position.set(...light);
       const geometry = new three.PlaneGeometry(2, 2);
+      if (!uvs) geometry.getAttribute('uv').array.fill(0.5);
       const square = new three.Mesh(tangents ? layStructure(geometry) : geometry, material);
       if (mirrored) square.scale.x = -1;
       scene.add(lamp, square);
@@ -78,7 +79,7 @@ function drawn(light, options = {}, mirrored = false, tangents = true) {
       renderer.dispose();
       return [...out];
     },
-    [light, options, mirrored, tangents, SIDE, HEIGHT, SPECIMEN],
+    [light, options, mirrored, tangents, uvs, SIDE, HEIGHT, SPECIMEN],
   );
 }
 
@@ -134,6 +135,12 @@ test('a light with a size is the mean over its disc', async () => {
   const sum = (values) => values.reduce((sum, value) => sum + value, 0);
   // The square's light is spread, not lost: what leaves at its rim is small.
   assert.ok(apart(wide, point) > 0.02 && Math.abs(sum(wide) / sum(point) - 1) < 0.02, `${apart(wide, point)} ${sum(wide) / sum(point)}`);
+});
+
+test('texture coordinates that give no direction are magenta, not noise', async () => {
+  const found = await drawn([0.3, 0.2, 1], {}, false, true, false);
+  assert.deepEqual([...new Set(found)].sort(), [0, 1]);
+  assert.ok(found.every((value, i) => value === [1, 0, 1, 1][i % 4]));
 });
 
 test('a specimen that is not there, and a file that is missing, are told', async () => {

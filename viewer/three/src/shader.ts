@@ -60,6 +60,11 @@ mat3 structure_at(vec3 normal) {
     vec3 across = (py * ux.x - px * uy.x) * sign(area);
     side = dot(cross(along, across), normal) < 0.0 ? -1.0 : 1.0;
     along -= normal * dot(normal, along);
+    if (!(dot(along, along) > 0.0)) {
+      // Texture coordinates on a line give no direction: there is no answer.
+      answered = false;
+      along = cross(normal, abs(normal.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0));
+    }
   }
   vec3 x = normalize(along);
   vec3 y = cross(normal, x) * side;
