@@ -6,10 +6,10 @@ use std::process::Command;
 
 use diffraction_atlas::stages::archive::shader_export::{ShaderLanguage, ShaderSource, shader};
 use diffraction_atlas::stages::archive::specimen_file;
-use diffraction_brdf::Atlas;
 use diffraction_brdf::direction::{Vec3, dot};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::shader_spectral::promised_spectral_image;
+use diffraction_brdf::{Atlas, Splines};
 use diffraction_build::ground::colour::xyz_to_linear_srgb;
 use diffraction_render::render::cpu;
 use diffraction_render::render::gpu_bound::bound_image;
@@ -111,11 +111,17 @@ fn float_texels_are_the_tables_themselves() {
     let texels: &[[f32; 4]] = bytemuck::cast_slice(&texels);
     let (rows, columns, _) = set.tables[0].dim();
     assert_eq!(texels.len(), set.tables.len() * rows * columns);
-    for ((row, column, channel), value) in set.tables[1].indexed_iter() {
+    // Of the look-ups that such tables are promised for: coefficients of splines.
+    let splines = Splines::new(&set.tables);
+    for ((row, column, channel), value) in splines.coefficients()[1].indexed_iter() {
         assert_eq!(texels[(rows + row) * columns + column][channel], *value);
     }
     let params = read("params.bin");
-    assert_eq!(params[80..84], 1f32.to_le_bytes(), "scales are 1");
+    assert_eq!(
+        (&params[52..56], &params[80..84]),
+        (&1u32.to_le_bytes()[..], &1f32.to_le_bytes()[..]),
+        "splines; scales are 1"
+    );
     let index: serde_json::Value = serde_json::from_slice(&read("textures.json")).unwrap();
     assert_eq!(index["tables"]["format"], "RGBA32F");
     let include = std::fs::read_to_string(exported.join("include/tables_filtered.450.glsl")).unwrap();

@@ -53,7 +53,8 @@ pub fn promised_spectral_floats(tables: &SpectralTables) -> FloatLayers {
 impl FloatLayers {
     /// Coefficients stand for values where nothing is averaged.
     fn put_on_the_finest(&mut self, coefficients: Self) {
-        self.levels[0] = coefficients.levels.into_iter().next().unwrap_or_else(|| unreachable!("a texture has a level"));
+        self.levels[0] =
+            coefficients.levels.into_iter().next().unwrap_or_else(|| unreachable!("a texture has a level"));
     }
 }
 

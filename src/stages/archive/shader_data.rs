@@ -9,7 +9,9 @@ use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
 use diffraction_brdf::json;
 use diffraction_brdf::shader::{GAUSSIANS, HalfLayers, TableParams, promised_image};
-use diffraction_brdf::shader_floats::{FloatLayers, float_layers, float_layers_of_spectral, promised_floats, promised_spectral_floats};
+use diffraction_brdf::shader_floats::{
+    FloatLayers, float_layers, float_layers_of_spectral, promised_floats, promised_spectral_floats,
+};
 use diffraction_brdf::shader_spectral::{SpectralParams, promised_spectral_image};
 use diffraction_build::optics::pigment::Surface;
 
