@@ -84,7 +84,7 @@ def tensors(specimen: Specimen, side: int) -> Tensors:
             second = 2 * (half @ first)[..., None] * half - first
             second /= np.linalg.norm(second, axis=-1, keepdims=True)
             first, cosine = np.broadcast_to(first, second.shape), np.maximum(second[..., 2:], 0)
-            spectra[a, p] = np.moveaxis(specimen.eval_wavelengths(first, second, wavelengths) * cosine, -1, 0)
+            spectra[a, p] = np.moveaxis(specimen.eval_wavelengths(first, second, wavelengths, lookup="spline") * cosine, -1, 0)
     single = (array.astype(np.float32) for array in (phi_i, theta_i, wavelengths))
     return Tensors(*single, vndf, spectra)
 
@@ -197,7 +197,7 @@ def measure(specimen: Specimen, held: Tensors, count: int = 4000, seed: int = 1)
     right = np.empty(count)
     for n in range(64):
         here = picked == n
-        right[here] = specimen.eval_wavelengths(wi[here], wo[here], nm[n : n + 1])[:, 0] * wo[here, 2]
+        right[here] = specimen.eval_wavelengths(wi[here], wo[here], nm[n : n + 1], lookup="spline")[:, 0] * wo[here, 2]
     lit = right > np.median(right)
     error = np.abs(evaluated(held, wi[lit], wo[lit], nm[picked[lit]]) / right[lit] - 1)
     return float(np.median(error)), float(np.quantile(error, 0.9))
