@@ -55,8 +55,8 @@ BALL_RADIUS = 0.95
 CONTEXT = mi.BSDFContext()
 
 def load(version, name, **more):
-    """The plugin as a scene loads it, in XYZ."""
-    more = {"colours": "xyz", **more}
+    """The plugin in XYZ, with the model's own values: check values and pictures are of no energy limit."""
+    more = {"colours": "xyz", "energy_limit": False, **more}
     return mi.load_dict({"type": "diffraction", "atlas": str(version), "specimen": name, **more})
 
 def facing(wi, count):

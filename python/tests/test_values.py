@@ -14,7 +14,45 @@ import numpy as np
 
 import diffraction_atlas as da
 from common import atlas, column, directions, largest_difference, rust_values
-from diffraction_atlas import _check
+from diffraction_atlas import _check, _command
+
+
+class OldAtlases(unittest.TestCase):
+    def opened(self, folder: Path, schema: int, factor: str | None) -> da.Specimen:
+        """A specimen of the atlas as that schema would have written it, its files linked."""
+        source = next(specimen for specimen in atlas().values() if "dielectric" in specimen.about["optics"]["material"])
+        about = json.loads(json.dumps(source.about))
+        about["schema"] = schema
+        about["optics"].pop("factor", None)
+        if factor:
+            about["optics"]["factor"] = factor
+        for key in ("spectral", "energy_limit", "albedo") if schema < 3 else ():
+            about.pop(key, None)
+        folder.mkdir()
+        for file in source.folder.glob("*.exr"):
+            (folder / file.name).symlink_to(file.resolve())
+        (folder / "specimen.json").write_text(json.dumps(about))
+        return da.Specimen(folder)
+
+    def test_schemas_1_and_2_are_read_with_the_scalar_factor_where_none_is_named(self):
+        wi, wo = directions(200), directions(200, 2)
+        with tempfile.TemporaryDirectory() as place:
+            place = Path(place)
+            scalar = self.opened(place / "now", 3, "scalar").eval(wi, wo)
+            vector = self.opened(place / "vector", 3, "vector").eval(wi, wo)
+            self.assertGreater(largest_difference(vector, scalar), 0.01)
+            for schema in (1, 2):
+                old = self.opened(place / str(schema), schema, None)
+                self.assertEqual(largest_difference(old.eval(wi, wo), scalar), 0)
+                self.assertFalse(old.has_spectral)
+                with self.assertRaisesRegex(ValueError, "no spectral tables"):
+                    old.eval_wavelengths(wi, wo, [550])
+
+    def test_other_schemas_are_refused_by_their_number(self):
+        with tempfile.TemporaryDirectory() as place:
+            for schema in (0, 4):
+                with self.assertRaisesRegex(da.AtlasError, f"schema {schema}.*reads 1 to 3"):
+                    self.opened(Path(place) / str(schema), schema, "vector")
 
 
 class CheckValues(unittest.TestCase):
@@ -68,7 +106,7 @@ class CheckValues(unittest.TestCase):
     def run_check(self, path):
         said, error = io.StringIO(), io.StringIO()
         with contextlib.redirect_stdout(said), contextlib.redirect_stderr(error):
-            status = _check.main(["check", str(path)])
+            status = _command.main(["check", str(path)])
         return status, said.getvalue(), error.getvalue()
 
 

@@ -6,10 +6,10 @@ use std::process::Command;
 
 use diffraction_atlas::stages::archive::shader_export::{ShaderLanguage, ShaderSource, shader};
 use diffraction_atlas::stages::archive::specimen_file;
-use diffraction_brdf::Atlas;
 use diffraction_brdf::direction::{Vec3, dot};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::shader_spectral::promised_spectral_image;
+use diffraction_brdf::{Atlas, Splines};
 use diffraction_build::ground::colour::xyz_to_linear_srgb;
 use diffraction_render::render::cpu;
 use diffraction_render::render::gpu_bound::bound_image;
@@ -45,10 +45,16 @@ fn samples() -> ShadingSamples {
 
 /// The shaders and bytes of the published version, in a folder that lives as long as the first value.
 fn export() -> (tempfile::TempDir, PathBuf) {
+    exported(&["--form", "shaders"])
+}
+
+fn exported(words: &[&str]) -> (tempfile::TempDir, PathBuf) {
     let out = tempfile::tempdir().unwrap();
     let exported = out.path().join("exported");
     let run = Command::new(env!("CARGO_BIN_EXE_diffraction-atlas"))
-        .args(["export", "--form", "shaders", "--out"])
+        .arg("export")
+        .args(words)
+        .arg("--out")
         .args([&exported, &published().config.atlas_root])
         .output()
         .unwrap();
@@ -92,6 +98,51 @@ fn spectral_tables_are_exported_with_their_shader() {
     let image = promised_spectral_image(brdf.spectral().unwrap()).unwrap();
     assert_eq!(read("spectral_params.bin"), bytemuck::bytes_of(&image.params));
     assert_eq!(read("spectral_tables.rgba16f"), bytemuck::cast_slice::<_, u8>(&image.tables.texels));
+}
+
+/// Textures of 32-bit floats hold the tables as they are, and the files to include lie beside the shaders.
+#[test]
+fn float_texels_are_the_tables_themselves() {
+    let (_place, exported) = exported(&["--form", "shaders", "--float-texels", "--prefix", "snake_"]);
+    let atlas = Atlas::open(&published().config.atlas_root).unwrap();
+    let set = atlas.brdf("wave").unwrap().tables().clone();
+    let read = |name: &str| std::fs::read(exported.join("wave").join(name)).unwrap();
+    let texels = read("tables.rgba32f");
+    let texels: &[[f32; 4]] = bytemuck::cast_slice(&texels);
+    let (rows, columns, _) = set.tables[0].dim();
+    assert_eq!(texels.len(), set.tables.len() * rows * columns);
+    // Of the look-ups that such tables are promised for: coefficients of splines.
+    let splines = Splines::new(&set.tables);
+    for ((row, column, channel), value) in splines.coefficients()[1].indexed_iter() {
+        assert_eq!(texels[(rows + row) * columns + column][channel], *value);
+    }
+    let params = read("params.bin");
+    assert_eq!(
+        (&params[52..56], &params[80..84]),
+        (&1u32.to_le_bytes()[..], &1f32.to_le_bytes()[..]),
+        "splines; scales are 1"
+    );
+    let index: serde_json::Value = serde_json::from_slice(&read("textures.json")).unwrap();
+    assert_eq!(index["tables"]["format"], "RGBA32F");
+    let include = std::fs::read_to_string(exported.join("include/tables_filtered.450.glsl")).unwrap();
+    assert!(include.contains("vec3 snake_brdf_xyz_filtered(") && exported.join("include/spectral_params.h").is_file());
+}
+
+/// OSL finds a texture by a literal alone, so shaders name the place of their export.
+#[test]
+fn osl_shaders_name_their_images_by_where_they_lie() {
+    let (_place, exported) = exported(&["--form", "osl"]);
+    let folder = exported.join("wave");
+    for shader in ["diffraction_emission", "diffraction_closure"] {
+        let text = std::fs::read_to_string(folder.join(format!("{shader}.osl"))).unwrap();
+        assert!(text.contains(&format!("shader {shader}(")) && text.matches('{').count() == text.matches('}').count());
+        let named: Vec<&str> = text.split('"').filter(|piece| piece.ends_with(".exr")).collect();
+        assert!(named.len() > 4, "{named:?}");
+        for image in named {
+            assert!(std::path::Path::new(image).is_file(), "{image}");
+        }
+    }
+    assert!(exported.join("README.md").is_file());
 }
 
 /// Allowed are the check's bound in the output's primaries (the magnitudes of a row sum to 5.3 at most) and what the

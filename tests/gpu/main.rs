@@ -17,6 +17,7 @@ mod frame;
 mod published;
 mod sets;
 mod shader_export;
+mod shader_include;
 mod shader_layout;
 mod spectral;
 mod viewer_shaders;

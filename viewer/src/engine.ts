@@ -1,17 +1,17 @@
 // What the page shows, without its controls: a specimen of the atlas, the picture, and numbers from the same shader.
 
-import { DataTexture, FloatType, HalfFloatType, NearestFilter, RGBAFormat, WebGLRenderer } from 'three';
-import { materialAt } from './atlas/dispersion';
+import { FloatType, HalfFloatType, WebGLRenderer, type DataTexture } from 'three';
 import { AtlasError, type AtlasFiles } from './atlas/files';
 import { packSpectral, packTables, type PackedSpectral, type PackedTables, type Progress } from './atlas/pack';
 import { readIndex, readSpecimen, type AtlasIndex, type Specimen, type ViewerFile } from './atlas/specimen';
 import { Picture, byteTarget, flipped, type Evaluated } from './gl/picture';
-import { automaticExposure, Probe, type Ask, type Pair } from './gl/probe';
+import { automaticExposure, Probe, type Pair } from './gl/probe';
+import { asksOf, quadratureOf, quadratureUniforms, type Ask } from './gl/quadrature';
 import { P3 } from './gl/display';
 import { GpuClock } from './gl/clock';
 import { BINDING } from './gl/library';
 import { upload, type Uploaded } from './gl/upload';
-import { illuminant, illuminantOf, quadrature, wavelengthsNeeded, type Illuminant, type Quadrature } from './light/illuminants';
+import { illuminant, illuminantOf, type Illuminant, type Quadrature } from './light/illuminants';
 import type { Body } from './scene/body';
 import { builtIn, skyTextures, type Environment, type SkyTextures } from './scene/environment';
 import { snakeBody } from './scene/snake';
@@ -213,9 +213,8 @@ export class Engine {
 
   /** The quadrature of a light for the specimen's spectral tables. */
   quadratureOf(light: Illuminant): Quadrature | null {
-    const spectral = this.loaded?.specimen.spectral;
-    if (!spectral) return null;
-    return quadrature(light, [spectral.shortest_nm, spectral.longest_nm], wavelengthsNeeded(spectral, spectral.usable_radius));
+    const specimen = this.loaded?.specimen;
+    return specimen ? quadratureOf(specimen, light) : null;
   }
 
   /** The uniforms with the scales of tables beyond the first few set to zero. */
@@ -233,38 +232,21 @@ export class Engine {
   }
 
   private quadratureFor(light: Illuminant): Record<string, { value: unknown }> {
-    const key = `${this.loaded?.specimen.name} ${light.label} ${this.state.scale}`;
+    const specimen = this.loaded?.specimen;
+    const key = `${specimen?.name} ${light.label} ${this.state.scale}`;
     if (key !== this.quadratureKey) {
       const found = this.quadratureOf(light);
-      if (!found) return {};
-      const asks = this.asks(found.nm);
-      const width = found.nm.length;
-      const data = new Float32Array(8 * width);
-      found.nm.forEach((nm, i) => {
-        data.set([nm, ...(asks[i].known ? found.weights[i] : [0, 0, 0])], 4 * i);
-        data.set([asks[i].index_n, asks[i].index_k, asks[i].material, 0], 4 * (width + i));
-      });
-      const texture = new DataTexture(data, width, 2, RGBAFormat, FloatType);
-      texture.minFilter = texture.magFilter = NearestFilter;
-      texture.needsUpdate = true;
+      if (!specimen || !found) return {};
       (this.quadratureUniforms.u_quadrature?.value as DataTexture | undefined)?.dispose();
       this.quadratureKey = key;
-      this.quadratureUniforms = {
-        u_quadrature: { value: texture },
-        u_wavelengths: { value: width },
-        u_structure_scale: { value: this.state.scale },
-      };
+      this.quadratureUniforms = quadratureUniforms(specimen, found, this.state.scale);
     }
     return this.quadratureUniforms;
   }
 
   /** Wavelengths with the material's index at each. */
   asks(nm: number[]): Ask[] {
-    const specimen = this.loaded?.specimen;
-    return nm.map((at) => {
-      const index = specimen ? materialAt(specimen, at) : null;
-      return { nm: at, material: index?.material ?? 0, index_n: index?.index_n ?? 1, index_k: index?.index_k ?? 0, known: index !== null };
-    });
+    return asksOf(this.loaded?.specimen ?? null, nm);
   }
 
   /** Tables of the specimen that the picture is made from. */

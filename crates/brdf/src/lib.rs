@@ -80,6 +80,7 @@ mod pyramid;
 mod reader;
 mod sampling;
 pub mod shader;
+pub mod shader_floats;
 pub mod shader_spectral;
 pub mod specimen;
 pub mod spectral;

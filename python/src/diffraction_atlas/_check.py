@@ -1,15 +1,12 @@
-"""The command `diffraction-atlas-py check`: an atlas against the values that it states for itself."""
+"""`diffraction-atlas-py check`: an atlas against the values that it states for itself."""
 
 from __future__ import annotations
 
-import argparse
-import sys
 from typing import Iterator, NamedTuple
 
 import numpy as np
 
-from ._atlas import Atlas, open
-from ._images import AtlasError
+from ._atlas import Atlas
 from ._specimen import Specimen
 
 #: Both sides compute in double precision from the same stored numbers. What remains is rounding of the directions: 1e-16 in u and v,
@@ -72,20 +69,3 @@ def check(atlas: Atlas) -> bool:
             print(f"{name:{width}}  {checked.count:4} {checked.what:19}  largest difference {checked.largest:.1e}  {word}")
     print(f"{count} check values of {len(atlas)} specimens, largest difference {largest:.1e}, allowed {TOLERANCE:.0e}")
     return fine and count > 0
-
-
-def main(arguments: list[str] | None = None) -> int:
-    """Exit status 0 where all is well, 1 where a value is not met, 2 where the atlas cannot be read."""
-    parser = argparse.ArgumentParser(prog="diffraction-atlas-py", description="Reads an atlas of diffraction tables.")
-    commands = parser.add_subparsers(required=True, metavar="command")
-    command = commands.add_parser("check", help="evaluates all check values, X, Y, Z and wavelengths")
-    command.add_argument("atlas", help="the folder of an atlas, whose newest version is taken, or of one version")
-    try:
-        return 0 if check(open(parser.parse_args(arguments).atlas)) else 1
-    except AtlasError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -2,20 +2,19 @@
 
 use std::path::{Path, PathBuf};
 
+use super::export_forms::{self, Specimens};
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use crate::error::Result;
-use crate::stages::archive::shader_data::{write_shader_data, write_spectral_data};
-use crate::stages::archive::shader_export::{README, SPECTRAL_README, ShaderLanguage, ShaderSource, shader};
+use crate::stages::archive::shader_data::Texels;
+use crate::stages::archive::shader_include::IncludeConfig;
 use crate::stages::archive::specimen_file;
 use crate::stages::viewer::content::Content;
 use crate::stages::viewer::written::{write_folder, write_single_file};
 use diffraction_brdf::atlas;
 use diffraction_brdf::error::{self, Error};
 use diffraction_brdf::files;
-use diffraction_brdf::spectral_storage::read_spectral;
 use diffraction_brdf::storage::write_tables;
-use diffraction_build::optics::pigment::Surface;
 use diffraction_build::tables::model::Storage;
 
 /// Arguments of `export`.
@@ -36,6 +35,15 @@ pub(crate) struct ExportArgs {
     /// With `--form viewer`: one HTML file that holds everything and works from the disk
     #[arg(long)]
     pub single_file: bool,
+    /// With `--form shaders`: what begins every global name of the files to include
+    #[arg(long, value_name = "TEXT", default_value = "diffraction_")]
+    pub prefix: String,
+    /// With `--form shaders`: binding of the uniform block in the files to include; textures and sampler follow it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=240))]
+    pub first_binding: u32,
+    /// With `--form shaders`: textures of 32-bit floats, for tables that 16 bits round too much
+    #[arg(long)]
+    pub float_texels: bool,
 }
 
 /// Other forms of an atlas.
@@ -45,6 +53,8 @@ pub(crate) enum Form {
     FloatTables,
     /// Code that evaluates the tables in several shading languages, with the bytes to upload
     Shaders,
+    /// Shaders in the Open Shading Language, for Blender's Cycles
+    Osl,
     /// The page of `view` with what it reads of the atlas, for any web host or, with `--single-file`, as one file
     Viewer,
 }
@@ -64,28 +74,17 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
     let index = atlas::read_index(&folder)?;
     let all: Vec<String> = index.specimens.iter().map(|entry| entry.name.clone()).collect();
     let names = if args.specimen.is_empty() { &all } else { &args.specimen };
-    let specimens = names.iter().map(|name| Ok((name, atlas::specimen_folder(&folder, &index, name)?)));
+    let specimens = names.iter().map(|name| Ok((name.as_str(), atlas::specimen_folder(&folder, &index, name)?)));
     let specimens = specimens.collect::<Result<Vec<_>>>()?;
-    if args.form == Form::Shaders {
-        fresh_folder(&args.out)?;
-        export_shaders(&args.out, [ShaderSource::Tables, ShaderSource::TablesFiltered], "README.md", README)?;
-    }
-    for (name, from) in &specimens {
-        let to = args.out.join(name);
-        fresh_folder(&to)?;
-        match args.form {
-            Form::FloatTables => export_float(from, &to)?,
-            Form::Viewer => unreachable!("returned above"),
-            Form::Shaders => {
-                let (file, tables) = specimen_file::load(from)?;
-                write_shader_data(&to, Surface { tables: &tables, pigment: file.pigment.as_ref() })?;
-                if let Some(stored) = &file.spectral {
-                    write_spectral_data(&to, &read_spectral(from, stored, tables.front_factor)?)?;
-                    let sources = [ShaderSource::Spectral, ShaderSource::SpectralFiltered];
-                    export_shaders(&args.out, sources, "README_spectral.md", SPECTRAL_README)?;
-                }
-            }
+    fresh_folder(&args.out)?;
+    match args.form {
+        Form::Shaders => {
+            let include = IncludeConfig { prefix: args.prefix.clone(), first_binding: args.first_binding };
+            let texels = if args.float_texels { Texels::Float } else { Texels::Half };
+            export_forms::export_shaders(&args.out, &specimens, texels, &include)?;
         }
+        Form::Osl => export_forms::export_osl(&args.out, &args.out, &specimens)?,
+        Form::FloatTables | Form::Viewer => export_float(&args.out, &specimens)?,
     }
     output::print(&format!("exported {} to {}\n", specimens.len(), args.out.display()))?;
     Ok(Outcome::Done)
@@ -108,18 +107,13 @@ fn fresh_folder(folder: &Path) -> error::Result<()> {
     files::create_folder(folder)
 }
 
-/// Shaders in every language, with what an engine needs to know of them.
-fn export_shaders(out: &Path, sources: [ShaderSource; 2], name: &str, readme: &str) -> Result<()> {
-    for source in sources {
-        for language in ShaderLanguage::ALL {
-            files::replace(&out.join(source.file_name(language)), &shader(source, language)?)?;
-        }
+fn export_float(out: &Path, specimens: &Specimens) -> Result<()> {
+    for (name, from) in specimens {
+        let to = out.join(name);
+        files::create_folder(&to)?;
+        let (file, set) = specimen_file::load(from)?;
+        let tables = write_tables(&to, &set, Storage::Float)?;
+        specimen_file::write(&to, &specimen_file::SpecimenFile { tables, ..file })?;
     }
-    Ok(files::replace(&out.join(name), readme.as_bytes())?)
-}
-
-fn export_float(from: &Path, to: &Path) -> error::Result<()> {
-    let (file, set) = specimen_file::load(from)?;
-    let tables = write_tables(to, &set, Storage::Float)?;
-    specimen_file::write(to, &specimen_file::SpecimenFile { tables, ..file })
+    Ok(())
 }

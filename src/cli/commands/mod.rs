@@ -4,6 +4,7 @@ pub(crate) mod cache;
 pub(crate) mod diff;
 pub(crate) mod eval;
 pub(crate) mod export;
+mod export_forms;
 pub(crate) mod inspect;
 pub(crate) mod list;
 pub(crate) mod plan;

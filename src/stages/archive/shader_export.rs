@@ -41,7 +41,7 @@ impl ShaderSource {
     }
 
     /// Its fragment entry point.
-    fn entry_point(self) -> &'static str {
+    pub(super) fn entry_point(self) -> &'static str {
         match self {
             Self::Tables => SHADE_MATERIAL,
             Self::TablesFiltered => wgsl::SHADE_MATERIAL_FILTERED,
@@ -51,7 +51,7 @@ impl ShaderSource {
     }
 
     /// Its source in WGSL.
-    fn wgsl(self) -> String {
+    pub(super) fn wgsl(self) -> String {
         match self {
             Self::Tables => material(),
             Self::TablesFiltered => wgsl::material_filtered(),
@@ -124,21 +124,25 @@ pub fn shader(source: ShaderSource, language: ShaderLanguage) -> Result<Vec<u8>>
     if language == ShaderLanguage::Wgsl {
         return Ok(text.into_bytes());
     }
-    let module = naga::front::wgsl::parse_str(&text).map_err(|error| fault("WGSL", error.emit_to_string(&text)))?;
-    let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
-        .validate(&module)
-        .map_err(|error| fault("WGSL", error.emit_to_string(&text)))?;
     match language {
         ShaderLanguage::Wgsl => unreachable!("returned above"),
-        ShaderLanguage::GlslEs300 => to_glsl(&module, &info, entry, glsl::Version::new_gles(300)),
-        ShaderLanguage::Glsl450 => to_glsl(&module, &info, entry, glsl::Version::Desktop(450)),
-        ShaderLanguage::Hlsl => to_hlsl(&module, &info, entry),
-        ShaderLanguage::Msl => to_msl(&module, &info, entry),
-        ShaderLanguage::Spirv => to_spirv(&module, &info, entry),
+        ShaderLanguage::GlslEs300 | ShaderLanguage::Glsl450 => Ok(glsl_fragment(&text, entry, language)?.into_bytes()),
+        ShaderLanguage::Hlsl => Ok(hlsl(&text, Some(entry), "bilinear", 4)?.into_bytes()),
+        ShaderLanguage::Msl => Ok(msl(&text, Some(entry))?.into_bytes()),
+        ShaderLanguage::Spirv => to_spirv(&text, entry),
     }
 }
 
-fn fault(language: &str, message: impl std::fmt::Display) -> Error {
+/// A source of WGSL as naga holds it.
+pub(super) fn parsed(wgsl: &str) -> Result<(naga::Module, ModuleInfo)> {
+    let module = naga::front::wgsl::parse_str(wgsl).map_err(|error| fault("WGSL", error.emit_to_string(wgsl)))?;
+    let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
+        .validate(&module)
+        .map_err(|error| fault("WGSL", error.emit_to_string(wgsl)))?;
+    Ok((module, info))
+}
+
+pub(super) fn fault(language: &str, message: impl std::fmt::Display) -> Error {
     Error::Gpu(format!("a table shader has no {language} form, a fault of this program: {message}"))
 }
 
@@ -148,39 +152,50 @@ fn glsl_bindings(module: &naga::Module) -> glsl::BindingMap {
     bindings.map(|binding| (binding, binding.binding as u8)).collect()
 }
 
-fn to_glsl(module: &naga::Module, info: &ModuleInfo, entry: &str, version: glsl::Version) -> Result<Vec<u8>> {
+/// A fragment shader of either GLSL.
+pub(super) fn glsl_fragment(wgsl: &str, entry: &str, language: ShaderLanguage) -> Result<String> {
+    let (module, info) = parsed(wgsl)?;
+    let es = language == ShaderLanguage::GlslEs300;
     let options = glsl::Options {
-        version,
+        version: if es { glsl::Version::new_gles(300) } else { glsl::Version::Desktop(450) },
         // Fragment shader only: no coordinate space to adjust.
         writer_flags: glsl::WriterFlags::empty(),
-        binding_map: glsl_bindings(module),
+        binding_map: glsl_bindings(&module),
         zero_initialize_workgroup_memory: true,
     };
     let pipeline =
         glsl::PipelineOptions { shader_stage: naga::ShaderStage::Fragment, entry_point: entry.into(), multiview: None };
     let mut text = String::new();
-    glsl::Writer::new(&mut text, module, info, &options, &pipeline, BoundsCheckPolicies::default())
+    glsl::Writer::new(&mut text, &module, &info, &options, &pipeline, BoundsCheckPolicies::default())
         .and_then(|mut writer| writer.write())
         .map_err(|error| fault("GLSL", error))?;
-    Ok(text.into_bytes())
+    Ok(text)
 }
 
-fn to_hlsl(module: &naga::Module, info: &ModuleInfo, entry: &str) -> Result<Vec<u8>> {
+/// HLSL of functions alone, with a sampler of this name and register.
+pub(super) fn hlsl_text(wgsl: &str, sampler: &str, register: u32) -> Result<String> {
+    hlsl(wgsl, None, sampler, register)
+}
+
+fn hlsl(wgsl: &str, entry: Option<&str>, sampler: &str, register: u32) -> Result<String> {
+    let (module, info) = parsed(wgsl)?;
     let options = hlsl::Options { shader_model: hlsl::ShaderModel::V5_1, ..Default::default() };
-    let pipeline = hlsl::PipelineOptions { entry_point: Some((naga::ShaderStage::Fragment, entry.into())) };
+    let pipeline =
+        hlsl::PipelineOptions { entry_point: entry.map(|entry| (naga::ShaderStage::Fragment, entry.into())) };
     let mut text = String::new();
     hlsl::Writer::new(&mut text, &options, &pipeline)
-        .write(module, info, None)
+        .write(&module, &info, None)
         .map_err(|error| fault("HLSL", error))?;
-    Ok(with_a_sampler_of_its_own(&text)?.into_bytes())
+    with_a_sampler_of_its_own(&text, sampler, register)
 }
 
 /// naga takes samplers from a heap, by an index that a buffer holds; engines bind one sampler.
-fn with_a_sampler_of_its_own(text: &str) -> Result<String> {
+fn with_a_sampler_of_its_own(text: &str, name: &str, register: u32) -> Result<String> {
     let (mut out, mut heap, mut sampler) = (String::with_capacity(text.len()), 0, 0);
+    let from_heap = format!("static const SamplerState {name} = nagaSamplerHeap[");
     for line in text.lines() {
-        if line.starts_with("static const SamplerState bilinear = nagaSamplerHeap[") {
-            out += "SamplerState bilinear : register(s4);\n";
+        if line.starts_with(&from_heap) {
+            out += &format!("SamplerState {name} : register(s{register});\n");
             sampler += 1;
         } else if line.contains("nagaSamplerHeap")
             || line.contains("nagaComparisonSamplerHeap")
@@ -195,7 +210,13 @@ fn with_a_sampler_of_its_own(text: &str) -> Result<String> {
     if (heap, sampler) == (3, 1) { Ok(out) } else { Err(fault("HLSL", "its samplers are not where they were")) }
 }
 
-fn to_msl(module: &naga::Module, info: &ModuleInfo, entry: &str) -> Result<Vec<u8>> {
+/// MSL of functions alone; what they read is handed to them.
+pub(super) fn msl_text(wgsl: &str) -> Result<String> {
+    msl(wgsl, None)
+}
+
+fn msl(wgsl: &str, entry: Option<&str>) -> Result<String> {
+    let (module, info) = parsed(wgsl)?;
     let slot = |binding: naga::ResourceBinding| {
         let slot = binding.binding as u8;
         let target = msl::BindTarget {
@@ -214,19 +235,20 @@ fn to_msl(module: &naga::Module, info: &ModuleInfo, entry: &str) -> Result<Vec<u
     let of_entry = msl::EntryPointResources { resources, ..Default::default() };
     let options = msl::Options {
         lang_version: (2, 0),
-        per_entry_point_map: [(entry.to_owned(), of_entry)].into_iter().collect(),
+        per_entry_point_map: entry.map(|entry| (entry.to_owned(), of_entry)).into_iter().collect(),
         fake_missing_bindings: false,
         ..Default::default()
     };
-    let pipeline =
-        msl::PipelineOptions { entry_point: Some((naga::ShaderStage::Fragment, entry.into())), ..Default::default() };
-    let (text, _) = msl::write_string(module, info, &options, &pipeline).map_err(|error| fault("MSL", error))?;
-    Ok(text.into_bytes())
+    let entry_point = entry.map(|entry| (naga::ShaderStage::Fragment, entry.into()));
+    let pipeline = msl::PipelineOptions { entry_point, ..Default::default() };
+    let (text, _) = msl::write_string(&module, &info, &options, &pipeline).map_err(|error| fault("MSL", error))?;
+    Ok(text)
 }
 
-fn to_spirv(module: &naga::Module, info: &ModuleInfo, entry: &str) -> Result<Vec<u8>> {
+fn to_spirv(wgsl: &str, entry: &str) -> Result<Vec<u8>> {
+    let (module, info) = parsed(wgsl)?;
     let options = spv::Options { lang_version: (1, 3), ..Default::default() };
     let pipeline = spv::PipelineOptions { shader_stage: naga::ShaderStage::Fragment, entry_point: entry.into() };
-    let words = spv::write_vec(module, info, &options, Some(&pipeline)).map_err(|error| fault("SPIR-V", error))?;
+    let words = spv::write_vec(&module, &info, &options, Some(&pipeline)).map_err(|error| fault("SPIR-V", error))?;
     Ok(words.iter().flat_map(|word| word.to_le_bytes()).collect())
 }

@@ -18,11 +18,22 @@ export interface AtlasFiles {
 
 const IMAGE_TYPES: Record<string, string> = { png: 'image/png', svg: 'image/svg+xml' };
 
+/** Asks for a file by its path within the version's folder; null where there is none. */
+export type Get = (path: string) => Promise<Uint8Array | null>;
+
 /** The files in the page's own element `atlas-files`, or else those under `atlas/`. */
 export function atlasFiles(page: Document): AtlasFiles {
   const element = page.getElementById('atlas-files');
   const inside = element?.textContent ? (JSON.parse(element.textContent) as Record<string, string>) : null;
-  const get = inside ? insidePage(inside) : besidePage;
+  const get = inside ? insidePage(inside) : under('atlas/');
+  return filesFrom(get, async (path, bytes) => {
+    const type = IMAGE_TYPES[path.split('.').pop() ?? ''] ?? 'application/octet-stream';
+    return inside ? URL.createObjectURL(new Blob([(await bytes(path)) as Uint8Array<ArrayBuffer>], { type })) : `atlas/${path}`;
+  });
+}
+
+/** Files by what asks for them, held against their digests once these are known. */
+export function filesFrom(get: Get, url: (path: string, bytes: AtlasFiles['bytes']) => Promise<string>): AtlasFiles {
   const digests = new Map<string, string>();
   const bytes = async (path: string): Promise<Uint8Array> => {
     const found = await get(path);
@@ -49,12 +60,7 @@ export function atlasFiles(page: Document): AtlasFiles {
       const found = await get(path);
       return found ? parse<T>(path, found) : null;
     },
-    url: async (path) => {
-      const type = IMAGE_TYPES[path.split('.').pop() ?? ''] ?? 'application/octet-stream';
-      return inside
-        ? URL.createObjectURL(new Blob([(await bytes(path)) as Uint8Array<ArrayBuffer>], { type }))
-        : `atlas/${path}`;
-    },
+    url: (path) => url(path, bytes),
   };
 }
 
@@ -65,8 +71,8 @@ async function sha256(bytes: Uint8Array): Promise<string | null> {
   return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
-function insidePage(files: Record<string, string>) {
-  return async (path: string): Promise<Uint8Array | null> => {
+function insidePage(files: Record<string, string>): Get {
+  return async (path) => {
     const text = files[path];
     if (text === undefined) return null;
     const binary = atob(text);
@@ -76,14 +82,17 @@ function insidePage(files: Record<string, string>) {
   };
 }
 
-async function besidePage(path: string): Promise<Uint8Array | null> {
-  let answer: Response;
-  try {
-    answer = await fetch(`atlas/${path.split('/').map(encodeURIComponent).join('/')}`);
-  } catch {
-    throw new AtlasError(`The atlas's file ${path} cannot be reached. Is the program that serves this page still running?`);
-  }
-  if (answer.status === 404) return null;
-  if (!answer.ok) throw new AtlasError(`The atlas's file ${path} cannot be read (status ${answer.status}).`);
-  return new Uint8Array(await answer.arrayBuffer());
-}
+/** Those under an address, which ends with a slash. */
+export const under =
+  (base: string): Get =>
+  async (path) => {
+    let answer: Response;
+    try {
+      answer = await fetch(`${base}${path.split('/').map(encodeURIComponent).join('/')}`);
+    } catch {
+      throw new AtlasError(`The atlas's file ${path} cannot be reached. Is what serves this page still running?`);
+    }
+    if (answer.status === 404) return null;
+    if (!answer.ok) throw new AtlasError(`The atlas's file ${path} cannot be read (status ${answer.status}).`);
+    return new Uint8Array(await answer.arrayBuffer());
+  };

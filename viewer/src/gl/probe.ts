@@ -6,22 +6,13 @@ import type { Vec3 } from '../light/samples';
 import { evaluation } from './library';
 import { displayPass, material, Pass } from './passes';
 import { byteTarget, flipped, floatTarget, type Evaluated } from './picture';
+import type { Ask } from './quadrature';
 import { FILL_VERTEX } from './shade';
 import type { Uniforms } from './upload';
 
 export interface Pair {
   wi: Vec3;
   wo: Vec3;
-}
-
-/** A wavelength that is asked for, and the material there. */
-export interface Ask {
-  nm: number;
-  material: number;
-  index_n: number;
-  index_k: number;
-  /** False outside of the material's table: there is no answer then. */
-  known: boolean;
 }
 
 const OUT = 'layout(location = 0) out highp vec4 out_value;\nuniform highp sampler2D u_list;\n';

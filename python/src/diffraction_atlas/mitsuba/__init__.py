@@ -19,8 +19,8 @@ Parameters:
 - `look_up`: "linear" (default) between texels as graphics hardware, or "cubic", slower and more accurate.
 - `light_deg`: 0 by default; else the BRDF is the mean over round lights of this angular diameter, up to about 2 degrees, which stand in the scene as points
   or as directions: the sun is 0.53. Not for lights that have their size in the scene already.
-- `energy_limit`: false by default; true keeps every direction from reflecting more than arrives, which ideal reflectors and the
-  scalar factor do at grazing angles. Surfaces that never do stay as they are.
+- `energy_limit`: true by default; keeps every direction from reflecting more than arrives, which ideal reflectors and the
+  scalar factor do at grazing angles. Surfaces that never do stay as they are. False for comparisons with values of the model.
 - `colours`: "srgb" (default) gives linear sRGB in variants of three channels; "xyz" gives CIE XYZ in them, see below.
 
 Variants. `llvm_ad_rgb`, `llvm_ad_mono` (which gets Y), `llvm_ad_spectral`, and the same of `cuda`; `scalar_rgb` and `scalar_spectral`, where Mitsuba calls Python for each

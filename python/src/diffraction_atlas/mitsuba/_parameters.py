@@ -34,7 +34,7 @@ class Parameters:
         if not 0 <= self.light_deg <= 10:
             raise ValueError(f"diffraction: light_deg = {self.light_deg}; it may be between 0 and 10")
         self.as_xyz = choice(props, "colours", ("srgb", "xyz")) == "xyz"
-        self.limited = bool(props.get("energy_limit", False))
+        self.limited = bool(props.get("energy_limit", True))
 
     def told(self):
         """The plugin in words."""

@@ -1,0 +1,68 @@
+//! What `export` writes of each specimen, form by form.
+
+use std::path::{Path, PathBuf};
+
+use crate::error::Result;
+use crate::stages::archive::osl::{self, write_osl};
+use crate::stages::archive::shader_data::{Texels, write_shader_data, write_spectral_data};
+use crate::stages::archive::shader_export::{README, SPECTRAL_README, ShaderLanguage, ShaderSource, shader};
+use crate::stages::archive::shader_include::{self, IncludeConfig};
+use crate::stages::archive::specimen_file;
+use diffraction_brdf::spectral_storage::read_spectral;
+use diffraction_brdf::{files, json};
+use diffraction_build::optics::pigment::Surface;
+
+/// Specimens by name, with their folders.
+pub(super) type Specimens<'a> = [(&'a str, PathBuf)];
+
+/// Shaders in every language, alone and to include, and each specimen's bytes.
+pub(super) fn export_shaders(out: &Path, specimens: &Specimens, texels: Texels, include: &IncludeConfig) -> Result<()> {
+    write_shaders(out, [ShaderSource::Tables, ShaderSource::TablesFiltered], include, "README.md", README)?;
+    for (name, from) in specimens {
+        let to = out.join(name);
+        let (file, tables) = specimen_file::load(from)?;
+        write_shader_data(&to, Surface { tables: &tables, pigment: file.pigment.as_ref() }, texels)?;
+        if let Some(stored) = &file.spectral {
+            write_spectral_data(&to, &read_spectral(from, stored, tables.front_factor)?, texels)?;
+            let sources = [ShaderSource::Spectral, ShaderSource::SpectralFiltered];
+            write_shaders(out, sources, include, "README_spectral.md", SPECTRAL_README)?;
+        }
+    }
+    Ok(())
+}
+
+/// Two shaders that share a uniform block, with what an engine needs to know of them.
+fn write_shaders(
+    out: &Path,
+    sources: [ShaderSource; 2],
+    config: &IncludeConfig,
+    name: &str,
+    readme: &str,
+) -> Result<()> {
+    let includes = out.join("include");
+    files::create_folder(&includes)?;
+    for source in sources {
+        for language in ShaderLanguage::ALL {
+            files::replace(&out.join(source.file_name(language)), &shader(source, language)?)?;
+        }
+        for language in shader_include::LANGUAGES {
+            let text = shader_include::include(source, language, config)?;
+            files::replace(&includes.join(shader_include::file_name(source, language)), text.as_bytes())?;
+        }
+    }
+    let (fields, in_c) = shader_include::block(sources[0], config)?;
+    json::write(&includes.join(format!("{}_params.json", sources[0].name())), &fields)?;
+    files::replace(&includes.join(format!("{}_params.h", sources[0].name())), in_c.as_bytes())?;
+    Ok(files::replace(&out.join(name), readme.as_bytes())?)
+}
+
+/// OSL shaders, whose images will lie at `place` in the end.
+pub(super) fn export_osl(out: &Path, place: &Path, specimens: &Specimens) -> Result<()> {
+    for (name, from) in specimens {
+        let to = out.join(name);
+        files::create_folder(&to)?;
+        let (file, tables) = specimen_file::load(from)?;
+        write_osl(&to, &place.join(name), &tables, file.pigment.as_ref().map(|pigment| pigment.xyz_per_sr))?;
+    }
+    Ok(files::replace(&out.join("README.md"), osl::README.as_bytes())?)
+}
