@@ -29,6 +29,7 @@ viewer:
     npm test --prefix viewer
     cargo run --release -- run viewer/tests/pictures.toml
     node --test viewer/tests/page.test.mjs
+    node --test viewer/tests/report.test.mjs
 
 # Licences, banned crates and sources of what is depended upon.
 deny:

@@ -5,7 +5,8 @@ use crate::stages::config::RunConfig;
 
 /// The run that a manifest asks for; `text` is the manifest, word for word.
 pub fn run_config(manifest: Manifest, text: String) -> RunConfig {
-    let Manifest { atlas, tables, cover, hold, specimens, scenes, gpu, report, cache, base, .. } = manifest;
+    let Manifest { atlas, tables, cover, hold, specimens, scenes, scenes_are_given, gpu, report, cache, base, .. } =
+        manifest;
     RunConfig {
         atlas_root: atlas.out.join(&atlas.name),
         atlas_name: atlas.name,
@@ -14,6 +15,7 @@ pub fn run_config(manifest: Manifest, text: String) -> RunConfig {
         hold,
         specimens,
         scenes,
+        scenes_are_given,
         gpu: gpu.check,
         frame_time: gpu.frame_time,
         report,

@@ -6,7 +6,7 @@ use diffraction_brdf::spectrum::Illuminant;
 use diffraction_build::height::prepare::Level;
 use diffraction_build::optics::config::{Edge, Factor, Material, OpticsConfig, Windows};
 use diffraction_build::tables::model::{Basis, Prefilter, TablesConfig};
-use diffraction_render::scene::model::{Light, Shape};
+use diffraction_render::scene::model::{Light, Scene, Shape};
 use diffraction_render::scene::turn::Axis;
 
 /// `[atlas] out`.
@@ -83,6 +83,13 @@ pub fn optics() -> OpticsConfig {
         shadowing: false,
         factor: Factor::Vector,
     }
+}
+
+/// The scenes of a manifest without any, where tables answer for every direction: a ball, which shows all of them at once, and an
+/// animal. Four samples of the sun will do for its half degree.
+pub(crate) fn scenes() -> Vec<Scene> {
+    let scene = |name, shape| Scene { light_samples: 4, ..Scene::still(name, shape, vec![LIGHT], 256) };
+    vec![scene("sphere", Shape::Sphere), scene("snake", Shape::Snake)]
 }
 
 /// `[tables]`.

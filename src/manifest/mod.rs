@@ -113,7 +113,7 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
         tables::refuse_sources(&item, &specimens)?;
     }
     let names: Vec<&str> = specimens.iter().map(|specimen| specimen.name.as_str()).collect();
-    let scenes = match top.get("scene") {
+    let mut scenes = match top.get("scene") {
         Some(item) => scene::read_all(&item, &names, base)?,
         None => Vec::new(),
     };
@@ -138,6 +138,10 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
         Some(item) => tables::read_cover(&item, &names)?,
         None => Cover::All,
     };
+    let scenes_are_given = top.get("scene").is_some();
+    if !scenes_are_given && cover.is_all() {
+        scenes = defaults::scenes();
+    }
     let hold = match top.get("tables") {
         Some(item) => tables::read_hold(&item, &cover)?,
         None => Hold { xyz: true, spectral: true },
@@ -146,7 +150,21 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
         scene::refuse_tolerances(&item)?;
     }
     let base = base.to_owned();
-    Ok(Manifest { schema: SCHEMA, atlas, optics, tables, cover, hold, specimens, scenes, gpu, report, cache, base })
+    Ok(Manifest {
+        schema: SCHEMA,
+        atlas,
+        optics,
+        tables,
+        cover,
+        hold,
+        specimens,
+        scenes,
+        scenes_are_given,
+        gpu,
+        report,
+        cache,
+        base,
+    })
 }
 
 fn syntax_error(source: &Source, error: &toml::de::Error) -> error::Error {

@@ -27,6 +27,8 @@ pub struct Manifest {
     pub specimens: Vec<SpecimenConfig>,
     /// The pictures, in the manifest's order; names are unique.
     pub scenes: Vec<Scene>,
+    /// Whether the manifest says which pictures it wants; two are assumed otherwise.
+    pub scenes_are_given: bool,
     /// What a GPU is used for.
     pub gpu: GpuSection,
     /// What is found out besides the tables.

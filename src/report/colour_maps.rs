@@ -58,6 +58,12 @@ pub fn colour(map: &ColourMap, position: f64) -> [u8; 3] {
     })
 }
 
+/// A bar of a map's colours from its first on the left to its last, as HTML.
+pub(crate) fn css_ramp(map: &ColourMap) -> String {
+    let stops: Vec<String> = map.iter().map(|[r, g, b]| format!("#{r:02x}{g:02x}{b:02x}")).collect();
+    format!(r#"<span class="ramp" style="background:linear-gradient(to right,{})"></span>"#, stops.join(","))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -62,14 +62,22 @@ impl<'a> Album<'a> {
     pub fn img(&mut self, path: &str, alt: &str) -> Result<String> {
         Ok(match self.picture(path)? {
             Some(Picture { href, size_px }) => format!(
-                r#"<img src="{}" width="{}" height="{}" alt="{}"/>"#,
+                r#"<img src="{}" width="{}" height="{}" alt="{}"{}/>"#,
                 escape(&href),
                 size_px[0],
                 size_px[1],
-                escape(alt)
+                escape(alt),
+                // What lies beside the page is read when it comes into view.
+                if href.starts_with("data:") { "" } else { r#" loading="lazy""# }
             ),
             None => missing(path),
         })
+    }
+
+    /// [`Self::img`] as a link to the picture's own file, which lies beside the page.
+    pub fn linked_img(&mut self, path: &str, alt: &str) -> Result<String> {
+        let img = self.img(path, alt)?;
+        Ok(if img.starts_with("<img") { format!(r#"<a href="{}">{img}</a>"#, escape(&url_path(path))) } else { img })
     }
 }
 

@@ -88,7 +88,6 @@ fn facts(gpu: &GpuInfo, spectral: &[GpuSpectralRow]) -> Vec<Value> {
         ("Pixels", pixels.into()),
         ("Features used", used.into()),
         ("Spectral tables", spectral_tables(spectral)),
-        ("Features offered", gpu.features.join(", ").to_lowercase()),
     ]
     .map(|(name, text)| context! { name, text })
     .into()
@@ -99,15 +98,19 @@ fn spectral_tables(rows: &[GpuSpectralRow]) -> String {
     if rows.is_empty() {
         return "none compared".into();
     }
-    let row = |row: &GpuSpectralRow| {
-        let (values, worst) = (numbers::count(row.values as u64), numbers::number(row.worst_of_tolerance, 2));
-        format!(
-            "{}: {} of {values} values within what rounding and filtering allow, the worst at {worst} of it",
-            row.specimen,
-            numbers::count((row.values - row.beyond) as u64)
-        )
-    };
-    rows.iter().map(row).collect::<Vec<_>>().join("; ")
+    let (within, beyond): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.passed());
+    let worst = within.iter().map(|row| row.worst_of_tolerance).fold(0.0, f64::max);
+    let values: usize = within.iter().map(|row| row.values).sum();
+    let mut parts = vec![format!(
+        "{} values of {} specimen{} within what rounding and filtering allow, the worst at {} of it",
+        numbers::count(values as u64),
+        within.len(),
+        if within.len() == 1 { "" } else { "s" },
+        numbers::number(worst, 2)
+    )];
+    let row = |row: &&GpuSpectralRow| format!("{}: {} of {} values beyond", row.specimen, row.beyond, row.values);
+    parts.extend(beyond.iter().map(row));
+    parts.join("; ")
 }
 
 /// A table row; only the first of a specimen names it.
@@ -205,7 +208,7 @@ mod tests {
         let image = |value: f32| Array3::from_elem((2, 2, 3), value);
         let (by_cpu, by_gpu) = (image(1.0 + tables), image(1.0 + tables + added));
         let cpu = compare(&by_cpu, &by_gpu, &image(0.01), 1.0);
-        let pictures = CpuPictures { published: &by_cpu, linear: &by_cpu, cubic: &by_cpu };
+        let pictures = CpuPictures { linear: &by_cpu, cubic: &by_cpu };
         let reference = compare_with_reference(&image(1.0), pictures, &by_gpu, &image(0.01), 1.0, 0.02);
         GpuRow { specimen: "a".into(), cpu, reference: Some(reference), promised, difference_png: None }
     }

@@ -20,6 +20,9 @@ const ORDER_NM: [f64; 2] = [420.0, 680.0];
 const ORDERS_MAX: [i32; 2] = [2, 1];
 const PERIODS_MAX: usize = 3;
 
+/// Where along the line of an order its name stands, period by period.
+const LABELS_AT: [f64; PERIODS_MAX] = [1.0, 0.5, 0.0];
+
 /// The frame of a map: `href` is the picture's address, the periods are those of the heights.
 pub(crate) fn map_frame(href: &str, map: &ReflectionMap, periods: &[Period]) -> String {
     let light = [map.light_theta_deg.to_radians().sin(), 0.0];
@@ -94,15 +97,25 @@ fn orders(index: usize, period: &Period, mirror: [f64; 2]) -> String {
         let seen: Vec<[f64; 2]> = steps.map(|nm| at_nm(order, nm)).filter(|d| is_seen(*d)).map(place).collect();
         let (Some(first), Some(last)) = (seen.first(), seen.last()) else { continue };
         let line = format!("M{} {}L{} {}", at(first[0]), at(first[1]), at(last[0]), at(last[1]));
+        // Neighbouring periods are named at different places of their lines, none beyond the rim.
+        let share = LABELS_AT[index.min(LABELS_AT.len() - 1)];
+        let [x, y] = within([0, 1].map(|axis| first[axis] + share * (last[axis] - first[axis])));
         body += &format!(
             r#"<path class="order" d="{line}"/><text class="on small" x="{}" y="{}" text-anchor="middle">{}{}</text>"#,
-            at(last[0] - 13.0 * sin),
-            at(last[1] - 13.0 * cos.abs() + 4.0),
+            at(x - 13.0 * sin),
+            at(y - 13.0 * cos.abs() + 4.0),
             period_letter(index),
             if order > 0 { format!("+{order}") } else { format!("−{}", -order) },
         );
     }
     body
+}
+
+/// A place for a label: the same, or as far from the middle as a label fits inside the rim.
+fn within([x, y]: [f64; 2]) -> [f64; 2] {
+    let distance = (x - CENTRE).hypot(y - CENTRE);
+    let factor = ((RADIUS - 18.0) / distance.max(1.0)).min(1.0);
+    [CENTRE + factor * (x - CENTRE), CENTRE + factor * (y - CENTRE)]
 }
 
 fn mark(direction: [f64; 2], name: &str) -> String {

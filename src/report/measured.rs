@@ -31,6 +31,20 @@ pub fn section(measured: &MeasuredResult) -> String {
     html
 }
 
+/// How well the model meets the measurement, in a sentence or two.
+pub(crate) fn in_short(measured: &MeasuredResult) -> String {
+    let columns = measured.columns.iter().map(|column| {
+        let shifts = [(true, "peaks of spectra"), (false, "peaks over the angle")]
+            .map(|(spectra, what)| (shift(column, spectra), what))
+            .into_iter()
+            .filter(|(shift, _)| shift != numbers::MISSING)
+            .map(|(shift, what)| format!(", {what} {shift} off"))
+            .collect::<String>();
+        format!("{}: correlation {}{shifts}", kind_text(column.kind), numbers::number(column.correlation, 3))
+    });
+    format!("Compared with {}. {}.", measured.file, columns.collect::<Vec<_>>().join("; "))
+}
+
 fn about(measured: &MeasuredResult) -> String {
     let [directions, wavelengths] = measured.samples;
     let mut text =
@@ -119,8 +133,9 @@ fn curves(column: &MeasuredColumn) -> String {
     let figures: String = chosen
         .map(|curve| {
             let caption = format!(
-                "<b>{}</b>: relative L2 {}, correlation {}",
+                "<b>{}</b>: {}. Relative L2 {}, correlation {}",
                 escape(&place(curve)),
+                kind_text(column.kind),
                 numbers::percent(curve.relative_l2),
                 numbers::number(curve.correlation, 4)
             );
@@ -129,7 +144,7 @@ fn curves(column: &MeasuredColumn) -> String {
         .collect();
     let of = if shown < all.len() { format!("{shown} of {} curves", all.len()) } else { String::new() };
     format!(
-        "<p class=\"meta\"><b>{}</b>: circles measured, line model{}. {of}</p><div class=\"pair\">{figures}</div>",
+        "<p class=\"meta\"><b>{}</b>: circles measured, line model{}, dashed where a peak is that both have. {of}</p><div class=\"pair\">{figures}</div>",
         escape(&column.name),
         if column.kind.is_relative() { " with the fitted factor" } else { "" }
     )

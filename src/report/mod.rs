@@ -6,23 +6,35 @@ mod colour_maps;
 pub(crate) mod html;
 pub mod pictures;
 #[cfg(feature = "study")]
+mod study_captions;
+#[cfg(feature = "study")]
 pub mod study_page;
 #[cfg(feature = "study")]
 mod study_plots;
 
 mod embed;
+mod error_facts;
 pub(crate) mod facts;
 mod frames;
+mod glance;
 mod goniometry;
 mod gpu_facts;
 mod look_up_facts;
 mod map_frames;
 mod measured;
 mod numbers;
+mod optics_facts;
+mod overview;
 mod plots;
+mod prose;
+mod provenance;
+mod scene_view;
+mod specimen_view;
 pub mod spectrum_picture;
 mod strip_plots;
+mod style;
 mod svg;
+mod table_facts;
 
 pub use html::render_html;
 

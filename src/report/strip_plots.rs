@@ -13,7 +13,7 @@ use diffraction_render::render::png_image::encode_png;
 
 /// Sizes in SVG units: the plot, and the heights of a bar of colour and of the curve.
 const WIDTH: f64 = 480.0;
-const LEFT: f64 = 56.0;
+const LEFT: f64 = 76.0;
 const RIGHT: f64 = 12.0;
 const BAR: f64 = 26.0;
 const CURVE: f64 = 96.0;

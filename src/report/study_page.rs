@@ -6,9 +6,11 @@ use std::path::Path;
 use minijinja::{Environment, Value, context};
 
 use super::embed::data_uri;
+use super::study_captions;
 use super::study_plots::{
     Figure, cost_figure, cost_figure_on_texels, knob_figure, stability_figures, svg, tables_figure, tolerance_figure,
 };
+use super::style::STYLE;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_render::render::png_image::encode_png;
 use diffraction_study::stability::{Stability, StabilityCase, Verdict};
@@ -42,19 +44,20 @@ pub fn study_files(study: &Study, stability: &Stability) -> Result<Vec<File>> {
     let mut pictures: Vec<File> = Vec::new();
     let (mut of_specimens, mut strips) = (Vec::new(), Vec::new());
     for specimen in &study.specimens {
-        let first = pictures.len();
         let name = file_name(&specimen.name);
+        let mut own = Vec::new();
         for (key, figure) in figures(specimen) {
-            pictures.push((format!("{name}.{key}.svg"), svg(&figure).into_bytes()));
+            let picture = svg(&figure);
+            pictures.push((format!("{name}.{key}.svg"), picture.clone().into_bytes()));
+            own.push(shown(picture, study_captions::of_specimen(key, specimen)));
         }
-        let svgs = pictures[first..].iter();
-        of_specimens.push(svgs.map(|(_, svg)| String::from_utf8_lossy(svg).into_owned()).collect());
+        of_specimens.push(own);
         strips.push(strip(specimen)?);
     }
     let mut of_stability = BTreeMap::new();
     for (key, figure) in stability_figures(stability) {
         let picture = svg(&figure);
-        of_stability.insert(key, picture.clone());
+        of_stability.insert(key, shown(picture.clone(), study_captions::of_stability(key).into()));
         pictures.push((format!("stability.{key}.svg"), picture.into_bytes()));
     }
     let failed = |what: &str, error: &dyn std::fmt::Display| Error::Call(format!("writing {what} failed: {error}"));
@@ -78,6 +81,11 @@ pub fn study_files(study: &Study, stability: &Stability) -> Result<Vec<File>> {
     files.push(("stability.json".to_owned(), stability_json));
     files.extend(pictures);
     Ok(files)
+}
+
+/// A plot as the page shows it.
+fn shown(svg: String, caption: String) -> Value {
+    context! { svg => Value::from_safe_string(svg), caption }
 }
 
 /// The figures of one specimen by key.
@@ -169,11 +177,11 @@ fn case_rows(stability: &Stability) -> Vec<CaseRow<'_>> {
 /// What the page is made of.
 struct Parts<'a> {
     study: &'a serde_json::Value,
-    pictures: Vec<Vec<String>>,
+    pictures: Vec<Vec<Value>>,
     strips: &'a serde_json::Value,
     stability: &'a serde_json::Value,
     cases: &'a serde_json::Value,
-    of_stability: BTreeMap<&'static str, String>,
+    of_stability: BTreeMap<&'static str, Value>,
 }
 
 fn page(parts: Parts) -> std::result::Result<String, minijinja::Error> {
@@ -183,15 +191,14 @@ fn page(parts: Parts) -> std::result::Result<String, minijinja::Error> {
     environment.add_filter("kept", kept);
     environment.add_filter("measure", measure);
     environment.add_template("study.html", include_str!("templates/study.html"))?;
-    let safe = |svgs: Vec<String>| -> Vec<Value> { svgs.into_iter().map(Value::from_safe_string).collect() };
-    let of_stability = parts.of_stability.into_iter().map(|(key, svg)| (key, Value::from_safe_string(svg)));
     environment.get_template("study.html")?.render(context! {
         study => template_value(parts.study),
-        pictures => parts.pictures.into_iter().map(safe).collect::<Vec<_>>(),
+        style => Value::from_safe_string(STYLE.to_owned()),
+        pictures => parts.pictures,
         strips => template_value(parts.strips),
         stability => template_value(parts.stability),
         cases => template_value(parts.cases),
-        of_stability => Value::from_pairs(of_stability),
+        of_stability => Value::from_pairs(parts.of_stability),
         purposes => PURPOSES.map(|(method, purpose)| vec![method, purpose]).to_vec(),
     })
 }

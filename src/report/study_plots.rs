@@ -22,12 +22,13 @@ const RIGHT: f64 = 18.0;
 const MARGIN: f64 = 1.2;
 
 /// A figure is a file of its own too, so it brings its style along.
-const STYLE: &str = ".figure{background:#fff}.figure text{font:12px sans-serif;fill:#1b1b1b}\
+const STYLE: &str = ".figure{background:#fff;color:#1b1b1b}.figure .paper{fill:#fff}.figure text{font:12px sans-serif;fill:#1b1b1b}\
                      .figure .head{font-size:17px}.figure .grid{fill:none;stroke:#d7d7d7}\
                      .figure .fine{fill:none;stroke:#f2f2f2}.figure .box{fill:none;stroke:#666}";
 
 /// Colours that stay apart for colour-blind readers (Okabe and Ito 2008).
-const COLOURS: [&str; 8] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c8c8c"];
+const COLOURS: [&str; 8] =
+    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "currentColor", "#8c8c8c"];
 
 /// A line of points with a name.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,10 +74,11 @@ pub(crate) fn cost_figure_on_texels(study: &SpecimenStudy) -> Figure {
 }
 
 fn costs(study: &SpecimenStudy, title: &str, error: &dyn Fn(&MethodRow) -> f64) -> Figure {
-    let panel = |x_label: &str, cost: &dyn Fn(&MethodRow) -> f64| Panel {
-        x_label: x_label.into(),
-        y_label: "95th percentile of |ΔY| / Y".into(),
-        series: by_method(study, &|row| (cost(row), error(row))),
+    let panel = |x_label: &str, cost: &dyn Fn(&MethodRow) -> f64| {
+        let mut series = by_method(study, &|row| (cost(row), error(row)));
+        // Times have noise: joined in the order of settings, a line would fold back on itself.
+        series.iter_mut().for_each(|line| line.points.sort_by(|a, b| a.0.total_cmp(&b.0)));
+        Panel { x_label: x_label.into(), y_label: "95th percentile of |ΔY| / Y".into(), series }
     };
     Figure {
         title: format!("{}: {title}", study.name),
@@ -262,7 +264,7 @@ pub fn svg(figure: &Figure) -> String {
         body += &format!(r#"<text x="{}" y="{}">{}</text>"#, at(panels + 28.0), at(y + 4.0), escape(name));
     }
     format!(
-        r##"<svg xmlns="http://www.w3.org/2000/svg" class="figure" width="{width}" height="{height}" viewBox="0 0 {width} {height}" role="img" aria-label="{title}"><style>{STYLE}</style><rect width="{width}" height="{height}" fill="#fff"/>{body}</svg>"##
+        r##"<svg xmlns="http://www.w3.org/2000/svg" class="figure" width="{width}" height="{height}" viewBox="0 0 {width} {height}" role="img" aria-label="{title}"><style>{STYLE}</style><rect class="paper" width="{width}" height="{height}"/>{body}</svg>"##
     )
 }
 

@@ -27,6 +27,8 @@ pub struct RunConfig {
     pub specimens: Vec<SpecimenConfig>,
     /// The pictures, in order.
     pub scenes: Vec<Scene>,
+    /// Whether the manifest asks for them; they are assumed otherwise.
+    pub scenes_are_given: bool,
     /// Whether tables are checked on a GPU.
     pub gpu: GpuCheck,
     /// Whether frames are timed on it.

@@ -250,7 +250,7 @@ pub struct SceneResult {
     pub table_png: String,
     /// Tables left, reference right, on the pixels that were compared.
     pub side_by_side_png: Option<String>,
-    /// Map of the difference.
+    /// Map of the difference in colour.
     pub difference_png: Option<String>,
     /// What the brightest colour of the difference map stands for, in words.
     pub difference_scale: Option<String>,
@@ -274,7 +274,7 @@ pub struct SharedSceneResult {
 /// Difference of a scene from its reference.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SceneError {
-    /// Pixels compared.
+    /// Pixels compared: evenly chosen ones, each light seen as a few points.
     pub pixels: usize,
     /// Root of the summed squared differences of XYZ over the root of the summed squares.
     #[serde(with = "null_for_nan")]

@@ -49,7 +49,13 @@ fn documented_defaults_are_the_defaults() {
     // A material that is written down is not warned of.
     assert!(!assumed.specimens[0].is_material_given && full.specimens[0].is_material_given);
     assumed.specimens[0].is_material_given = true;
+    // Nor are scenes that are asked for told as assumed.
+    assert!(!assumed.scenes_are_given && full.scenes_are_given);
+    assumed.scenes_are_given = true;
     assert_eq!(assumed, full);
+
+    let none = parse_in(folder.path(), &short.replacen('\n', "\nscene = []\n", 1)).unwrap();
+    assert!(none.scenes_are_given && none.scenes.is_empty(), "none is what was asked for");
 
     let scenes = |text: &str| parse_in(folder.path(), &format!("{short}{text}")).unwrap().scenes;
     let light = "light = { direction = [0.3, 0.2, 1.0], angular_diameter_deg = 0.53, irradiance = 1 }";

@@ -4,7 +4,7 @@
 
 use crate::report_sample::{Sample, sample};
 use diffraction_atlas::report::render_html;
-use diffraction_atlas::stages::results::{GpuResult, RunResults, from_json, to_json};
+use diffraction_atlas::stages::results::{GpuResult, RunResults, SpecimenResult, from_json, to_json};
 use diffraction_build::accuracy::directions::Group;
 
 /// Names and messages with everything that markup and terminals trip over.
@@ -25,11 +25,11 @@ fn excerpt(html: &str, place: roxmltree::TextPos) -> String {
     line.chars().skip((place.col as usize).saturating_sub(60)).take(120).collect()
 }
 
-/// What a reader sees: the text outside of the style sheet, pictures' bytes not included.
+/// What a reader sees: the text outside of style sheet and script, pictures' bytes not included.
 fn visible_text(document: &roxmltree::Document) -> String {
     document
         .descendants()
-        .filter(|node| node.is_text() && !node.parent().unwrap().has_tag_name("style"))
+        .filter(|node| node.is_text() && !["style", "script"].contains(&node.parent().unwrap().tag_name().name()))
         .filter_map(|node| node.text())
         .collect::<Vec<_>>()
         .join("\n")
@@ -128,22 +128,30 @@ fn warnings_of_several_scans_are_named_by_their_files() {
 }
 
 #[test]
-fn nothing_is_fetched_and_nothing_runs() {
+fn nothing_is_fetched_and_one_script_runs() {
     let sample = sample();
     let html = render(&sample);
     assert!(!html.contains("http"), "no address of any kind");
     let document = parse(&html);
     for node in document.descendants().filter(|node| node.is_element()) {
         let tag = node.tag_name().name();
-        assert!(!["script", "link", "iframe", "object", "base"].contains(&tag), "{tag}");
+        assert!(!["link", "iframe", "object", "base"].contains(&tag), "{tag}");
         for attribute in node.attributes() {
             let (name, value) = (attribute.name(), attribute.value());
             assert!(!name.starts_with("on"), "{name}");
             if name == "href" || name == "src" {
-                assert!(value.starts_with('#') || value.starts_with("data:image/png;base64,"), "{value:.60}");
+                // A picture is a link to its own file, which lies beside the page.
+                let is_own_file =
+                    name == "href" && node.has_tag_name("a") && value.starts_with("./") && !value.contains("..");
+                let is_inside = value.starts_with('#') || value.starts_with("data:image/png;base64,");
+                assert!(is_inside || is_own_file, "{value:.60}");
             }
         }
     }
+    let scripts: Vec<_> = document.descendants().filter(|node| node.has_tag_name("script")).collect();
+    assert_eq!(scripts.len(), 1);
+    assert_eq!(scripts[0].attributes().len(), 0);
+    assert_eq!(scripts[0].text(), Some(include_str!("../../src/report/templates/overview.js")));
     let css = document.descendants().find(|node| node.has_tag_name("style")).and_then(|node| node.text()).unwrap();
     assert!(!css.contains("url(") && !css.contains("@import"));
 }
@@ -174,8 +182,8 @@ fn hostile_names_stay_text() {
     make_hostile(&mut sample.results);
     let html = render(&sample);
     let document = parse(&html);
-    let injected = |tag: &str| document.descendants().any(|node| node.has_tag_name(tag));
-    assert!(!injected("script"));
+    let scripts = document.descendants().filter(|node| node.has_tag_name("script"));
+    assert_eq!(scripts.count(), 1, "the page's own");
     assert!(html.chars().all(|c| !c.is_control() || c == '\n'));
     let clean = HOSTILE.replace(['\u{7}', '\u{1b}'], "\u{fffd}");
     assert!(visible_text(&document).matches(&clean).count() > 20);
@@ -270,4 +278,75 @@ fn json_comes_back_as_it_was() {
     let back = from_json(&text, "report.json").unwrap();
     assert!(back.specimens[0].errors[0].worst.is_nan());
     assert!(to_json(&back) == text);
+}
+
+/// Text of the elements of a class, in the page's order.
+fn texts_of(document: &roxmltree::Document, class: &str) -> Vec<String> {
+    let of_class = document.descendants().filter(|node| node.attribute("class") == Some(class));
+    of_class.map(|node| node.descendants().filter_map(|node| node.text()).collect::<Vec<_>>().join(" ")).collect()
+}
+
+#[test]
+fn what_one_wants_to_know_comes_first() {
+    let sample = sample();
+    let html = render(&sample);
+    let document = parse(&html);
+    let found = texts_of(&document, "glance");
+    assert_eq!(found.len(), 3, "all but the one that failed");
+    for text in &found {
+        for question in
+            ["Which colours, from which angles?", "Is it good?", "What does it cost?", "Does it match a measurement?"]
+        {
+            assert!(text.contains(question), "{text}");
+        }
+        assert!(text.contains("FORMAT.md") && text.contains("ΔE₀₀"), "{text}");
+    }
+    for section in html.split("<section class=\"specimen\"").skip(1).filter(|section| !section.contains("<b>Failed")) {
+        assert!(section.find("class=\"glance\"").unwrap() < 700, "nothing comes before it but the name");
+    }
+}
+
+#[test]
+fn what_failed_comes_first_in_the_overview_and_on_the_page() {
+    let html = render(&sample());
+    let document = parse(&html);
+    let overview = document.descendants().find(|node| node.attribute("id") == Some("overview")).unwrap();
+    let states: Vec<&str> = overview.descendants().filter_map(|node| node.attribute("data-state")).collect();
+    assert_eq!(states, ["0", "1", "1", "2"]);
+    let sections = document.descendants().filter(|node| node.attribute("class") == Some("specimen"));
+    let first = sections.into_iter().next().unwrap();
+    assert!(first.descendants().any(|node| node.text() == Some("torn_scan")));
+}
+
+#[test]
+fn raw_words_of_the_program_do_not_show() {
+    let mut sample = sample();
+    let specimen = &mut sample.results.specimens[0];
+    specimen
+        .warnings
+        .push("shifts by 2.1e-3 where 0.0e0 is allowed: `tables.storage = \"auto\"`, 48.798798798798806 nm".into());
+    let html = render(&sample);
+    let text = visible_text(&parse(&html));
+    for raw in ["e-3", "0.0e0", "798798", "sample_format", "sample format", "f32", "shader_float32", "0 × 0 samples"] {
+        let shown = text.lines().filter(|line| !line.contains("tolerance = 1e-3"));
+        assert!(!shown.into_iter().any(|line| line.contains(raw)), "{raw}");
+    }
+    assert!(!text.contains('`'));
+}
+
+#[test]
+fn a_collection_is_folded_and_its_pictures_lie_beside() {
+    let mut sample = sample();
+    let snake = sample.results.specimens[0].clone();
+    for number in 0..21 {
+        sample.results.specimens.push(SpecimenResult { name: format!("snake_{number}"), ..snake.clone() });
+    }
+    let html = render(&sample);
+    let document = parse(&html);
+    let folds = document.descendants().filter(|node| node.has_tag_name("summary"));
+    let own = folds.filter(|node| node.text().is_some_and(|text| text.starts_with("All about "))).count();
+    assert_eq!(own, sample.results.specimens.len());
+    assert!(html.contains("./corn_snake_like/heights.png") && html.contains("did not fit into this page"));
+    // Two hundred of them stay below 15 MB.
+    assert!(html.len() / sample.results.specimens.len() < 75_000, "{}", html.len() / sample.results.specimens.len());
 }

@@ -46,6 +46,7 @@ struct Plan {
     tolerance: f64,
     specimens: Vec<SpecimenPlan>,
     /// What no scene, file or stage of this manifest asks for.
+    assumed: Vec<String>,
     left_out: Vec<String>,
 }
 
@@ -88,6 +89,7 @@ pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
         threads,
         tolerance: config.tables.tolerance,
         specimens: specimens.collect(),
+        assumed: asked::assumed(&config),
         left_out: asked::left_out(&config),
     };
     if args.json {
@@ -245,6 +247,12 @@ impl Plan {
         }
         for specimen in &self.specimens {
             text.extend(specimen.warnings.iter().map(|warning| format!("warning: {}: {warning}\n", specimen.name)));
+        }
+        if !self.assumed.is_empty() {
+            text += "assumed:\n";
+        }
+        for row in &self.assumed {
+            text += &format!("  {row}\n");
         }
         if !self.left_out.is_empty() {
             text += "left out:\n";

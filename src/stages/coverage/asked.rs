@@ -51,6 +51,18 @@ pub(crate) fn spectral_obstacle(config: &RunConfig, optics: &OpticsConfig) -> Re
     ))
 }
 
+/// What was assumed where the manifest says nothing and one might want to know.
+pub fn assumed(config: &RunConfig) -> Vec<String> {
+    let names: Vec<&str> = config.scenes.iter().map(|scene| scene.name.as_str()).collect();
+    let row = || {
+        format!(
+            "the scenes {}: the manifest has no [[scene]]; `scene = []` at its top asks for none",
+            names.join(" and ")
+        )
+    };
+    (!config.scenes_are_given && !names.is_empty()).then(row).into_iter().collect()
+}
+
 /// Specimens, pictures and stages that nobody asks for, with the reason.
 pub fn left_out(config: &RunConfig) -> Vec<String> {
     let mut rows = Vec::new();
@@ -66,7 +78,7 @@ pub fn left_out(config: &RunConfig) -> Vec<String> {
         }
     }
     let stages = [
-        (config.scenes.is_empty(), "pictures of scenes: the manifest has no [[scene]]"),
+        (config.scenes.is_empty(), "pictures of scenes: scene = []"),
         (config.gpu == GpuCheck::Off, "the check on a GPU: gpu.check = \"off\""),
         (!config.report.reference, "reference pictures and measured errors: report.reference = false"),
         (!config.report.write, "report.html and report.json: report.write = false"),

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use ndarray::Array3;
+use ndarray::{Array2, Array3};
 use serde_json::json;
 
 use crate::stages::config::RunConfig;
@@ -32,8 +32,13 @@ use diffraction_render::scene::turn::Axis;
 /// Most pairs of directions that one scene may ask of the reference: sets the lattice of its picture.
 const REFERENCE_SAMPLES_MAX: usize = 40_000;
 
-/// Share of white at which the difference map reaches its brightest colour.
-const DIFFERENCE_FULL_SCALE: f32 = 0.1;
+/// Most samples of a light in a pixel of a reference picture: so few that nearly every second pixel of a picture has one. The
+/// tables' picture that it is compared with has the same.
+const REFERENCE_LIGHT_SAMPLES: usize = 2;
+
+/// Share of the pixels that the difference map's colours span, and the least full scale in CIEDE2000.
+const DIFFERENCE_SPAN: f64 = 0.998;
+const DIFFERENCE_LEAST: f64 = 0.01;
 
 /// End of the name of an animation's file.
 const ANIMATION: &str = ".animated.png";
@@ -53,6 +58,8 @@ pub struct SceneWork {
     /// Every `stride`-th pixel is compared.
     stride: usize,
     subset: ShadingSamples,
+    /// What the tables show of the subset.
+    compared: Array3<f32>,
     /// What lies below the structure, which the reference does not know of.
     pigment: Option<Pigment>,
 }
@@ -68,9 +75,10 @@ pub fn render_tables(scene: &Scene, surface: Surface) -> Result<SceneWork> {
     let uncovered = image.rows().into_iter().filter(|xyz| xyz.iter().any(|value| value.is_nan())).count();
     let stride = reference_stride(scene);
     let subset = reference_samples(scene)?;
+    let compared = cpu::shade(&subset, &|wi, wo| surface.xyz(Interpolation::Bilinear, wi, wo));
     let exposure = exposure_factor(scene.exposure, &image);
     let pigment = surface.pigment.copied();
-    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, uncovered, stride, subset, pigment })
+    Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, uncovered, stride, subset, compared, pigment })
 }
 
 /// The samples of a scene's reference picture.
@@ -78,7 +86,14 @@ pub fn render_tables(scene: &Scene, surface: Surface) -> Result<SceneWork> {
 /// # Errors
 /// A scene that cannot be rendered.
 pub fn reference_samples(scene: &Scene) -> Result<ShadingSamples> {
-    samples_of(scene, 0..scene.size_px, reference_stride(scene))
+    samples_of(&with_reference(scene), 0..scene.size_px, reference_stride(scene))
+}
+
+/// A scene as it is compared with its reference: lights of a size are seen as a few points. Surroundings keep their samples.
+pub(crate) fn with_reference(scene: &Scene) -> Scene {
+    let most = if scene.environment.is_some() { usize::MAX } else { REFERENCE_LIGHT_SAMPLES };
+    let (light_samples, pixel_samples) = (scene.light_samples.min(most), scene.pixel_samples.min(most));
+    Scene { light_samples, pixel_samples, ..scene.clone() }
 }
 
 /// The pairs of directions of samples, in order.
@@ -88,7 +103,7 @@ pub(crate) fn pairs_of(samples: &ShadingSamples) -> impl Iterator<Item = (Vec3, 
 
 /// Of how many pixels in each direction one has a reference.
 pub(crate) fn reference_stride(scene: &Scene) -> usize {
-    let per_pixel = samples_per_pixel(scene).max(1);
+    let per_pixel = samples_per_pixel(&with_reference(scene)).max(1);
     let side = ((REFERENCE_SAMPLES_MAX / per_pixel) as f64).sqrt().max(1.0);
     (scene.size_px as f64 / side).ceil().max(1.0) as usize
 }
@@ -169,6 +184,7 @@ impl SceneWork {
     /// Both shares of a scene together.
     pub fn plus(mut self, other: &Self) -> Self {
         self.image += &other.image;
+        self.compared += &other.compared;
         self.seconds += other.seconds;
         self.uncovered += other.uncovered;
         self
@@ -227,37 +243,48 @@ impl SceneWork {
 
     fn compare(&self, expected: &Array3<f32>, folder: &Path, prefix: &str, result: SceneResult) -> Result<SceneResult> {
         let name = &self.scene.name;
-        let ours = every(&self.image, self.stride);
+        let ours = &self.compared;
         let white = 1.0 / f64::from(self.exposure);
         let path = |ending: &str| folder.join(format!("{name}{ending}"));
-        let difference = &ours - expected;
+        let difference = ours - expected;
         for (image, ending, kind) in [(expected, ".reference", "reference"), (&difference, ".difference", "difference")]
         {
             let attributes = json!({ "kind": kind, "scene": name, "exposure": f64::from(self.exposure) });
             write_rgb(&path(&format!("{ending}.exr")), image, Precision::Float, &attributes)?;
         }
         let enlarge = |image: &Array3<u8>| enlarged(image, self.stride);
-        let pair = [&ours, expected].map(|image| enlarge(&to_srgb8(image, self.exposure)));
+        let pair = [ours, expected].map(|image| enlarge(&to_srgb8(image, self.exposure)));
         write_png(&path(".compare.png"), &side_by_side(&[&pair[0], &pair[1]], GAP_PX, GAP_RGB))?;
-        let map = metrics::difference_to_white_map(expected, &ours, white);
-        write_png(&path(".difference.png"), &enlarge(&heat_map(&map, DIFFERENCE_FULL_SCALE)))?;
-        let colour = metrics::ciede2000(expected, &ours, white);
+        let map = metrics::ciede2000_map(expected, ours, white);
+        let full_scale = full_scale(&map);
+        write_png(&path(".difference.png"), &enlarge(&heat_map(&map, full_scale as f32)))?;
+        let colour = metrics::ciede2000(expected, ours, white);
         let flat = |image: &Array3<f32>| image.iter().map(|&v| f64::from(v)).collect::<Vec<_>>();
         let file = |ending: &str| format!("{prefix}/{name}{ending}");
         Ok(SceneResult {
             error: Some(SceneError {
                 pixels: ours.len() / 3,
-                relative_l2: metrics::relative_l2(&flat(expected), &flat(&ours)),
+                relative_l2: metrics::relative_l2(&flat(expected), &flat(ours)),
                 ciede2000_mean: colour.mean,
                 ciede2000_p95: colour.p95,
                 ciede2000_max: colour.max,
             }),
             side_by_side_png: Some(file(".compare.png")),
             difference_png: Some(file(".difference.png")),
-            difference_scale: Some(format!("{} % of white", DIFFERENCE_FULL_SCALE * 100.0)),
+            difference_scale: Some(format!("ΔE₀₀ {full_scale}")),
             ..result
         })
     }
+}
+
+/// A round number that all but the most extreme of the finite differences keep below.
+fn full_scale(map: &Array2<f32>) -> f64 {
+    let mut sorted: Vec<f64> = map.iter().map(|value| f64::from(*value)).filter(|value| value.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    let most = sorted.get(((sorted.len() as f64 * DIFFERENCE_SPAN) as usize).min(sorted.len().saturating_sub(1)));
+    let most = most.copied().unwrap_or_default().max(DIFFERENCE_LEAST);
+    let power = 10f64.powf(most.log10().floor());
+    [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power).into_iter().find(|round| *round >= most).unwrap_or(most)
 }
 
 /// What a user must know about the pictures of a specimen: an environment's directions further apart than the
@@ -368,4 +395,32 @@ fn enlarged(image: &Array3<u8>, factor: usize) -> Array3<u8> {
     Array3::from_shape_fn((rows * factor, columns * factor, 3), |(row, column, channel)| {
         image[[row / factor, column / factor, channel]]
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_map_of_differences_uses_its_colours() {
+        let scale = |most: f32| {
+            full_scale(&Array2::from_shape_fn((40, 50), |(row, column)| most * (row + column) as f32 / 88.0))
+        };
+        for (most, round) in [(0.43, 0.5), (1.7, 2.0), (0.0001, DIFFERENCE_LEAST), (7.0, 10.0)] {
+            assert!((scale(most) - round).abs() < 1e-9, "{most}: {}", scale(most));
+        }
+        let mut speck = Array2::from_elem((50, 50), 0.09f32);
+        (speck[[0, 0]], speck[[1, 1]]) = (30.0, f32::NAN);
+        assert!((full_scale(&speck) - 0.1).abs() < 1e-6, "one pixel does not darken the rest");
+    }
+
+    #[test]
+    fn nearly_every_second_pixel_of_a_picture_has_a_reference() {
+        let light = Light { direction: [0.3, 0.2, 1.0], angular_diameter_deg: 0.53, irradiance: 1.0 };
+        for (size_px, stride) in [(64, 1), (256, 2), (512, 4)] {
+            let scene = Scene { light_samples: 16, ..Scene::still("a", Shape::Sphere, vec![light], size_px) };
+            assert_eq!(reference_stride(&scene), stride);
+            assert_eq!(reference_samples(&scene).unwrap().rows, size_px.div_ceil(stride));
+        }
+    }
 }
