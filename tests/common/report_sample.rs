@@ -147,6 +147,7 @@ fn truncated() -> SpecimenResult {
         failed: Some(
             "scans/torn.tif: the file ends after 31 of 512 rows\n  copy the scan again from the instrument".into(),
         ),
+        stale: None,
     }
 }
 
@@ -210,6 +211,7 @@ fn specimen(
         budget: None,
         warnings: vec![],
         failed: None,
+        stale: None,
     }
 }
 

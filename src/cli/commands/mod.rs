@@ -7,6 +7,7 @@ pub(crate) mod export;
 pub(crate) mod inspect;
 pub(crate) mod list;
 pub(crate) mod plan;
+pub(crate) mod prune;
 pub(crate) mod run;
 pub(crate) mod study;
 pub(crate) mod synthesize;

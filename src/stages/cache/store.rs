@@ -2,19 +2,22 @@
 //!
 //! An entry is one file: its key, the bytes, a digest of both. A file that is not exactly that is taken for absent, as is
 //! one that cannot be read; a result that cannot be kept is computed again next time. So a cache can cost time, never
-//! a run, and never a value. The key names the program by its digest: another build's results are not this one's.
+//! a run, and never a value. The key names the version of the numerics and the kind of processor: another version's results are not
+//! this one's.
 
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::SystemTime;
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
+use crate::stages::program;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
 use diffraction_brdf::json as json_text;
+use diffraction_build::accuracy::numerics::NUMERICS;
 
 /// Layout of the entries; another number is another cache.
 const FORMAT: u32 = 1;
@@ -74,7 +77,8 @@ pub(crate) struct Cache {
     /// `None` where nothing is kept.
     folder: Option<PathBuf>,
     limit_bytes: u64,
-    program: String,
+    /// Whether it has given way to what was more urgent on a full disk.
+    gone: AtomicBool,
     read: AtomicU64,
     written: AtomicU64,
 }
@@ -82,18 +86,16 @@ pub(crate) struct Cache {
 impl Cache {
     /// A cache that keeps and knows nothing.
     pub fn off() -> Self {
-        Self { folder: None, limit_bytes: 0, program: String::new(), read: 0.into(), written: 0.into() }
+        Self { folder: None, limit_bytes: 0, gone: false.into(), read: 0.into(), written: 0.into() }
     }
 
-    /// Opens the store; one that keeps nothing where the limit is 0 or the program cannot read itself.
+    /// Opens the store; one that keeps nothing where the limit is 0.
     pub fn open(config: &CacheConfig) -> Self {
-        let program = std::env::current_exe().ok().and_then(|path| files::sha256_file(&path).ok());
-        match (config.limit_mib, program) {
-            (0, _) | (_, None) => Self::off(),
-            (limit_mib, Some((_, program))) => Self {
+        match config.limit_mib {
+            0 => Self::off(),
+            limit_mib => Self {
                 folder: Some(config.folder.clone()),
                 limit_bytes: limit_mib.saturating_mul(1 << 20),
-                program,
                 ..Self::off()
             },
         }
@@ -102,6 +104,13 @@ impl Cache {
     /// Whether anything is kept.
     pub(crate) fn is_on(&self) -> bool {
         self.folder.is_some()
+    }
+
+    /// Removes every entry of the folder, for a disk is full, and keeps nothing from now on. Gives the bytes; `None` where there were
+    /// none.
+    pub(crate) fn give_way(&self, config: &CacheConfig) -> Option<u64> {
+        self.gone.store(true, Ordering::Relaxed);
+        clear(&config.folder).ok().map(|(_, bytes)| bytes).filter(|bytes| *bytes > 0)
     }
 
     /// Most bytes that the entries may take together.
@@ -114,9 +123,10 @@ impl Cache {
         [self.read.load(Ordering::Relaxed), self.written.load(Ordering::Relaxed)]
     }
 
-    /// The key of a kind of result that depends on this program and on `parts`.
+    /// The key of a kind of result that depends on how this program computes and on `parts`.
     pub fn key(&self, kind: &str, parts: &Value) -> String {
-        let all = json!({ "format": FORMAT, "program": self.program, "kind": kind, "parts": parts });
+        let computed = json!([NUMERICS, program::processor()]);
+        let all = json!({ "format": FORMAT, "computed": computed, "kind": kind, "parts": parts });
         files::sha256_hex(json_text::canonical(&all).as_bytes())
     }
 
@@ -144,7 +154,7 @@ impl Cache {
     pub(crate) fn store(&self, key: &str, value: &[u8]) {
         let Some(path) = self.path(key) else { return };
         let length = MAGIC.len() + key.len() + value.len() + DIGEST;
-        if length as u64 > self.limit_bytes {
+        if length as u64 > self.limit_bytes || self.gone.load(Ordering::Relaxed) {
             return;
         }
         let mut bytes = Vec::with_capacity(length);
