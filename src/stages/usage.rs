@@ -57,13 +57,16 @@ const FREE_SHARE: f64 = 0.75;
 /// Where the system does not tell, as much as there may be.
 pub(crate) fn memory_to_take() -> u64 {
     let number = |path: &str| std::fs::read_to_string(path).ok()?.trim().parse::<u64>().ok();
-    // The second version of control groups; without a limit the file says "max".
+    let field = |path: &str, name: &str| {
+        let text = std::fs::read_to_string(path).ok()?;
+        let line = text.lines().find_map(|line| line.strip_prefix(name))?;
+        line.trim().trim_end_matches("kB").trim().parse::<u64>().ok()
+    };
+    // The second version of control groups; without a limit the file says "max". What is kept of files gives way.
     let group = number("/sys/fs/cgroup/memory.max").zip(number("/sys/fs/cgroup/memory.current"));
-    let of_group = group.map(|(most, now)| most.saturating_sub(now));
-    let of_machine = std::fs::read_to_string("/proc/meminfo").ok().and_then(|text| {
-        let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
-        line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok().map(|kib| kib << 10)
-    });
+    let of_files = field("/sys/fs/cgroup/memory.stat", "inactive_file ").unwrap_or(0);
+    let of_group = group.map(|(most, now)| most.saturating_sub(now.saturating_sub(of_files)));
+    let of_machine = field("/proc/meminfo", "MemAvailable:").map(|kib| kib << 10);
     let free = of_group.into_iter().chain(of_machine).min();
     free.map_or(u64::MAX, |bytes| (bytes as f64 * FREE_SHARE) as u64)
 }
