@@ -1,4 +1,4 @@
-//! Which program this is, by its own digest, and on what kind of processor it runs.
+//! Which program this is, by its own digest: results of another build are not this one's.
 
 use std::sync::OnceLock;
 
@@ -13,15 +13,4 @@ pub(crate) fn digest() -> Option<&'static str> {
         Some(Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect())
     };
     DIGEST.get_or_init(read).as_deref()
-}
-
-/// The kind of processor, as far as results depend on it: without these instructions the transforms and the system's functions
-/// take other paths, whose results differ in the last digits.
-pub(crate) fn processor() -> String {
-    #[cfg(target_arch = "x86_64")]
-    let instructions = [("avx", std::is_x86_feature_detected!("avx")), ("fma", std::is_x86_feature_detected!("fma"))];
-    #[cfg(not(target_arch = "x86_64"))]
-    let instructions: [(&str, bool); 0] = [];
-    let known = instructions.into_iter().filter(|(_, there)| *there).map(|(name, _)| name);
-    [std::env::consts::ARCH].into_iter().chain(known).collect::<Vec<_>>().join(" ")
 }

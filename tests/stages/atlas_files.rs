@@ -217,7 +217,8 @@ fn verify_finds_what_was_published_unreadable() {
     let staging = publish::begin(root.path()).unwrap();
     write_specimen(staging.path(), "one", &random_tables(11, Basis::Taylor, 5), Storage::Half);
     fs::write(staging.path().join("picture.exr"), "no picture").unwrap();
-    let version = root.path().join(publish::publish(staging, index("aa", &["one", "lost"]), Vec::new()).unwrap().version());
+    let version =
+        root.path().join(publish::publish(staging, index("aa", &["one", "lost"]), Vec::new()).unwrap().version());
     let failures = verify_files::verify_files(&version).unwrap().failures;
     assert_eq!(
         failures.iter().map(|failure| failure.file.as_str()).collect::<Vec<_>>(),

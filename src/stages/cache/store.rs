@@ -2,8 +2,7 @@
 //!
 //! An entry is one file: its key, the bytes, a digest of both. A file that is not exactly that is taken for absent, as is
 //! one that cannot be read; a result that cannot be kept is computed again next time. So a cache can cost time, never
-//! a run, and never a value. The key names the version of the numerics and the kind of processor: another version's results are not
-//! this one's.
+//! a run, and never a value. The key names the program by its digest: another build's results are not this one's.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -17,7 +16,6 @@ use crate::stages::program;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
 use diffraction_brdf::json as json_text;
-use diffraction_build::accuracy::numerics::NUMERICS;
 
 /// Layout of the entries; another number is another cache.
 const FORMAT: u32 = 1;
@@ -89,11 +87,11 @@ impl Cache {
         Self { folder: None, limit_bytes: 0, gone: false.into(), read: 0.into(), written: 0.into() }
     }
 
-    /// Opens the store; one that keeps nothing where the limit is 0.
+    /// Opens the store; one that keeps nothing where the limit is 0 or the program cannot read itself.
     pub fn open(config: &CacheConfig) -> Self {
-        match config.limit_mib {
-            0 => Self::off(),
-            limit_mib => Self {
+        match (config.limit_mib, program::digest()) {
+            (0, _) | (_, None) => Self::off(),
+            (limit_mib, Some(_)) => Self {
                 folder: Some(config.folder.clone()),
                 limit_bytes: limit_mib.saturating_mul(1 << 20),
                 ..Self::off()
@@ -123,10 +121,9 @@ impl Cache {
         [self.read.load(Ordering::Relaxed), self.written.load(Ordering::Relaxed)]
     }
 
-    /// The key of a kind of result that depends on how this program computes and on `parts`.
+    /// The key of a kind of result that depends on this program and on `parts`.
     pub fn key(&self, kind: &str, parts: &Value) -> String {
-        let computed = json!([NUMERICS, program::processor()]);
-        let all = json!({ "format": FORMAT, "computed": computed, "kind": kind, "parts": parts });
+        let all = json!({ "format": FORMAT, "program": program::digest(), "kind": kind, "parts": parts });
         files::sha256_hex(json_text::canonical(&all).as_bytes())
     }
 

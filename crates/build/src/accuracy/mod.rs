@@ -2,7 +2,6 @@
 
 pub mod directions;
 pub mod energy;
-pub mod numerics;
 pub mod power_sums;
 pub mod reference;
 pub mod rows;
