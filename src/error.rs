@@ -32,6 +32,9 @@ pub enum Error {
     },
 }
 
+/// Exit status of what is worth trying again: `EX_TEMPFAIL` of sysexits.h, which schedulers know.
+pub const RETRY: u8 = 75;
+
 impl From<diffraction_render::error::Error> for Error {
     fn from(error: diffraction_render::error::Error) -> Self {
         match error {
@@ -47,10 +50,11 @@ impl Error {
         matches!(self, Self::Library(error) if error.is_of_disk_below(folder))
     }
 
-    /// The process's exit status: 2 for a wrong call or manifest, 1 otherwise.
+    /// The process's exit status: 2 for a wrong call or manifest, [`RETRY`] for what may succeed when it is tried again, 1 otherwise.
     pub fn exit_status(&self) -> u8 {
         match self {
             Self::Manifest { .. } | Self::Library(diffraction_brdf::Error::Call(_)) => 2,
+            Self::Library(error) if error.is_worth_retrying() => RETRY,
             _ => 1,
         }
     }
@@ -65,10 +69,15 @@ mod tests {
     #[test]
     fn what_comes_from_below_keeps_its_words_and_its_status() {
         let disk = || Library::disk(Path::new("/atlas/v0001"), "write", std::io::ErrorKind::StorageFull.into());
-        let cases: [(Error, String, u8); 5] = [
+        let cases: [(Error, String, u8); 6] = [
             (Library::Call("no such scene".into()).into(), "no such scene".into(), 2),
             (Library::limit("too much", "ask for less").into(), "too much\n  ask for less".into(), 1),
-            (disk().into(), disk().to_string(), 1),
+            (disk().into(), disk().to_string(), RETRY),
+            (
+                Library::disk(Path::new("/a"), "read", std::io::ErrorKind::NotFound.into()).into(),
+                "/a: cannot read: entity not found".into(),
+                1,
+            ),
             (Render::from(Library::Call("no such scene".into())).into(), "no such scene".into(), 2),
             (Render::Gpu("lost".into()).into(), "GPU: lost".into(), 1),
         ];

@@ -13,7 +13,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::error::Result;
-use commands::{cache, diff, eval, export, inspect, list, plan, run, study, synthesize, verify, view};
+use commands::{cache, diff, eval, export, inspect, list, plan, prune, run, study, synthesize, verify, view};
 use diffraction_brdf::error::Error;
 use options::Global;
 use output::Outcome;
@@ -23,8 +23,9 @@ use output::Outcome;
 #[command(
     name = "diffraction-atlas",
     version,
-    after_help = "Exit status: 0 done; 1 done with failures, which are listed; \
-                  2 the call or the manifest is wrong, and nothing was written."
+    after_help = "Exit status: 0 done, or nothing to do; 1 done with failures, which are listed; \
+                  2 the call or the manifest is wrong, and nothing was written; 75 worth trying again as it is: \
+                  another run holds the atlas, or the disk is full."
 )]
 pub(crate) struct Cli {
     /// What holds for every command.
@@ -40,6 +41,8 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     /// Run the pipeline: from a manifest to a published atlas (also what happens without a command)
     Run(run::RunArgs),
+    /// Publish what `run --only` and `run --shard` have made, here or on other machines
+    Merge(run::MergeArgs),
     /// Say what a run would compute, leave out, and take, without computing it
     Plan(plan::PlanArgs),
     /// Show what a scan or an atlas holds
@@ -60,6 +63,8 @@ pub(crate) enum Command {
     Export(export::ExportArgs),
     /// List the atlases in a folder, their versions and specimens
     List(list::ListArgs),
+    /// Remove old versions of an atlas
+    Prune(prune::PruneArgs),
     /// Write a generated height field as a TIFF
     Synthesize(synthesize::SynthesizeArgs),
 }
@@ -84,6 +89,7 @@ fn dispatch(cli: &Cli) -> Result<Outcome> {
     match &cli.command {
         None => run::run(&run::RunArgs::default(), global),
         Some(Command::Run(args)) => run::run(args, global),
+        Some(Command::Merge(args)) => run::merge(args, global),
         Some(Command::Plan(args)) => plan::run(args, global),
         Some(Command::Inspect(args)) => inspect::run(args, global),
         Some(Command::Eval(args)) => eval::run(args, global),
@@ -94,6 +100,7 @@ fn dispatch(cli: &Cli) -> Result<Outcome> {
         Some(Command::Cache(args)) => cache::run(args),
         Some(Command::Export(args)) => export::run(args, global),
         Some(Command::List(args)) => list::run(args, global),
+        Some(Command::Prune(args)) => prune::run(args),
         Some(Command::Synthesize(args)) => synthesize::run(args, global),
     }
 }

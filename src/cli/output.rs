@@ -1,4 +1,4 @@
-//! Output conventions: results on stdout, messages on stderr, exit status 0, 1, or 2.
+//! Output conventions: results on stdout, messages on stderr, exit status 0, 1, 2, or 75.
 
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};

@@ -1,11 +1,14 @@
 //! Progress on stderr: a bar on a terminal, plain lines elsewhere, nothing when asked to be quiet.
 
+use std::fs::File;
 use std::io::{IsTerminal, Write};
+use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use diffraction_brdf::error::{Error, Result};
 use diffraction_build::ground::progress::{Progress, Silent};
 
 /// Where there is no terminal, a stage says how far it is this often.
@@ -22,6 +25,55 @@ pub(crate) fn reporter(quiet: bool) -> Box<dyn Progress> {
         Box::new(Bar::new())
     } else {
         Box::new(Lines::new(std::io::stderr()))
+    }
+}
+
+/// A listener whose messages are appended to a file besides, each with the time.
+pub(crate) struct Logged {
+    shown: Box<dyn Progress>,
+    file: Option<Mutex<File>>,
+}
+
+impl Logged {
+    /// Opens the file, where there is to be one.
+    ///
+    /// # Errors
+    /// A file that cannot be written to.
+    pub fn new(shown: Box<dyn Progress>, file: Option<&Path>) -> Result<Self> {
+        let open = |path: &Path| {
+            let file = File::options().create(true).append(true).open(path);
+            file.map(Mutex::new).map_err(|e| Error::disk(path, "open the log", e))
+        };
+        Ok(Self { shown, file: file.map(open).transpose()? })
+    }
+
+    /// Appends lines that are shown elsewhere.
+    pub fn note(&self, text: &str) {
+        let Some(file) = &self.file else { return };
+        let mut file = file.lock().unwrap_or_else(PoisonError::into_inner);
+        let now = humantime::format_rfc3339_seconds(SystemTime::now().max(UNIX_EPOCH));
+        let lines: String = text.lines().map(|line| format!("{now} {line}\n")).collect();
+        // A log that cannot be written must not stop the work.
+        let _ = file.write_all(lines.as_bytes());
+    }
+}
+
+impl Progress for Logged {
+    fn stage(&self, name: &str, total: u64) {
+        self.shown.stage(name, total);
+    }
+
+    fn advance(&self, n: u64) {
+        self.shown.advance(n);
+    }
+
+    fn message(&self, text: &str) {
+        self.note(text);
+        self.shown.message(text);
+    }
+
+    fn finish(&self) {
+        self.shown.finish();
     }
 }
 

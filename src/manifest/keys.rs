@@ -16,7 +16,7 @@ pub(crate) const TOP: Keys = Keys {
 };
 
 /// What the atlas is called and where it goes.
-pub const ATLAS: Keys = Keys { table: "[atlas]", names: &["name", "out"] };
+pub const ATLAS: Keys = Keys { table: "[atlas]", names: &["name", "out", "on_failure"] };
 
 /// Illumination and averaging; defaults for every specimen.
 pub(crate) const OPTICS: Keys = Keys {

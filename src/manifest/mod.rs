@@ -30,7 +30,7 @@ pub use model::{AtlasSection, GpuSection, Manifest};
 
 use crate::error::{self, Result};
 use crate::stages::cache::store::CacheConfig;
-use crate::stages::config::{Cover, FrameTiming, GpuCheck, Hold, ReportConfig};
+use crate::stages::config::{Cover, FrameTiming, GpuCheck, Hold, OnFailure, ReportConfig};
 use diffraction_brdf::error::Error;
 use diffraction_build::tables::model::Basis;
 use reader::Section;
@@ -91,6 +91,7 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
     let atlas = AtlasSection {
         name: name::read(&atlas.require("name", "name = \"snakes\"")?)?,
         out: base.join(out.unwrap_or(defaults::OUT)),
+        on_failure: atlas.get("on_failure").map_or(Ok(OnFailure::default()), |item| item.choice(&ON_FAILURE))?,
     };
     let mut optics = match top.get("optics") {
         Some(item) => optics::read(&item, base)?,
@@ -196,6 +197,10 @@ fn report(section: &Section) -> Result<ReportConfig> {
         savings: switch("savings", defaults::REPORT.savings)?,
     })
 }
+
+/// What may become of a specimen that fails.
+const ON_FAILURE: [(&str, OnFailure); 3] =
+    [("keep", OnFailure::Keep), ("drop", OnFailure::Drop), ("stop", OnFailure::Stop)];
 
 /// Largest cache in MiB.
 const CACHE_LIMIT_MIB_MAX: usize = 16 << 20;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::stages::cache::store::CacheConfig;
-use crate::stages::config::{Cover, FrameTiming, GpuCheck, Hold, ReportConfig, SpecimenConfig};
+use crate::stages::config::{Cover, FrameTiming, GpuCheck, Hold, OnFailure, ReportConfig, SpecimenConfig};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::tables::model::TablesConfig;
 use diffraction_render::scene::model::Scene;
@@ -55,4 +55,6 @@ pub struct AtlasSection {
     pub name: String,
     /// The folder that holds atlases; this one's versions go to `out/name`.
     pub out: PathBuf,
+    /// What becomes of a specimen that fails.
+    pub on_failure: OnFailure,
 }

@@ -2,6 +2,7 @@
 
 use super::reader::Item;
 use crate::error::Result;
+use diffraction_brdf::files;
 
 /// Longest name.
 const CHARACTERS_MAX: usize = 64;
@@ -19,7 +20,7 @@ fn safe(c: char) -> bool {
 }
 
 /// A text with `_` in place of every run of characters that no name may hold.
-pub(crate) fn made_safe(text: &str) -> String {
+fn made_safe(text: &str) -> String {
     let mut name = String::new();
     for c in text.chars() {
         match (safe(c), name.ends_with('_')) {
@@ -31,33 +32,88 @@ pub(crate) fn made_safe(text: &str) -> String {
     name
 }
 
+/// Digits of a digest that tell names apart of which less than all can be kept.
+const DIGEST_DIGITS: usize = 8;
+
+/// A name for a file's: itself with `_` for what no name may hold, where that is all that is wrong with it. One that is of another
+/// script, too long, begins with a sign or is a device's keeps what can be read of it and takes some digits of its digest, so that
+/// the same file has the same name always, and another has another.
+pub(crate) fn for_file(text: &str) -> String {
+    let name = made_safe(text);
+    if text.is_ascii() && fault(&name).is_none() {
+        return name;
+    }
+    let digest = files::sha256_hex(text.as_bytes());
+    let readable: String = name.trim_matches(['_', '-']).chars().take(CHARACTERS_MAX - DIGEST_DIGITS - 1).collect();
+    let readable = if readable.is_empty() { "scan" } else { &readable };
+    format!("{readable}_{}", &digest[..DIGEST_DIGITS])
+}
+
 /// A name that `item` leads to, if it can be one.
 pub fn checked(item: &Item, name: &str) -> Result<String> {
+    match fault(name) {
+        None => Ok(name.to_owned()),
+        Some(fault) => Err(item.error(fault)),
+    }
+}
+
+/// What keeps a text from being a name.
+fn fault(name: &str) -> Option<String> {
     let begins_well = name.starts_with(|c: char| c.is_ascii_alphanumeric());
     // No dots: a specimen's folder lies beside files such as `atlas.json`.
     if !begins_well || !name.chars().all(safe) || name.len() > CHARACTERS_MAX {
-        return Err(item.error(format!(
+        return Some(format!(
             "becomes a folder's or file's name: it must be 1 to {CHARACTERS_MAX} of the characters \
              a-z, A-Z, 0-9, `_`, and `-`, and begin with a letter or digit; found {:?}",
             name.chars().take(CHARACTERS_MAX).collect::<String>()
-        )));
+        ));
     }
     let lower = name.to_ascii_lowercase();
     let numbered = |device: &str| {
         lower.strip_prefix(device).is_some_and(|rest| rest.len() == 1 && rest.starts_with(|c: char| c.is_ascii_digit()))
     };
-    if RESERVED.contains(&lower.as_str()) || numbered("com") || numbered("lpt") {
-        return Err(item.error(format!("\"{name}\" is a device's name on some systems; choose another")));
-    }
-    Ok(name.to_owned())
+    let is_device = RESERVED.contains(&lower.as_str()) || numbered("com") || numbered("lpt");
+    is_device.then(|| format!("\"{name}\" is a device's name on some systems; choose another"))
 }
 
-/// Refuses a name that is taken, or differs from a taken one in case alone.
-pub(crate) fn refuse_repetition<'n>(item: &Item, name: &str, mut taken: impl Iterator<Item = &'n str>) -> Result<()> {
+/// Refuses a name that is taken, or differs from a taken one in case alone; `of` says whose names they are.
+pub(crate) fn refuse_repetition<'n>(
+    item: &Item,
+    name: &str,
+    mut taken: impl Iterator<Item = &'n str>,
+    of: &str,
+) -> Result<()> {
     match taken.find(|other| other.eq_ignore_ascii_case(name)) {
         None => Ok(()),
-        Some(other) if other == name => Err(item.error(format!("repeats the name \"{name}\"; names must differ"))),
-        Some(other) => Err(item
-            .error(format!("\"{name}\" differs from \"{other}\" in case alone, which some systems do not tell apart"))),
+        Some(other) if other == name => Err(item.error(format!("repeats the name \"{name}\"{of}; names must differ"))),
+        Some(other) => Err(item.error(format!(
+            "\"{name}\" differs from \"{other}\" in case alone{of}, which some systems do not tell apart"
+        ))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_has_a_name_and_the_same_one_always() {
+        for (text, name) in [
+            ("Boa 2", "Boa_2"),
+            ("scale_017", "scale_017"),
+            ("Kölner Dom", "K_lner_Dom_"),
+            ("蛇", "scan_"),
+            ("-x", "x_"),
+            ("", "scan_"),
+            ("nul", "nul_"),
+            (&"a".repeat(200), "aaaa"),
+        ] {
+            let made = for_file(text);
+            assert!(fault(&made).is_none() && made.starts_with(&name[..name.len().min(12)]), "{text:?} {made}");
+            assert_eq!(made, for_file(text));
+        }
+        // What looks the same stays apart.
+        assert_ne!(for_file("Kölner Dom"), for_file("Kålner Dom"));
+        assert_ne!(for_file("蛇"), for_file("龍"));
     }
 }

@@ -1,5 +1,6 @@
 //! The `[[specimen]]` tables.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::defaults;
@@ -60,29 +61,45 @@ pub(crate) fn read_all(item: &Item, common: Common) -> Result<Vec<SpecimenConfig
         let section = item.section(&keys::SPECIMEN, "[[specimen]]")?;
         let name_item = section.require("name", "name = \"corn_snake\"")?;
         for one in of_section(&section, &name_item, common)? {
-            name::refuse_repetition(&name_item, &one.name, specimens.iter().map(|other| other.name.as_str()))?;
+            refuse_repetition(&name_item, &one, &specimens)?;
             specimens.push(one);
         }
     }
     Ok(specimens)
 }
 
-/// What stands in a name for that of the file: each file then is a specimen of its own.
+/// Refuses a name that is taken; where names come from files, says from which.
+fn refuse_repetition(item: &Item, one: &SpecimenConfig, taken: &[SpecimenConfig]) -> Result<()> {
+    let Some(other) = taken.iter().find(|other| other.name.eq_ignore_ascii_case(&one.name)) else { return Ok(()) };
+    let is_pattern =
+        item.text().is_ok_and(|text| [FILE_PATTERN, FOLDER_PATTERN].iter().any(|part| text.contains(part)));
+    let files = match (is_pattern, &one.scans[..], &other.scans[..]) {
+        (true, [one], [other, ..]) => format!(" (of {} and {})", other.display(), one.display()),
+        _ => String::new(),
+    };
+    name::refuse_repetition(item, &one.name, [other.name.as_str()].into_iter(), &files)
+}
+
+/// What stands in a name for that of the file, without its ending, or of its folder: each file then is a specimen of its own.
 const FILE_PATTERN: &str = "{file}";
+const FOLDER_PATTERN: &str = "{folder}";
 
 /// The specimen that a section describes, or one for each of its files.
 fn of_section(section: &Section, name: &Item, common: Common) -> Result<Vec<SpecimenConfig>> {
     let pattern = name.text()?;
-    if !pattern.contains(FILE_PATTERN) {
+    if !pattern.contains(FILE_PATTERN) && !pattern.contains(FOLDER_PATTERN) {
         return Ok(vec![read(section, name::read(name)?, common)?]);
     }
+    // What is wrong with the name beside the files' is the manifest's fault.
+    name::checked(name, &pattern.replace(FILE_PATTERN, "a").replace(FOLDER_PATTERN, "a"))?;
     let all = read(section, String::new(), common)?;
     let of_file = |scan: &PathBuf| {
-        let stem = scan.file_stem().unwrap_or_default().to_string_lossy();
-        let name = name::checked(name, &pattern.replace(FILE_PATTERN, &name::made_safe(&stem)))?;
-        Ok(SpecimenConfig { name, scans: vec![scan.clone()], ..all.clone() })
+        let text = |part: Option<&std::ffi::OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
+        let folder = scan.parent().and_then(Path::file_name);
+        let wanted = pattern.replace(FILE_PATTERN, &text(scan.file_stem())).replace(FOLDER_PATTERN, &text(folder));
+        SpecimenConfig { name: name::for_file(&wanted), scans: vec![scan.clone()], ..all.clone() }
     };
-    all.scans.iter().map(of_file).collect()
+    Ok(all.scans.iter().map(of_file).collect())
 }
 
 fn read(section: &Section, name: String, common: Common) -> Result<SpecimenConfig> {
@@ -133,15 +150,24 @@ fn albedo(item: &Item, optics: &OpticsConfig) -> Result<[f64; 3]> {
     Ok([r?, g?, b?])
 }
 
-/// Paths and patterns, or one of them without brackets.
+/// What stands before a pattern whose files are left out.
+const EXCLUDED: char = '!';
+
+/// Paths and patterns, or one of them without brackets; those behind `!` are left out.
 fn scans(item: &Item, base: &Path) -> Result<Vec<PathBuf>> {
     let patterns = if item.is_list() { item.list()? } else { vec![item.clone()] };
     if patterns.is_empty() {
         return Err(item.error("must name at least one file"));
     }
-    let mut scans = Vec::new();
+    let (mut scans, mut left_out) = (Vec::new(), BTreeSet::new());
     for item in patterns {
         let pattern = item.text_not_empty()?;
+        if let Some(excluded) = pattern.strip_prefix(EXCLUDED).filter(|_| !base.join(pattern).is_file()) {
+            let found = files::expand(base, excluded)
+                .map_err(|error| item.error(format!("\"{excluded}\" cannot be looked up: {error}")))?;
+            left_out.extend(found);
+            continue;
+        }
         let found = files::expand(base, pattern)
             .map_err(|error| item.error(format!("\"{pattern}\" cannot be looked up: {error}")))?;
         if found.is_empty() {
@@ -153,6 +179,10 @@ fn scans(item: &Item, base: &Path) -> Result<Vec<PathBuf>> {
             }));
         }
         scans.extend(found);
+    }
+    scans.retain(|scan| !left_out.contains(scan));
+    if scans.is_empty() {
+        return Err(item.error("leaves out every file that it names"));
     }
     // Overlapping patterns must not weigh a scan twice in the average.
     scans.sort();

@@ -37,8 +37,16 @@ pub struct RunConfig {
     pub report: ReportConfig,
     /// Where intermediate results are kept.
     pub cache: CacheConfig,
+    /// Whether specimens that are there already are taken over; otherwise all are made anew.
+    pub reuse: bool,
+    /// Bytes that specimens made at once may take together; `None` for a share of what is free.
+    pub memory_bytes: Option<u64>,
+    /// What becomes of a specimen that fails.
+    pub on_failure: OnFailure,
     /// The manifest, word for word.
     pub manifest_text: String,
+    /// SHA-256 of its values, which comments and layout do not change.
+    pub manifest_sha256: String,
     /// Folder that input paths are recorded relative to.
     pub base: PathBuf,
 }
@@ -48,6 +56,19 @@ impl RunConfig {
     pub(crate) fn relative_name(&self, path: &Path) -> String {
         path.strip_prefix(&self.base).unwrap_or(path).display().to_string()
     }
+}
+
+/// What becomes of a specimen that fails: `atlas.on_failure` of a manifest.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum OnFailure {
+    /// What the newest version holds of it stays, marked as stale.
+    #[default]
+    Keep,
+    /// The new version has no such specimen.
+    Drop,
+    /// The run ends, and nothing is published.
+    Stop,
 }
 
 /// Which kinds of tables an atlas holds: `tables.hold` of a manifest. One of them at least.

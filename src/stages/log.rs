@@ -5,6 +5,19 @@ use super::stage::Stage;
 use super::usage::Stopwatch;
 use diffraction_build::ground::progress::Progress;
 
+/// A listener for one of several specimens that are made at once: what is worth reading by itself is passed on, how far it is
+/// says nothing.
+pub(crate) struct Remarks<'a>(pub &'a dyn Progress);
+
+impl Progress for Remarks<'_> {
+    fn stage(&self, _name: &str, _total: u64) {}
+    fn advance(&self, _n: u64) {}
+    fn message(&self, text: &str) {
+        self.0.message(text);
+    }
+    fn finish(&self) {}
+}
+
 /// Times and failures so far, in the order they came, and who hears of them.
 pub(crate) struct Log<'a> {
     progress: &'a dyn Progress,

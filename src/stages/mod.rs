@@ -6,7 +6,7 @@
 //! from run to run, [`archive`] the files of an atlas, `study` what the study is lent, `viewer` the page in the browser. The
 //! files beside them are what the rooms
 //! share: what a run is told ([`config`]), its scans ([`ingest`]), its tables ([`built`]), what it found out ([`results`]), how
-//! it goes on (`log`, [`stage`], [`usage`]).
+//! it goes on (`log`, [`stage`], [`usage`]), which program it is (`program`).
 
 pub mod archive;
 pub mod built;
@@ -19,6 +19,7 @@ pub mod ingest;
 pub(crate) mod log;
 pub mod measured;
 pub mod pictures;
+pub(crate) mod program;
 pub mod results;
 pub mod run;
 pub mod stage;

@@ -155,6 +155,9 @@ pub struct SpecimenResult {
     pub warnings: Vec<String>,
     /// Why there are no tables.
     pub failed: Option<String>,
+    /// Why all of this is that of an older version: what kept it from being made again.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stale: Option<String>,
 }
 
 /// What was built and what it cost.

@@ -70,6 +70,9 @@ pub enum Stage {
     /// What tables restricted to scenes leave out, and what that saves.
     #[serde(rename = "account for what is left out")]
     AccountSavings,
+    /// A specimen that another machine was to make.
+    #[serde(rename = "take from the store")]
+    TakeFinished,
     /// Published files on the GPU.
     #[serde(rename = "check on the GPU")]
     CheckOnGpu,
@@ -103,6 +106,7 @@ impl Stage {
             Self::DeriveTables => "derive tables of X, Y, Z",
             Self::MeasureSpectral => "measure spectral errors",
             Self::AccountSavings => "account for what is left out",
+            Self::TakeFinished => "take from the store",
             Self::CheckOnGpu => "check on the GPU",
             Self::TimeFrames => "time frames",
         }
@@ -143,6 +147,7 @@ mod tests {
             StoreSpectral,
             MeasureSpectral,
             AccountSavings,
+            TakeFinished,
             CheckOnGpu,
             TimeFrames,
         ];

@@ -1,6 +1,7 @@
 //! What the process uses, where the system tells: memory on the heap over a stretch of work, processor time of a stage.
 
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use super::results::StageTime;
@@ -36,6 +37,40 @@ pub fn with_heap_bytes<T>(work: impl FnOnce() -> T) -> (T, Option<u64>) {
     (done, Some((heap.peak_bytes)().saturating_sub(before) as u64))
 }
 
+/// Whether somebody counts what lives on the heap.
+pub(crate) fn is_heap_counted() -> bool {
+    HEAP.get().is_some()
+}
+
+/// Whether several specimens are made at once, so that the process's time is no single one's.
+static SHARED: AtomicBool = AtomicBool::new(false);
+
+/// Says whether several specimens are made at once from now on: then no stage knows its processor time.
+pub(crate) fn share_processor(shared: bool) {
+    SHARED.store(shared, Ordering::Relaxed);
+}
+
+/// Share of the free memory that a run takes where nobody says otherwise.
+const FREE_SHARE: f64 = 0.75;
+
+/// Bytes of memory that a run may take: a share of what is free, of the machine or of the group of processes that it is held to.
+/// Where the system does not tell, as much as there may be.
+pub(crate) fn memory_to_take() -> u64 {
+    let number = |path: &str| std::fs::read_to_string(path).ok()?.trim().parse::<u64>().ok();
+    let field = |path: &str, name: &str| {
+        let text = std::fs::read_to_string(path).ok()?;
+        let line = text.lines().find_map(|line| line.strip_prefix(name))?;
+        line.trim().trim_end_matches("kB").trim().parse::<u64>().ok()
+    };
+    // The second version of control groups; without a limit the file says "max". What is kept of files gives way.
+    let group = number("/sys/fs/cgroup/memory.max").zip(number("/sys/fs/cgroup/memory.current"));
+    let of_files = field("/sys/fs/cgroup/memory.stat", "inactive_file ").unwrap_or(0);
+    let of_group = group.map(|(most, now)| most.saturating_sub(now.saturating_sub(of_files)));
+    let of_machine = field("/proc/meminfo", "MemAvailable:").map(|kib| kib << 10);
+    let free = of_group.into_iter().chain(of_machine).min();
+    free.map_or(u64::MAX, |bytes| (bytes as f64 * FREE_SHARE) as u64)
+}
+
 /// Seconds that all threads of the process have run, in the kernel and outside; `None` but on Linux.
 fn processor_s() -> Option<f64> {
     // Linux counts in hundredths of a second whatever its own clock (USER_HZ, proc(5)).
@@ -57,7 +92,8 @@ pub(crate) struct Stopwatch {
 impl Stopwatch {
     /// From now on.
     pub fn start() -> Self {
-        Self { started: Instant::now(), processor_s: processor_s() }
+        let is_alone = !SHARED.load(Ordering::Relaxed);
+        Self { started: Instant::now(), processor_s: if is_alone { processor_s() } else { None } }
     }
 
     /// What the stage took until now.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use diffraction_brdf::atlas::TIMED_FILES;
+use diffraction_brdf::atlas;
 use serde_json::Value;
 
 use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, WAVE, contents, usual};
@@ -10,7 +10,7 @@ use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, WAVE, contents, usual};
 /// Files of a version whose bytes depend on inputs and program alone.
 fn timeless(place: &Place, version: &str) -> BTreeMap<String, Vec<u8>> {
     let mut files = contents(&place.path(&format!("out/small/{version}")));
-    files.retain(|name, _| !TIMED_FILES.contains(&name.as_str()) && name != "atlas.json");
+    files.retain(|name, _| !atlas::may_differ(name) && name != "atlas.json");
     files
 }
 

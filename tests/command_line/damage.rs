@@ -111,6 +111,8 @@ fn an_older_version_that_answers_says_so() {
     place.write("d.csv", "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n10,0,20,170\n");
     let table = place.path("out/small/v0002/wave/table.000.exr");
     let bytes = fs::read(&table).unwrap();
+    // A file of its own: what did not change is stored once for both versions.
+    fs::remove_file(&table).unwrap();
     fs::write(&table, &bytes[..bytes.len() - 1]).unwrap();
     let eval = "eval --directions d.csv --specimen rough --atlas out/small";
     let lines = [

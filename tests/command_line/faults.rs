@@ -3,6 +3,7 @@
 use std::fs;
 use std::io::{Error as IoError, ErrorKind};
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use diffraction_atlas::manifest::{self, convert::run_config};
 use diffraction_atlas::stages::results::{HeightMapFile, SpectrumFile, Statistics};
@@ -108,12 +109,50 @@ fn a_full_disk_ends_the_run_and_publishes_nothing() {
     place.write("m.toml", &usual().replace("{ n = 1.5 }", "{ n = 1.6 }"));
     let (manifest, text) = manifest::load(&place.path("m.toml")).unwrap();
     let write_report = |_: &_, _: &Path| Ok(());
-    let helpers =
-        Helpers { illustrate: &illustrate_until_full, write_report: &write_report, progress: &Silent, started: "" };
+    let helpers = Helpers {
+        illustrate: &illustrate_until_full,
+        write_report: &write_report,
+        progress: &Silent,
+        finished: &|_| (),
+        started: "",
+    };
     let error = pipeline::run(&run_config(manifest, text), &helpers).unwrap_err();
     assert!(error.to_string().contains("wave/heights.png: cannot write"), "{error}");
-    assert_eq!(error.exit_status(), 1);
+    assert_eq!(error.exit_status(), 75, "worth trying again");
     assert_eq!((place.versions(), place.latest()), (vec!["latest".into(), "v0001".into()], "v0001".into()));
+}
+
+/// A disk that is full once.
+fn illustrate_after_a_full_disk(
+    field: &HeightField,
+    statistics: &Statistics,
+    folder: &Path,
+    name: &str,
+) -> diffraction_brdf::error::Result<(HeightMapFile, SpectrumFile)> {
+    static WAS_FULL: AtomicBool = AtomicBool::new(false);
+    if folder.ends_with("wave") && WAS_FULL.swap(true, Ordering::Relaxed) {
+        return illustrate_until_full(field, statistics, Path::new("other"), name);
+    }
+    illustrate_until_full(field, statistics, folder, name)
+}
+
+#[test]
+fn a_full_disk_is_relieved_of_the_cache_first() {
+    let place = Place::with_scans();
+    place.write("m.toml", &usual());
+    let (manifest, text) = manifest::load(&place.path("m.toml")).unwrap();
+    let write_report = |_: &_, _: &Path| Ok(());
+    let helpers = Helpers {
+        illustrate: &illustrate_after_a_full_disk,
+        write_report: &write_report,
+        progress: &Silent,
+        finished: &|_| (),
+        started: "",
+    };
+    let outcome = pipeline::run(&run_config(manifest, text), &helpers).unwrap();
+    assert_eq!(outcome.results.failures, []);
+    assert_eq!((place.latest().as_str(), outcome.origins.len()), ("v0001", 2));
+    assert_eq!(fs::read_dir(place.path("out/.cache")).unwrap().count(), 0, "nothing is kept after that");
 }
 
 /// Line and column of a text's first occurrence, from 1.

@@ -71,7 +71,7 @@ fn two_runs_into_one_atlas_do_not_meet() {
     let place = Place::with_scans();
     place.write("m.toml", &manifest(0));
     let held = diffraction_atlas::stages::archive::publish::begin(&place.path("out/small")).unwrap();
-    let refused = place.call("run m.toml").ended(1);
+    let refused = place.call("run m.toml").ended(75);
     assert!(refused.stderr.contains("another run is publishing into this atlas"), "{}", refused.stderr);
     assert_eq!(refused.stdout, "");
     drop(held);

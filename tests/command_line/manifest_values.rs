@@ -229,7 +229,8 @@ fn each_file_of_a_collection_can_be_a_specimen() {
     // Names that come out the same, or are none.
     std::fs::write(folder.path().join("Boa_2.gsf"), "").unwrap();
     for (pattern, scans, fault) in [
-        ("{file}", "Boa?2.*", "repeats the name \"Boa_2\""),
+        ("{file}", "Boa?2.*", "repeats the name \"Boa_2\" (of "),
+        ("{file}", "Boa?2.*", "Boa 2.tif and "),
         ("elaphe", "Boa*", "repeats the name"),
         ("-{file}", "Boa 2.tif", "begin with a letter or digit"),
         ("{files}", "Boa 2.tif", "begin with a letter or digit"),
@@ -238,6 +239,29 @@ fn each_file_of_a_collection_can_be_a_specimen() {
         let error = each(pattern, scans).unwrap_err().to_string();
         assert!(error.contains(fault), "{pattern} of {scans}: {error}");
     }
+}
+
+#[test]
+fn files_in_folders_of_their_own_and_all_but_some() {
+    let folder = folder();
+    for name in ["left/height.tif", "right/height.tif", "left/raw.tif", "Schlange Nr. 3 (Kopf).tif", "蛇.tif"] {
+        let path = folder.path().join(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, "").unwrap();
+    }
+    let each = |name: &str, scans: &str| {
+        let text = format!("name = {name:?}\nscans = {scans}\n");
+        let read = parse_in(folder.path(), &good_with("name = \"xenopeltis\"\nscans = [\"snake.tif\"]\n", &text));
+        read.map(|manifest| manifest.specimens[1..].iter().map(|one| one.name.clone()).collect::<Vec<_>>())
+    };
+    assert_eq!(each("{folder}", "\"*/height.tif\"").unwrap(), ["left", "right"]);
+    assert_eq!(each("{folder}-{file}", "[\"*/*.tif\", \"!*/raw.tif\"]").unwrap(), ["left-height", "right-height"]);
+    let error = each("{file}", "[\"left/*.tif\", \"!left/*\"]").unwrap_err().to_string();
+    assert!(error.contains("leaves out every file that it names"), "{error}");
+    // A name of another script: what can be read of it, and digits that are always the same.
+    assert_eq!(each("{file}", "\"Schlange*\"").unwrap(), ["Schlange_Nr_3_Kopf_"]);
+    let [snake] = &each("{file}", "\"蛇.tif\"").unwrap()[..] else { panic!("one file") };
+    assert!(snake.starts_with("scan_") && snake.len() == 13, "{snake}");
 }
 
 #[test]

@@ -110,11 +110,13 @@ impl Place {
         serde_json::from_slice(&std::fs::read(self.path(name)).unwrap()).unwrap()
     }
 
-    /// Names of the folders and files of the atlas itself, without the lock.
+    /// Names of the folders and files of the atlas itself, sorted, without the lock.
     pub fn versions(&self) -> Vec<String> {
         let entries = files::entries(&self.path("out/small")).unwrap();
         let names = entries.iter().map(|(path, _)| path.file_name().unwrap().to_string_lossy().into_owned());
-        names.filter(|name| name != ".lock").collect()
+        let mut names: Vec<String> = names.filter(|name| name != ".lock").collect();
+        names.sort();
+        names
     }
 
     pub fn latest(&self) -> String {

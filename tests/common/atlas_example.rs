@@ -109,6 +109,6 @@ pub fn write_specimen(version: &Path, name: &str, set: &TableSet, storage: Stora
 /// An index for these specimens, with one input of this digest.
 pub fn index(input_sha256: &str, names: &[&str]) -> AtlasIndex {
     let inputs = vec![InputRecord { path: "a.tif".into(), sha256: input_sha256.into() }];
-    let entry = |name: &&str| SpecimenEntry { name: (*name).to_owned(), species: "Exempli gratia".into() };
+    let entry = |name: &&str| SpecimenEntry { name: (*name).to_owned(), species: "Exempli gratia".into(), stale: None };
     AtlasIndex::new("test", "11", inputs, names.iter().map(entry).collect())
 }

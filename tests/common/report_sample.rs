@@ -148,6 +148,7 @@ fn truncated() -> SpecimenResult {
         failed: Some(
             "scans/torn.tif: the file ends after 31 of 512 rows\n  copy the scan again from the instrument".into(),
         ),
+        stale: None,
     }
 }
 
@@ -212,6 +213,7 @@ fn specimen(
         verdict: Some(Verdict { grade: Grade::Amber, sentence: "good within limits: its edges do not fit.".into() }),
         warnings: vec![],
         failed: None,
+        stale: None,
     }
 }
 

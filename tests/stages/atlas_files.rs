@@ -130,7 +130,7 @@ fn publish_example(root: &Path) -> std::path::PathBuf {
     write_specimen(staging.path(), "one", &random_tables(8, Basis::Chebyshev, 33), Storage::Half);
     write_specimen(staging.path(), "two", &random_tables(9, Basis::Taylor, 17), Storage::Float);
     fs::write(staging.path().join("report.html"), "<p>report</p>").unwrap();
-    let published = publish::publish(staging, index("aa", &["one", "two"])).unwrap();
+    let published = publish::publish(staging, index("aa", &["one", "two"]), Vec::new()).unwrap();
     root.join(published.version())
 }
 
@@ -217,7 +217,8 @@ fn verify_finds_what_was_published_unreadable() {
     let staging = publish::begin(root.path()).unwrap();
     write_specimen(staging.path(), "one", &random_tables(11, Basis::Taylor, 5), Storage::Half);
     fs::write(staging.path().join("picture.exr"), "no picture").unwrap();
-    let version = root.path().join(publish::publish(staging, index("aa", &["one", "lost"])).unwrap().version());
+    let version =
+        root.path().join(publish::publish(staging, index("aa", &["one", "lost"]), Vec::new()).unwrap().version());
     let failures = verify_files::verify_files(&version).unwrap().failures;
     assert_eq!(
         failures.iter().map(|failure| failure.file.as_str()).collect::<Vec<_>>(),

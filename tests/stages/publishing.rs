@@ -20,7 +20,7 @@ fn run(root: &Path, seed: u64, report: &str) -> Published {
     let staging = publish::begin(root).unwrap();
     write_specimen(staging.path(), "one", &random_tables(seed, Basis::Chebyshev, 17), Storage::Half);
     fs::write(staging.path().join("report.json"), report).unwrap();
-    publish::publish(staging, index("aa", &["one"])).unwrap()
+    publish::publish(staging, index("aa", &["one"]), Vec::new()).unwrap()
 }
 
 fn version(number: u64) -> Published {
@@ -62,7 +62,7 @@ fn a_change_publishes_and_no_change_does_not() {
     let staging = publish::begin(root).unwrap();
     write_specimen(staging.path(), "one", &random_tables(1, Basis::Chebyshev, 17), Storage::Half);
     fs::write(staging.path().join("report.json"), "10:20").unwrap();
-    assert_eq!(publish::publish(staging, index("bb", &["one"])).unwrap(), version(4));
+    assert_eq!(publish::publish(staging, index("bb", &["one"]), Vec::new()).unwrap(), version(4));
 }
 
 #[test]
@@ -206,7 +206,7 @@ fn diff_tells_what_changed() {
     write_specimen(staging.path(), "one", &set, Storage::Half);
     write_specimen(staging.path(), "two", &set, Storage::Half);
     fs::write(staging.path().join("report.json"), "10:05").unwrap();
-    publish::publish(staging, index("bb", &["one", "two"])).unwrap();
+    publish::publish(staging, index("bb", &["one", "two"]), Vec::new()).unwrap();
 
     let report = diff(&root.join("v0001"), root).unwrap();
     assert_eq!((report.added.as_slice(), report.removed.len()), (["two".to_owned()].as_slice(), 0));

@@ -19,6 +19,10 @@ pub const INDEX_FILE: &str = "atlas.json";
 pub const LATEST_FILE: &str = "latest";
 /// Files that hold times, and so differ between runs that compute the same.
 pub const TIMED_FILES: [&str; 2] = ["report.html", "report.json"];
+/// Name of the file in a version's folder with the manifest, word for word.
+pub const MANIFEST_FILE: &str = "manifest.toml";
+/// Name of the file in a specimen's folder with all that a run found out of it: times too.
+pub const RESULT_FILE: &str = "result.json";
 /// End of the names of pictures that show what a GPU did wrong: they depend on the machine.
 pub const DIFFERENCE_SUFFIX: &str = ".gpu.png";
 
@@ -51,6 +55,16 @@ pub struct SpecimenEntry {
     pub name: String,
     /// Scientific name.
     pub species: String,
+    /// Why its files are those of an older version: what kept it from being made again. Absent where they are not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stale: Option<String>,
+}
+
+/// Whether a file of a version may differ between runs that compute the same: it holds times or comments, or depends on the
+/// machine.
+pub fn may_differ(path: &str) -> bool {
+    let name = path.rsplit('/').next().unwrap_or(path);
+    TIMED_FILES.contains(&path) || path == MANIFEST_FILE || name == RESULT_FILE || path.ends_with(DIFFERENCE_SUFFIX)
 }
 
 /// The file `atlas.json`.
@@ -62,7 +76,7 @@ pub struct AtlasIndex {
     pub name: String,
     /// Version of the program that made it.
     pub program_version: String,
-    /// SHA-256 of the manifest.
+    /// SHA-256 of the manifest's values: comments and layout do not count.
     pub manifest_sha256: String,
     /// Every file read, in the order of the manifest.
     pub inputs: Vec<InputRecord>,
@@ -92,7 +106,6 @@ impl AtlasIndex {
     /// The index without what may differ between two runs that compute the same.
     pub fn content(&self) -> Self {
         let mut content = Self { index_sha256: String::new(), ..self.clone() };
-        let may_differ = |path: &str| TIMED_FILES.contains(&path) || path.ends_with(DIFFERENCE_SUFFIX);
         content.files.retain(|file| !may_differ(&file.path));
         content
     }
@@ -106,11 +119,13 @@ impl AtlasIndex {
 /// Sizes and digests of every file below a folder but the index.
 pub fn record_files(folder: &Path) -> Result<Vec<FileRecord>> {
     let paths = files::list(folder)?;
-    let record = |path: String| {
-        let (bytes, sha256) = files::sha256_file(&folder.join(&path))?;
-        Ok(FileRecord { path, bytes, sha256 })
-    };
-    paths.into_iter().filter(|path| path != INDEX_FILE).map(record).collect()
+    paths.into_iter().filter(|path| path != INDEX_FILE).map(|path| record_file(folder, path)).collect()
+}
+
+/// Size and digest of one file below a folder.
+pub fn record_file(folder: &Path, path: String) -> Result<FileRecord> {
+    let (bytes, sha256) = files::sha256_file(&folder.join(&path))?;
+    Ok(FileRecord { path, bytes, sha256 })
 }
 
 /// Writes the index, with its own digest.

@@ -34,6 +34,15 @@ pub enum Error {
         source: std::io::Error,
     },
 
+    /// Somebody else is at work who will have done; the same is worth trying again.
+    #[error("{what}\n  {fix}")]
+    Busy {
+        /// Who is doing what.
+        what: String,
+        /// What to do meanwhile.
+        fix: String,
+    },
+
     /// The request is beyond what the method or the machine can do; said before computing.
     #[error("{what}\n  {fix}")]
     Limit {
@@ -58,6 +67,38 @@ impl Error {
     /// A request beyond a limit.
     pub fn limit(what: impl Into<String>, fix: impl Into<String>) -> Self {
         Self::Limit { what: what.into(), fix: fix.into() }
+    }
+
+    /// Whether the same may succeed later without anything about it being changed: somebody else was at work, or the disk was full.
+    pub fn is_worth_retrying(&self) -> bool {
+        use std::io::ErrorKind::{
+            Interrupted, OutOfMemory, QuotaExceeded, ResourceBusy, StaleNetworkFileHandle, StorageFull, TimedOut,
+            WouldBlock,
+        };
+        let passes = |kind| {
+            matches!(
+                kind,
+                Interrupted
+                    | OutOfMemory
+                    | QuotaExceeded
+                    | ResourceBusy
+                    | StaleNetworkFileHandle
+                    | StorageFull
+                    | TimedOut
+                    | WouldBlock
+            )
+        };
+        match self {
+            Self::Busy { .. } => true,
+            Self::Disk { source, .. } => passes(source.kind()),
+            _ => false,
+        }
+    }
+
+    /// Whether there was no room left to write to.
+    pub fn is_of_full_disk(&self) -> bool {
+        use std::io::ErrorKind::{QuotaExceeded, StorageFull};
+        matches!(self, Self::Disk { source, .. } if matches!(source.kind(), StorageFull | QuotaExceeded))
     }
 
     /// Whether the operating system refused to read or write something in this folder.

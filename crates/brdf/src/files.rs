@@ -73,6 +73,29 @@ pub fn create_folder(path: &Path) -> Result<()> {
     fs::create_dir_all(path).map_err(|e| Error::disk(path, "create the folder", e))
 }
 
+/// Gives every file below a folder a second name below another, which is made: the bytes are stored once. Where a file system
+/// has no such names they are copied.
+pub fn link_tree(from: &Path, to: &Path) -> Result<()> {
+    create_folder(to)?;
+    for (path, kind) in entries(from)? {
+        let target = to.join(path.file_name().unwrap_or_default());
+        if kind.is_dir() {
+            link_tree(&path, &target)?;
+        } else if kind.is_file() {
+            link(&path, &target)?;
+        }
+    }
+    Ok(())
+}
+
+/// One file, as [`link_tree`].
+pub fn link(from: &Path, to: &Path) -> Result<()> {
+    match fs::hard_link(from, to) {
+        Ok(()) => Ok(()),
+        Err(_) => fs::copy(from, to).map(drop).map_err(|e| Error::disk(to, "write", e)),
+    }
+}
+
 /// Waits until the bytes of a file are on the disk.
 fn sync_file(path: &Path) -> Result<()> {
     let synced = OpenOptions::new().read(true).write(true).open(path).and_then(|file| file.sync_all());
@@ -217,6 +240,21 @@ mod tests {
         assert_eq!(list(folder.path()).unwrap(), ["b.x", "b/1", "b/2", "c"]);
         assert_eq!(read_text(&folder.path().join("b/1")).unwrap(), "new");
         sync_tree(folder.path()).unwrap();
+    }
+
+    #[test]
+    fn a_linked_tree_holds_the_same_and_stays_when_the_first_goes() {
+        let folder = tempfile::tempdir().unwrap();
+        let [from, to] = ["from", "to"].map(|name| folder.path().join(name));
+        create_folder(&from.join("inner")).unwrap();
+        replace(&from.join("inner/a"), b"a").unwrap();
+        replace(&from.join("b"), b"b").unwrap();
+        link_tree(&from, &to).unwrap();
+        // Replacing makes a new file, so that the other name keeps the old bytes.
+        replace(&from.join("b"), b"new").unwrap();
+        fs::remove_dir_all(from.join("inner")).unwrap();
+        assert_eq!(list(&to).unwrap(), ["b", "inner/a"]);
+        assert_eq!((read(&to.join("b")).unwrap(), read(&to.join("inner/a")).unwrap()), (b"b".to_vec(), b"a".to_vec()));
     }
 
     #[test]

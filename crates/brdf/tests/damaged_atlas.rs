@@ -137,7 +137,7 @@ proptest! {
 }
 
 fn republish(version: &Path) {
-    let specimens = vec![SpecimenEntry { name: "grating".into(), species: String::new() }];
+    let specimens = vec![SpecimenEntry { name: "grating".into(), species: String::new(), stale: None }];
     publish(version, AtlasIndex::new("tiny", "", vec![], specimens));
 }
 

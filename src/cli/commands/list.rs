@@ -6,6 +6,8 @@ use serde::Serialize;
 
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
+use crate::manifest::{self, convert::run_config};
+use crate::stages::run::outlook::outlook;
 use diffraction_brdf::error::{Error, Result};
 
 /// Arguments of `list`.
@@ -18,6 +20,9 @@ pub(crate) struct ListArgs {
     /// Print as JSON
     #[arg(long)]
     pub json: bool,
+    /// In place of all that: the specimens that a run of this manifest would make, a name a line
+    #[arg(long, value_name = "MANIFEST", conflicts_with_all = ["folder", "json"])]
+    pub missing: Option<PathBuf>,
 }
 
 /// One atlas.
@@ -42,10 +47,18 @@ pub(crate) struct VersionListing {
     pub files: u64,
     /// What they take on disk.
     pub bytes: u64,
+    /// What no other version holds too; `None` where the system does not tell.
+    pub own_bytes: Option<u64>,
 }
 
 /// Lists and prints.
 pub(crate) fn run(args: &ListArgs, global: &Global) -> crate::error::Result<Outcome> {
+    if let Some(path) = &args.missing {
+        let (manifest, text) = manifest::load(path)?;
+        let missing = outlook(&run_config(manifest, text))?.into_iter().filter(|outlook| outlook.make);
+        output::print(&missing.map(|outlook| outlook.name + "\n").collect::<String>())?;
+        return Ok(Outcome::Done);
+    }
     let atlases = list(&args.folder)?;
     if args.json {
         output::print_json(&atlases)?;
@@ -111,25 +124,42 @@ fn version(folder: &Path, name: String) -> Result<VersionListing> {
         .filter(|path| path.join("specimen.json").is_file())
         .map(|path| file_name(&path))
         .collect();
-    let (files, bytes) = size(folder)?;
-    Ok(VersionListing { name, specimens, files, bytes })
+    let Size { files, bytes, own_bytes } = size(folder)?;
+    Ok(VersionListing { name, specimens, files, bytes, own_bytes: cfg!(unix).then_some(own_bytes) })
 }
 
-/// Number of files below a folder and their bytes; links are not followed.
-fn size(folder: &Path) -> Result<(u64, u64)> {
-    let (mut files, mut bytes) = (0, 0);
+/// Files below a folder; links are not followed.
+#[derive(Default)]
+struct Size {
+    files: u64,
+    bytes: u64,
+    /// Of those that have no second name.
+    own_bytes: u64,
+}
+
+fn size(folder: &Path) -> Result<Size> {
+    let mut all = Size::default();
     for path in entries(folder)? {
         let about = path.symlink_metadata().map_err(|error| Error::disk(&path, "read", error))?;
-        if about.is_dir() {
-            let (inner_files, inner_bytes) = size(&path)?;
-            files += inner_files;
-            bytes += inner_bytes;
-        } else {
-            files += 1;
-            bytes += about.len();
-        }
+        let Size { files, bytes, own_bytes } = match about.is_dir() {
+            true => size(&path)?,
+            false => {
+                Size { files: 1, bytes: about.len(), own_bytes: if has_one_name(&about) { about.len() } else { 0 } }
+            }
+        };
+        all = Size { files: all.files + files, bytes: all.bytes + bytes, own_bytes: all.own_bytes + own_bytes };
     }
-    Ok((files, bytes))
+    Ok(all)
+}
+
+#[cfg(unix)]
+fn has_one_name(about: &std::fs::Metadata) -> bool {
+    std::os::unix::fs::MetadataExt::nlink(about) == 1
+}
+
+#[cfg(not(unix))]
+fn has_one_name(_: &std::fs::Metadata) -> bool {
+    true
 }
 
 /// The entries of a folder, sorted.
@@ -154,7 +184,10 @@ fn render(atlases: &[AtlasListing]) -> String {
         text.push('\n');
         for version in &atlas.versions {
             let mark = if atlas.latest.as_ref() == Some(&version.name) { " (latest)" } else { "" };
-            let size = output::bytes_in_words(version.bytes);
+            let mut size = output::bytes_in_words(version.bytes);
+            if let Some(own_bytes) = version.own_bytes.filter(|own_bytes| *own_bytes < version.bytes) {
+                size += &format!(" ({} held by no other)", output::bytes_in_words(own_bytes));
+            }
             let count = version.specimens.len();
             let noun = if count == 1 { "specimen" } else { "specimens" };
             let names = version.specimens.join(", ");

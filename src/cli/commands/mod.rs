@@ -8,6 +8,7 @@ mod export_forms;
 pub(crate) mod inspect;
 pub(crate) mod list;
 pub(crate) mod plan;
+pub(crate) mod prune;
 pub(crate) mod run;
 pub(crate) mod study;
 pub(crate) mod synthesize;

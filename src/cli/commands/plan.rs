@@ -55,6 +55,8 @@ struct Plan {
 struct SpecimenPlan {
     name: String,
     forecast: Option<Forecast>,
+    /// What making it takes as one piece of work, for whoever hands such pieces to machines.
+    unit: Option<UnitPlan>,
     /// What evaluating its reference will take, where that is asked for.
     reference: Option<ReferenceForecast>,
     /// What its tables leave out, where they are restricted to scenes.
@@ -63,6 +65,18 @@ struct SpecimenPlan {
     /// What to know of its scans before running, in whole sentences.
     warnings: Vec<String>,
 }
+
+/// A specimen as a piece of work.
+#[derive(Debug, Serialize)]
+struct UnitPlan {
+    /// Predicted seconds of tables and reference with all threads; pictures come on top.
+    seconds: f64,
+    /// Predicted memory of the process in MiB.
+    memory_mib: u64,
+}
+
+/// What the program holds besides: itself, pictures, the tables that were read back.
+const PROGRAM_MIB: u64 = 200;
 
 /// Reads the scans, plans, and prints; no table is computed.
 ///
@@ -78,6 +92,7 @@ pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
         plan_specimen(&config, specimen, threads, &mut pictures).unwrap_or_else(|error| SpecimenPlan {
             name: specimen.name.clone(),
             forecast: None,
+            unit: None,
             reference: None,
             budget: None,
             failure: Some(error.to_string()),
@@ -142,9 +157,16 @@ fn plan_specimen(
     let of_first = ingested.statistics.iter().take(1).flat_map(|statistics| statistics.warnings.clone());
     let obstacle = asked::spectral_obstacle(config, &ingested.optics)?;
     let warnings = of_first.chain(scan_warnings(&ingested, &ingested.optics)).chain(obstacle).collect();
+    let samples: usize = ingested.fields.iter().map(|field| field.heights_nm.len()).sum();
+    let held_bytes = (samples * size_of::<f64>()) as u64 + forecast.memory_bytes;
+    let unit = UnitPlan {
+        seconds: forecast.seconds + reference.map_or(0.0, |reference: ReferenceForecast| reference.seconds),
+        memory_mib: held_bytes.div_ceil(1 << 20) + PROGRAM_MIB,
+    };
     Ok(SpecimenPlan {
         name: specimen.name.clone(),
         forecast: Some(forecast),
+        unit: Some(unit),
         reference,
         budget,
         failure: None,

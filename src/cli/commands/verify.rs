@@ -6,11 +6,10 @@ use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
 use crate::error::Result;
 use crate::manifest;
-use crate::manifest::convert::run_config;
+use crate::manifest::convert::{run_config, values_sha256};
 use crate::stages::archive::verify::{MadeBy, Verified, target, verify};
 use crate::stages::archive::verify_scans::Sampling;
 use diffraction_brdf::error::Error;
-use diffraction_brdf::files;
 
 /// Arguments of `verify`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
@@ -56,7 +55,7 @@ fn matching_manifest(given: Option<&Path>, digest: &str) -> Result<MadeBy> {
     let path = given.unwrap_or(Path::new(MANIFEST));
     match manifest::load(path) {
         Err(error) if given.is_some() => Err(error),
-        Ok((manifest, text)) if files::sha256_hex(text.as_bytes()) == digest => Ok(Ok(run_config(manifest, text))),
+        Ok((manifest, text)) if values_sha256(&text) == digest => Ok(Ok(run_config(manifest, text))),
         Ok(_) if given.is_some() => Err(Error::Call(format!(
             "{}: this is not the manifest that the atlas was made from (its digest differs)",
             path.display()

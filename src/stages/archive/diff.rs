@@ -178,7 +178,7 @@ fn settings(file: &SpecimenFile) -> Result<Value> {
 }
 
 /// All leaves that differ.
-fn changes(a: &Value, b: &Value) -> Vec<Change> {
+pub(crate) fn changes(a: &Value, b: &Value) -> Vec<Change> {
     let leaves = |value: &Value| {
         let mut found = BTreeMap::new();
         collect_leaves(String::new(), value, &mut found);
@@ -279,7 +279,7 @@ fn append_changes(text: &mut String, title: &str, changes: &[Change], indent: &s
 }
 
 /// A value in a line of text; digests by their first digits.
-fn short(value: &Value) -> String {
+pub(crate) fn short(value: &Value) -> String {
     match value {
         Value::String(text) if text.len() == 64 && text.bytes().all(|byte| byte.is_ascii_hexdigit()) => {
             format!("sha256 {}", &text[..12])

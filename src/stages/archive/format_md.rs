@@ -60,6 +60,7 @@ vectors to the light and to the viewer in the local frame: x along the scan's co
 normal.
 
 The file `latest` beside this version's folder names the newest; `atlas.json` in it lists specimens and the digests of files.
+One that has `stale` there could not be made again, for that reason: its files are those of an older version.
 Every specimen has a folder, and a renderer needs no other. Numbers on this page are those of `{name}`; those of each
 specimen stand in its `specimen.json`, and each EXR header repeats what concerns its own file:
 

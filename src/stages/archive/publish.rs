@@ -3,18 +3,21 @@
 //! Killed at any moment, a run leaves every published version as it was; what it leaves beside them is removed by the
 //! next run. In order: files on the disk, index on the disk, rename, `latest`.
 
+use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
 use crate::stages::archive::verify_files;
-use diffraction_brdf::atlas::{self, AtlasIndex, LATEST_FILE};
+use diffraction_brdf::atlas::{self, AtlasIndex, FileRecord, LATEST_FILE};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
 
 const LOCK_FILE: &str = ".lock";
 const STAGING_PREFIX: &str = ".staging-";
+/// Folder in the staging folder that is removed before publishing.
+const WORK: &str = ".work";
 
 /// A run's private folder; it holds the atlas's lock. Dropped without being published, it is removed.
 #[derive(Debug)]
@@ -50,6 +53,11 @@ impl Staging {
         &self.folder
     }
 
+    /// A folder for what is not of the version: specimens while they are made.
+    pub(crate) fn work(&self) -> PathBuf {
+        self.folder.join(WORK)
+    }
+
     /// Name of the version that it becomes if it is published: the lock keeps others from taking it.
     pub(crate) fn next_version(&self) -> Result<String> {
         let newest = atlas::version_numbers(&self.root)?.last().copied().unwrap_or(0);
@@ -81,9 +89,15 @@ pub fn begin(atlas_root: &Path) -> Result<Staging> {
 }
 
 /// Publishes the staging folder as the next version, unless the newest one holds the same and is undamaged. Files that
-/// hold times do not count as a change.
-pub fn publish(staging: Staging, mut index: AtlasIndex) -> Result<Published> {
-    index.files = atlas::record_files(&staging.folder)?;
+/// hold times do not count as a change. Of the files in `known` size and digest are taken as they are.
+pub fn publish(staging: Staging, mut index: AtlasIndex, known: Vec<FileRecord>) -> Result<Published> {
+    match fs::remove_dir_all(staging.work()) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => return Err(Error::disk(&staging.work(), "remove", e)),
+        _ => {}
+    }
+    let known: BTreeMap<String, FileRecord> = known.into_iter().map(|file| (file.path.clone(), file)).collect();
+    let record = |path: String| known.get(&path).cloned().map_or_else(|| atlas::record_file(&staging.folder, path), Ok);
+    index.files = files::list(&staging.folder)?.into_iter().map(record).collect::<Result<_>>()?;
     if let Some((newest, published)) = atlas::newest_version(&staging.root)?
         && published.content() == index.content()
         && verify_files::verify_files(&staging.root.join(&newest))?.failures.is_empty()
@@ -100,18 +114,24 @@ pub fn publish(staging: Staging, mut index: AtlasIndex) -> Result<Published> {
     Ok(Published::Version(name))
 }
 
-fn take_lock(root: &Path) -> Result<File> {
+/// The lock of an atlas, released when dropped or when the process dies.
+pub(super) fn take_lock(root: &Path) -> Result<File> {
     let path = root.join(LOCK_FILE);
     let opened = OpenOptions::new().create(true).truncate(false).write(true).open(&path);
     let lock = opened.map_err(|e| Error::disk(&path, "open the lock", e))?;
     match lock.try_lock() {
         Ok(()) => Ok(lock),
-        Err(TryLockError::WouldBlock) => Err(Error::limit(
-            format!("{}: another run is publishing into this atlas", root.display()),
-            "Wait until it has ended, or give this manifest another `atlas.name` or `atlas.out`.",
-        )),
+        Err(TryLockError::WouldBlock) => Err(Error::Busy {
+            what: format!("{}: another run is publishing into this atlas", root.display()),
+            fix: "Wait until it has ended, or give this manifest another `atlas.name` or `atlas.out`.".into(),
+        }),
         Err(TryLockError::Error(e)) => Err(Error::disk(&path, "take the lock", e)),
     }
+}
+
+/// A name for a folder that the next run removes, should nobody else.
+pub(super) fn leftover(root: &Path, name: &str) -> PathBuf {
+    root.join(format!("{STAGING_PREFIX}{name}"))
 }
 
 /// Only called with the lock held: whoever wrote these is dead.

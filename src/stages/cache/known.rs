@@ -19,7 +19,7 @@ use diffraction_build::accuracy::directions::ErrorDirections;
 use diffraction_build::accuracy::reference::{self as accuracy_reference, Reference};
 use diffraction_build::accuracy::rows::{self, ErrorRow};
 use diffraction_build::height::HeightField;
-use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::config::{Factor, Material, OpticsConfig};
 use diffraction_build::optics::reference;
 use diffraction_build::tables::coverage::ranges::Coverage;
 use diffraction_build::tables::input::BuildInput;
@@ -76,7 +76,7 @@ impl<'a> Known<'a> {
         // How tables are stored changes nothing before it, but that the series is refused where its format is too coarse.
         let storage = input.tables.storage.filter(|_| input.tables.basis == Basis::Taylor);
         let settings = TablesConfig { storage, ..input.tables.clone() };
-        let parts = json!({ "optics": input.optics, "settings": settings, "plan": plan_parts(plan) });
+        let parts = json!({ "optics": behind_front(input.optics), "settings": settings, "plan": plan_parts(plan) });
         let key = self.key("tables", &parts);
         if let Some(found) = self.cache.load(&key).and_then(|bytes| decode_tables(&bytes, input, plan)) {
             self.count(|used| used.tables_found += 1);
@@ -197,6 +197,15 @@ impl<'a> Known<'a> {
             self.cache.store(&key, &xyz.iter().flatten().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>());
             Ok(xyz)
         })
+    }
+}
+
+/// The optics as tables depend on them: a material that is the same at every wavelength stands in front of them, with all that
+/// belongs to it.
+fn behind_front(optics: &OpticsConfig) -> OpticsConfig {
+    match optics.dispersion {
+        Some(_) => optics.clone(),
+        None => OpticsConfig { material: Material::Ideal, shadowing: false, factor: Factor::Scalar, ..optics.clone() },
     }
 }
 

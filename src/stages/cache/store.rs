@@ -5,13 +5,14 @@
 //! a run, and never a value. The key names the program by its digest: another build's results are not this one's.
 
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::SystemTime;
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
+use crate::stages::program;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
 use diffraction_brdf::json as json_text;
@@ -74,7 +75,8 @@ pub(crate) struct Cache {
     /// `None` where nothing is kept.
     folder: Option<PathBuf>,
     limit_bytes: u64,
-    program: String,
+    /// Whether it has given way to what was more urgent on a full disk.
+    gone: AtomicBool,
     read: AtomicU64,
     written: AtomicU64,
 }
@@ -82,18 +84,16 @@ pub(crate) struct Cache {
 impl Cache {
     /// A cache that keeps and knows nothing.
     pub fn off() -> Self {
-        Self { folder: None, limit_bytes: 0, program: String::new(), read: 0.into(), written: 0.into() }
+        Self { folder: None, limit_bytes: 0, gone: false.into(), read: 0.into(), written: 0.into() }
     }
 
     /// Opens the store; one that keeps nothing where the limit is 0 or the program cannot read itself.
     pub fn open(config: &CacheConfig) -> Self {
-        let program = std::env::current_exe().ok().and_then(|path| files::sha256_file(&path).ok());
-        match (config.limit_mib, program) {
+        match (config.limit_mib, program::digest()) {
             (0, _) | (_, None) => Self::off(),
-            (limit_mib, Some((_, program))) => Self {
+            (limit_mib, Some(_)) => Self {
                 folder: Some(config.folder.clone()),
                 limit_bytes: limit_mib.saturating_mul(1 << 20),
-                program,
                 ..Self::off()
             },
         }
@@ -102,6 +102,13 @@ impl Cache {
     /// Whether anything is kept.
     pub(crate) fn is_on(&self) -> bool {
         self.folder.is_some()
+    }
+
+    /// Removes every entry of the folder, for a disk is full, and keeps nothing from now on. Gives the bytes; `None` where there were
+    /// none.
+    pub(crate) fn give_way(&self, config: &CacheConfig) -> Option<u64> {
+        self.gone.store(true, Ordering::Relaxed);
+        clear(&config.folder).ok().map(|(_, bytes)| bytes).filter(|bytes| *bytes > 0)
     }
 
     /// Most bytes that the entries may take together.
@@ -116,7 +123,7 @@ impl Cache {
 
     /// The key of a kind of result that depends on this program and on `parts`.
     pub fn key(&self, kind: &str, parts: &Value) -> String {
-        let all = json!({ "format": FORMAT, "program": self.program, "kind": kind, "parts": parts });
+        let all = json!({ "format": FORMAT, "program": program::digest(), "kind": kind, "parts": parts });
         files::sha256_hex(json_text::canonical(&all).as_bytes())
     }
 
@@ -144,7 +151,7 @@ impl Cache {
     pub(crate) fn store(&self, key: &str, value: &[u8]) {
         let Some(path) = self.path(key) else { return };
         let length = MAGIC.len() + key.len() + value.len() + DIGEST;
-        if length as u64 > self.limit_bytes {
+        if length as u64 > self.limit_bytes || self.gone.load(Ordering::Relaxed) {
             return;
         }
         let mut bytes = Vec::with_capacity(length);

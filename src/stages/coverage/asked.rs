@@ -1,6 +1,6 @@
 //! What a manifest asks of each specimen: which scenes its tables answer for, with which tolerance; and what nobody asks for.
 
-use crate::stages::config::{Cover, GpuCheck, RunConfig};
+use crate::stages::config::{Cover, GpuCheck, RunConfig, SpecimenConfig};
 use crate::stages::pictures::sharing::scenes_for;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::optics::config::OpticsConfig;
@@ -34,6 +34,11 @@ pub(crate) fn tables_for(config: &RunConfig, specimen: &str) -> TablesConfig {
 /// Whether anything is asked of a specimen: always, unless tables are restricted to scenes and none of them shows it.
 pub(crate) fn is_asked_for(config: &RunConfig, specimen: &str) -> bool {
     restricted_to(config, specimen).is_none_or(|scenes| !scenes.is_empty())
+}
+
+/// The specimens of which anything is asked, in the manifest's order.
+pub(crate) fn specimens(config: &RunConfig) -> impl Iterator<Item = &SpecimenConfig> {
+    config.specimens.iter().filter(|specimen| is_asked_for(config, &specimen.name))
 }
 
 /// What to know of a specimen's spectral tables where they are asked for and cannot be made; they are then left out.

@@ -6,15 +6,18 @@
 use std::path::Path;
 
 use ndarray::Array3;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use super::scenes::SceneWork;
 use super::sharing::specimens_of;
 use crate::stages::log::Log;
 use crate::stages::results::{SceneResult, SharedSceneResult};
 use crate::stages::stage::Stage;
-use diffraction_brdf::atlas::InputRecord;
+use diffraction_brdf::atlas::{InputRecord, RESULT_FILE};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
+use diffraction_brdf::json;
 use diffraction_render::scene::model::{Scene, Shape};
 
 /// Folder of these pictures, beside those of the specimens.
@@ -24,6 +27,31 @@ pub const FOLDER: &str = "scenes";
 pub(crate) struct Share {
     work: SceneWork,
     expected: Option<Array3<f32>>,
+}
+
+/// A picture that is there, and what it was made from: its scene and all its specimens.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct SharedRecord {
+    pub made_from: Value,
+    pub result: SharedSceneResult,
+}
+
+impl SharedRecord {
+    /// Those of a version; none where it has no such pictures.
+    pub fn read_all(version_folder: &Path) -> Vec<Self> {
+        let text = files::read_text(&version_folder.join(FOLDER).join(RESULT_FILE));
+        text.ok().and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
+    }
+
+    /// Writes those of a version.
+    ///
+    /// # Errors
+    /// The disk's.
+    pub fn write_all(records: &[Self], version_folder: &Path) -> Result<()> {
+        // Plain structs with string keys: there is nothing in them that JSON could refuse.
+        let text = json::pretty(&records).expect("plain data can always be written as JSON");
+        files::replace(&version_folder.join(FOLDER).join(RESULT_FILE), text.as_bytes())
+    }
 }
 
 /// The shares of one scene so far.
@@ -60,9 +88,9 @@ pub fn share(work: SceneWork, expected: Option<Array3<f32>>) -> Share {
 }
 
 impl SharedScenes {
-    /// Every scene that is shared, without shares.
-    pub fn new(scenes: &[Scene]) -> Self {
-        let shared = scenes.iter().filter(|scene| !specimens_of(scene).is_empty());
+    /// Every scene that is shared and not there already, without shares.
+    pub fn new(scenes: &[Scene], is_there: impl Fn(&str) -> bool) -> Self {
+        let shared = scenes.iter().filter(|scene| !specimens_of(scene).is_empty() && !is_there(&scene.name));
         Self(shared.map(|scene| Sum { scene: scene.clone(), shares: 0, total: None }).collect())
     }
 

@@ -25,7 +25,7 @@ use crate::stages::results::{BuildResult, HeightMapFile, LobeResult, SceneResult
 use crate::stages::stage::Stage;
 use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::dispersion::Origin;
-use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::error::Result;
 use diffraction_brdf::spectral_storage::StoredSpectral;
 use diffraction_build::accuracy::power_sums::too_bright;
 use diffraction_build::accuracy::rows;
@@ -252,6 +252,7 @@ fn result(
         verdict: Some(verdict),
         warnings,
         failed: None,
+        stale: None,
     }
 }
 
@@ -281,7 +282,7 @@ fn build_result(ingested: &Ingested, planned: &Planned, stored: &Stored) -> Buil
 }
 
 /// A specimen of which nothing is known but its name, and why.
-pub(super) fn failed_result(specimen: &SpecimenConfig, error: &Error) -> SpecimenResult {
+pub(super) fn failed_result(specimen: &SpecimenConfig, why: &str) -> SpecimenResult {
     SpecimenResult {
         name: specimen.name.clone(),
         species: specimen.species.clone(),
@@ -309,6 +310,7 @@ pub(super) fn failed_result(specimen: &SpecimenConfig, error: &Error) -> Specime
         budget: None,
         verdict: Some(failed_verdict(&error.to_string())),
         warnings: Vec::new(),
-        failed: Some(error.to_string()),
+        failed: Some(why.to_owned()),
+        stale: None,
     }
 }

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::memory::Memory;
 use crate::stages::cache::store::Cache;
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::results::{HeightMapFile, SpectrumFile, Statistics};
@@ -24,4 +25,6 @@ pub(super) struct Job<'a> {
     pub(super) cache: &'a Cache,
     /// Draws its heights.
     pub(super) illustrate: Illustrate<'a>,
+    /// What it shares with those that are made meanwhile.
+    pub(super) memory: &'a Memory,
 }

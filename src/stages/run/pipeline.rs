@@ -1,54 +1,41 @@
-//! The pipeline: specimen after specimen from scan to published tables, with times and failures.
+//! The pipeline: what is there already is found, the rest is made side by side, and all of it becomes a version.
 //!
-//! Each specimen passes the same chain of steps; one that fails is recorded and the others go on. Nothing is visible in
-//! the atlas before the one rename at the end.
+//! A specimen that fails is recorded and the others go on. Nothing is visible in the atlas before the one rename at the
+//! end; specimens that are finished stay in the store till then, so that an interrupted run goes on where it was.
 
 use std::path::Path;
 use std::time::Instant;
 
-use super::clock::{Clock, Failed};
-use super::describe::{Described, failed_result};
-use super::job::{Illustrate, Job};
-use super::specimen::run_specimen;
-use crate::error::Result;
-use crate::stages::archive::format_md::write_format;
+use serde_json::Value;
+
+use super::choose::{Choice, Found, choose};
+use super::clock::Failed;
+use super::make::{Computed, Workshop};
+use super::memory::Memory;
+use super::side_by_side::side_by_side;
+use super::taken::Taken;
+pub use super::taken::{Finished, Origin};
+pub use super::underway::Helpers;
+use super::underway::Run;
+use super::version;
+use crate::error::{Error, Result};
 use crate::stages::archive::publish::{self, Published};
-use crate::stages::cache::store::{Cache, CacheUse};
-use crate::stages::config::{RunConfig, SpecimenConfig};
+use crate::stages::archive::units;
+use crate::stages::config::{OnFailure, RunConfig, SpecimenConfig};
 use crate::stages::coverage::asked;
-use crate::stages::gpu::stage::{self as gpu_stage, Checked, Compared, Opened};
-use crate::stages::log::Log;
-use crate::stages::pictures::scenes;
-use crate::stages::pictures::shared_scenes::{self, SharedScenes};
-use crate::stages::results::{RESULTS_SCHEMA, RunResults, SpecimenResult};
+use crate::stages::log::Remarks;
+use crate::stages::pictures::sharing::specimens_of;
+use crate::stages::results::{Failure, RunResults};
 use crate::stages::stage::Stage;
-use diffraction_brdf::atlas::{AtlasIndex, InputRecord, SpecimenEntry};
-use diffraction_brdf::files;
-use diffraction_build::accuracy::rows;
-use diffraction_build::ground::memory;
-use diffraction_build::ground::progress::Progress;
-
-/// Writes the report of a run into its folder; given by the floor that knows how.
-pub(crate) type WriteReport<'a> = &'a (dyn Fn(&RunResults, &Path) -> diffraction_brdf::Result<()> + Sync);
-
-/// What the floors above lend to the pipeline.
-#[derive(Clone, Copy)]
-pub struct Helpers<'a> {
-    /// Draws pictures of heights.
-    pub illustrate: Illustrate<'a>,
-    /// Writes report files.
-    pub write_report: WriteReport<'a>,
-    /// Hears how far the run is.
-    pub progress: &'a dyn Progress,
-    /// The time in UTC, RFC 3339.
-    pub started: &'a str,
-}
+use crate::stages::usage;
 
 /// How a run ended.
 #[derive(Debug)]
 pub struct RunOutcome {
     /// Everything found out.
     pub results: RunResults,
+    /// How each specimen came into it, in the order of the results.
+    pub origins: Vec<Origin>,
     /// What was published; `None` where every specimen failed.
     pub published: Option<Published>,
 }
@@ -56,166 +43,184 @@ pub struct RunOutcome {
 /// Runs the whole pipeline.
 ///
 /// # Errors
-/// Only what concerns the whole run: the disk, the lock. A specimen's failure is part of the outcome.
+/// Only what concerns the whole run: the disk, the lock. A specimen's failure is part of the outcome, unless the run shall end
+/// with it.
 pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
+    publish_all(config, helpers, |_| true)
+}
+
+/// Publishes what is in the store and the newest version, and makes nothing but what cannot be made apart: specimens that share
+/// a picture. Others that are not there have failed, on another machine or by not having been tried.
+///
+/// # Errors
+/// As [`run`].
+pub fn merge(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
+    publish_all(config, helpers, |name| shares_a_scene(config, name))
+}
+
+fn publish_all(config: &RunConfig, helpers: &Helpers, may_make: impl Fn(&str) -> bool) -> Result<RunOutcome> {
     let started = Instant::now();
     let staging = publish::begin(&config.atlas_root)?;
-    let mut run = Run::begin(config, helpers, staging.path())?;
-    let asked_for: Vec<&SpecimenConfig> =
-        config.specimens.iter().filter(|specimen| asked::is_asked_for(config, &specimen.name)).collect();
-    for (index, specimen) in asked_for.iter().enumerate() {
-        run.specimen(specimen, &format!("[{}/{}] {}", index + 1, asked_for.len(), specimen.name))?;
-    }
-    let example = run.entries.first().map(|entry| entry.name.clone());
-    // Where nothing has changed the report goes with the staging folder.
-    let version = example.is_some().then(|| staging.next_version()).transpose()?;
-    let (results, index) = run.finish(started, version)?;
-    let Some(example) = example else {
-        return Ok(RunOutcome { results, published: None });
-    };
-    write_format(&staging.path().join(example), staging.path())?;
-    if config.report.write {
-        (helpers.write_report)(&results, staging.path())?;
-    }
-    let published = publish::publish(staging, index)?;
-    Ok(RunOutcome { results, published: Some(published) })
+    let mut run = Run::begin(config, helpers)?;
+    let specimens: Vec<&SpecimenConfig> = asked::specimens(config).collect();
+    let (choices, scenes) = choose(config, &specimens, run.newest.as_ref());
+    let taken = run.take(&specimens, choices, &staging.work(), &may_make)?;
+    let origins: Vec<Origin> = taken.iter().map(|taken| taken.origin).collect();
+    let (results, published) = version::publish(run, taken, scenes, started, staging)?;
+    // What others may still be making stays.
+    let is_done = |name: &str, origin: &Origin| may_make(name) || matches!(origin, Origin::Made | Origin::Unchanged);
+    let names = specimens.iter().map(|specimen| specimen.name.as_str()).zip(&origins);
+    units::forget(&config.atlas_root, names.filter(|(name, origin)| is_done(name, origin)).map(|(name, _)| name));
+    Ok(RunOutcome { results, origins, published })
 }
 
-/// A run under way.
-struct Run<'a> {
-    config: &'a RunConfig,
-    helpers: &'a Helpers<'a>,
-    /// The folder that becomes the version.
-    folder: &'a Path,
-    log: Log<'a>,
-    gpu: Opened,
-    cache: Cache,
-    used: CacheUse,
-    shared: SharedScenes,
-    inputs: Vec<InputRecord>,
-    entries: Vec<SpecimenEntry>,
-    specimens: Vec<SpecimenResult>,
-    compared: Compared,
+/// How making specimens for the store ended.
+#[derive(Debug)]
+pub struct UnitsOutcome {
+    /// How each of them came.
+    pub origins: Vec<Origin>,
+    /// What went wrong.
+    pub failures: Vec<Failure>,
 }
 
-impl<'a> Run<'a> {
-    fn begin(config: &'a RunConfig, helpers: &'a Helpers<'a>, folder: &'a Path) -> Result<Self> {
-        let mut log = Log::new(helpers.progress);
-        Ok(Self {
-            gpu: gpu_stage::open(config.gpu, &mut log)?,
-            config,
-            helpers,
-            folder,
-            log,
-            cache: Cache::open(&config.cache),
-            used: CacheUse::default(),
-            shared: SharedScenes::new(&config.scenes),
-            inputs: Vec::new(),
-            entries: Vec::new(),
-            specimens: Vec::new(),
-            compared: Compared::default(),
-        })
-    }
+/// Makes those specimens that are `wanted` for the store of the atlas, without a lock: several may do so at once, on several
+/// machines. What is there already is left alone, and so are specimens that share a picture, which [`merge`] makes.
+///
+/// # Errors
+/// As [`run`].
+pub fn make_units(config: &RunConfig, helpers: &Helpers, wanted: impl Fn(&str) -> bool) -> Result<UnitsOutcome> {
+    let work = units::begin(&config.atlas_root)?;
+    let mut run = Run::begin(config, helpers)?;
+    let is_wanted = |specimen: &&SpecimenConfig| wanted(&specimen.name) && !shares_a_scene(config, &specimen.name);
+    let specimens: Vec<&SpecimenConfig> = asked::specimens(config).filter(is_wanted).collect();
+    let (choices, _) = choose(config, &specimens, run.newest.as_ref());
+    // What the newest version holds is not kept here, but by whoever merges.
+    run.newest = None;
+    let taken = run.take(&specimens, choices, work.path(), &|_| true)?;
+    Ok(UnitsOutcome {
+        origins: taken.iter().map(|taken| taken.origin).collect(),
+        failures: taken.into_iter().flat_map(|taken| taken.failures).collect(),
+    })
+}
 
-    /// One specimen with all that belongs to it.
-    fn specimen(&mut self, specimen: &SpecimenConfig, label: &str) -> Result<()> {
-        let started = Instant::now();
-        let job = Job {
-            config: self.config,
-            specimen,
-            folder: self.folder.join(&specimen.name),
-            cache: &self.cache,
-            illustrate: self.helpers.illustrate,
-        };
-        match run_specimen(&job, &mut Clock { specimen: &specimen.name, log: &mut self.log }) {
-            Ok(described) => self.keep(specimen, described, label, started),
-            // A full disk is no specimen's fault, and would leave out the next ones too.
-            Err(Failed { error, .. }) if error.is_of_disk_below(self.folder) => Err(error.into()),
-            Err(Failed { stage, error }) => {
-                self.helpers.progress.message(&format!("{label}: failed to {stage}"));
-                // What is left of it shall not be published; where it cannot be removed, publishing fails too.
-                let _ = std::fs::remove_dir_all(&job.folder);
-                self.log.fail(stage, Some(&specimen.name), error.to_string());
-                self.specimens.push(failed_result(specimen, &error));
-                Ok(())
-            }
-        }
-    }
+fn shares_a_scene(config: &RunConfig, name: &str) -> bool {
+    config.scenes.iter().any(|scene| specimens_of(scene).iter().any(|member| member == name))
+}
 
-    /// Takes over what a finished specimen leaves, and checks its files on the GPU.
-    fn keep(&mut self, specimen: &SpecimenConfig, described: Described, label: &str, started: Instant) -> Result<()> {
-        let Described { mut result, inputs, shares, used } = described;
-        self.used = self.used.with(&used, self.cache.traffic());
-        if let Some(device) = self.gpu.device() {
-            match gpu_stage::check(device, self.config, specimen, self.folder, &mut self.log)? {
-                Checked::Rows(Compared { rows, spectral }) => {
-                    self.compared.rows.extend(rows);
-                    self.compared.spectral.extend(spectral);
+impl Run<'_> {
+    /// All specimens in their order: those that are there, those that are made now, and those that neither are nor `may_make`.
+    fn take(
+        &mut self,
+        specimens: &[&SpecimenConfig],
+        choices: Vec<Choice>,
+        work_folder: &Path,
+        may_make: &dyn Fn(&str) -> bool,
+    ) -> Result<Vec<Taken>> {
+        let mut taken: Vec<Option<Taken>> = Vec::new();
+        let mut to_make = Vec::new();
+        for (index, choice) in choices.into_iter().enumerate() {
+            let name = &specimens[index].name;
+            taken.push(match choice {
+                Choice::Found(found) => Some(Taken::found(*found)),
+                Choice::Make { made_from, .. } if may_make(name) => {
+                    to_make.push((index, made_from));
+                    None
                 }
-                Checked::Beyond(why) => result.warnings.push(why),
+                Choice::Make { made_from, .. } => Some(self.absent(specimens[index], made_from)),
+            });
+        }
+        if !to_make.is_empty() {
+            self.open_gpu()?;
+            self.make(specimens, &to_make, work_folder, &mut taken)?;
+        }
+        Ok(taken.into_iter().flatten().collect())
+    }
+
+    /// One that should have been made elsewhere and is not there: why, as far as that was left with the store.
+    fn absent(&self, specimen: &SpecimenConfig, made_from: Option<Value>) -> Taken {
+        let told = made_from
+            .and_then(|made_from| units::failure(&units::place(&self.config.atlas_root, &specimen.name, &made_from)));
+        let untold = || Failure {
+            specimen: Some(specimen.name.clone()),
+            stage: Stage::TakeFinished,
+            message: format!("it has not been made yet: `run --only {}` makes it", specimen.name),
+        };
+        Taken::failed(specimen, told.unwrap_or_else(untold), self.kept(specimen))
+    }
+
+    /// What the newest version holds of a specimen that failed, where that shall stay.
+    fn kept(&self, specimen: &SpecimenConfig) -> Option<Found> {
+        match (self.config.on_failure, &self.newest) {
+            (OnFailure::Keep, Some(newest)) => newest.specimen(&specimen.name),
+            _ => None,
+        }
+    }
+
+    /// Makes specimens side by side, each into its place among those taken.
+    fn make(
+        &self,
+        specimens: &[&SpecimenConfig],
+        to_make: &[(usize, Option<Value>)],
+        work_folder: &Path,
+        taken: &mut [Option<Taken>],
+    ) -> Result<()> {
+        let at_once = specimens_at_once(to_make.len());
+        usage::share_processor(at_once > 1);
+        let remarks = Remarks(self.helpers.progress);
+        let workshop = Workshop {
+            config: self.config,
+            illustrate: self.helpers.illustrate,
+            cache: &self.cache,
+            memory: &Memory::new(self.config.memory_bytes.unwrap_or_else(usage::memory_to_take)),
+            folder: work_folder,
+            progress: if at_once > 1 { &remarks } else { self.helpers.progress },
+        };
+        if at_once > 1 {
+            self.helpers.progress.stage("specimens", to_make.len() as u64);
+        }
+        let work = |piece: usize| workshop.compute(specimens[to_make[piece].0]);
+        side_by_side(to_make.len(), at_once, work, |piece, computed| {
+            let (index, ref made_from) = to_make[piece];
+            let seconds = computed.seconds;
+            let one = self.finish(&workshop, specimens[index], made_from.clone(), computed)?;
+            (self.helpers.finished)(&Finished::of(&one, [index + 1, specimens.len()], seconds));
+            if at_once > 1 {
+                self.helpers.progress.advance(1);
             }
-        }
-        self.helpers.progress.message(&done_line(label, &result, used, started.elapsed().as_secs_f64()));
-        for scene in result.scenes.iter().filter(|scene| scene.uncovered_pixels > 0) {
-            let (name, pixels) = (&scene.name, scene.uncovered_pixels);
-            let message = format!("{name}: {pixels} pixels ask for directions that the tables do not cover");
-            self.log.fail(Stage::RenderScenes, Some(&specimen.name), message);
-        }
-        if let Some(message) = rows::disagreement(&result.errors) {
-            self.log.fail(Stage::MeasureErrors, Some(&specimen.name), message);
-        }
-        self.inputs.extend(inputs);
-        self.shared.add(shares);
-        let species = specimen.species.clone().unwrap_or_default();
-        self.entries.push(SpecimenEntry { name: specimen.name.clone(), species });
-        self.specimens.push(result);
+            taken[index] = Some(one);
+            Ok::<(), Error>(())
+        })?;
+        self.helpers.progress.finish();
         Ok(())
     }
 
-    /// What concerns all specimens together; the results and the index of the version to come.
-    fn finish(mut self, started: Instant, version: Option<String>) -> Result<(RunResults, AtlasIndex)> {
-        let config = self.config;
-        let frames = match self.gpu.device() {
-            Some(device) => gpu_stage::time_frames(device, config, self.folder, &mut self.log)?,
-            None => None,
+    /// What a specimen leaves that was computed, or failed to be; an error where that is the whole run's.
+    fn finish(
+        &self,
+        workshop: &Workshop,
+        specimen: &SpecimenConfig,
+        made_from: Option<Value>,
+        computed: Computed,
+    ) -> Result<Taken> {
+        let Computed { done, log, .. } = computed;
+        let failed = match done {
+            Ok(described) => return workshop.finish(specimen, made_from, described, log, self.device()),
+            Err(failed) => failed,
         };
-        self.inputs.extend(scenes::inputs(config));
-        self.inputs.extend(shared_scenes::inputs(&config.scenes, &config.base));
-        let shared_scenes = self.shared.finish(self.folder, &mut self.log)?;
-        let manifest_sha256 = files::sha256_hex(config.manifest_text.as_bytes());
-        let index = AtlasIndex::new(&config.atlas_name, &manifest_sha256, self.inputs, self.entries);
-        let results = RunResults {
-            schema: RESULTS_SCHEMA,
-            atlas_name: config.atlas_name.clone(),
-            version,
-            program_version: env!("CARGO_PKG_VERSION").into(),
-            started: self.helpers.started.into(),
-            threads: rayon::current_num_threads(),
-            cpu_count: std::thread::available_parallelism().map_or(1, usize::from),
-            manifest_text: config.manifest_text.clone(),
-            specimens: self.specimens,
-            shared_scenes,
-            stages: self.log.stages,
-            gpu: self.gpu.into_result(self.compared, frames),
-            failures: self.log.failures,
-            left_out: asked::left_out(config),
-            cache: self.cache.is_on().then_some(self.used),
-            peak_memory_mib: memory::process_peak_bytes().map(|bytes| bytes as f64 / f64::from(1 << 20)),
-            total_wall_s: started.elapsed().as_secs_f64(),
-        };
-        Ok((results, index))
+        // A full disk is no specimen's fault, and would leave out the next ones too.
+        if self.config.on_failure == OnFailure::Stop || failed.error.is_of_disk_below(&self.config.atlas_root) {
+            return Err(failed.error.into());
+        }
+        let Failed { stage, error } = failed;
+        let failure = Failure { specimen: Some(specimen.name.clone()), stage, message: error.to_string() };
+        if let Some(made_from) = made_from {
+            units::keep_failure(&units::place(&self.config.atlas_root, &specimen.name, &made_from), &failure)?;
+        }
+        Ok(Taken { stages: log.stages, ..Taken::failed(specimen, failure, self.kept(specimen)) })
     }
 }
 
-/// The line that a finished specimen leaves on the screen.
-fn done_line(label: &str, result: &SpecimenResult, used: CacheUse, seconds: f64) -> String {
-    let (tables, size) = result.build.as_ref().map_or((0, 0), |build| (build.tables, build.size));
-    let CacheUse { tables_found, pairs_found, .. } = used;
-    let known = [
-        (tables_found > 0).then(|| "the tables".into()),
-        (pairs_found > 0).then(|| format!("{pairs_found} reference values")),
-    ];
-    let known: Vec<String> = known.into_iter().flatten().collect();
-    let known = if known.is_empty() { String::new() } else { format!(", known: {}", known.join(", ")) };
-    format!("{label}: {tables} tables of {size}², {seconds:.1} s{known}")
+/// How many specimens are made at once: as many as there are threads, or one where memory is counted, which knows of one alone.
+fn specimens_at_once(to_make: usize) -> usize {
+    if usage::is_heap_counted() { 1 } else { rayon::current_num_threads().min(to_make) }
 }

@@ -70,7 +70,7 @@ pub fn write_tiny_atlas(root: &Path) {
         "check_values": [check([0.0, 0.0, 30.0, 0.0]), check([40.0, 10.0, 41.0, 185.0])], "warnings": [],
     });
     files::replace(&folder.join("specimen.json"), json::pretty(&record).unwrap().as_bytes()).unwrap();
-    let specimens = vec![SpecimenEntry { name: "grating".into(), species: "made up".into() }];
+    let specimens = vec![SpecimenEntry { name: "grating".into(), species: "made up".into(), stale: None }];
     publish(&version, AtlasIndex::new("tiny", "", vec![], specimens));
     files::replace(&root.join("latest"), b"v0001\n").unwrap();
 }

@@ -53,6 +53,13 @@ impl fmt::Debug for Sky {
     }
 }
 
+impl Sky {
+    /// Turn about the vertical in degrees, and all of the light: with the file's digest they tell which sky it is.
+    pub fn rotation_and_light(&self) -> [f64; 2] {
+        [self.rotate_deg, self.rows.last().copied().unwrap_or(0.0)]
+    }
+}
+
 /// Reads an image, turns it about the vertical by `rotate_deg` (from +z towards +x, counter-clockwise seen from
 /// above), and multiplies its luminance by `scale`.
 ///

@@ -1,0 +1,71 @@
+//! Memory that specimens side by side may take together.
+
+use std::sync::{Condvar, Mutex, PoisonError};
+
+/// What may be held, and what is.
+pub(crate) struct Memory {
+    allowed_bytes: u64,
+    held_bytes: Mutex<u64>,
+    freed: Condvar,
+}
+
+/// A share of it, until dropped.
+pub(super) struct Held<'a> {
+    memory: &'a Memory,
+    bytes: u64,
+}
+
+impl Memory {
+    /// So much of it.
+    pub(super) fn new(allowed_bytes: u64) -> Self {
+        Self { allowed_bytes, held_bytes: Mutex::new(0), freed: Condvar::new() }
+    }
+
+    /// Waits until so much is free, or nobody else holds any: what is larger than all of it runs alone, for whether a specimen
+    /// may be so large is decided elsewhere.
+    pub(super) fn hold(&self, bytes: u64) -> Held<'_> {
+        let held = self.held_bytes.lock().unwrap_or_else(PoisonError::into_inner);
+        let too_much = |held: &mut u64| *held > 0 && held.saturating_add(bytes) > self.allowed_bytes;
+        let mut held = self.freed.wait_while(held, too_much).unwrap_or_else(PoisonError::into_inner);
+        // One that takes nothing still counts as there.
+        let bytes = bytes.max(1);
+        *held = held.saturating_add(bytes);
+        Held { memory: self, bytes }
+    }
+}
+
+impl Drop for Held<'_> {
+    fn drop(&mut self) {
+        *self.memory.held_bytes.lock().unwrap_or_else(PoisonError::into_inner) -= self.bytes;
+        self.memory.freed.notify_all();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicU64, Ordering};
+
+    use super::*;
+
+    #[test]
+    fn no_more_is_held_than_allowed_but_by_one_alone() {
+        let memory = Memory::new(10);
+        let (now, most) = (AtomicU64::new(0), AtomicU64::new(0));
+        std::thread::scope(|scope| {
+            for n in 0..40u64 {
+                let (memory, now, most) = (&memory, &now, &most);
+                scope.spawn(move || {
+                    let bytes = if n % 10 == 9 { 25 } else { 3 + n % 3 };
+                    let held = memory.hold(bytes);
+                    let sum = now.fetch_add(bytes, Ordering::SeqCst) + bytes;
+                    assert!(sum <= 10 || sum == bytes, "{sum}");
+                    most.fetch_max(sum, Ordering::SeqCst);
+                    std::thread::yield_now();
+                    now.fetch_sub(bytes, Ordering::SeqCst);
+                    drop(held);
+                });
+            }
+        });
+        assert_eq!((most.into_inner(), *memory.held_bytes.lock().unwrap()), (25, 0));
+    }
+}
