@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::cli::destination;
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use crate::error::Result;
@@ -9,9 +10,10 @@ use crate::stages::archive::shader_data::{write_shader_data, write_spectral_data
 use crate::stages::archive::shader_export::{README, SPECTRAL_README, ShaderLanguage, ShaderSource, shader};
 use crate::stages::archive::specimen_file;
 use crate::stages::viewer::content::Content;
-use crate::stages::viewer::written::{write_folder, write_single_file};
+use crate::stages::viewer::single_file::single_file;
+use crate::stages::viewer::written::fill_folder;
 use diffraction_brdf::atlas;
-use diffraction_brdf::error::{self, Error};
+use diffraction_brdf::error::Error;
 use diffraction_brdf::files;
 use diffraction_brdf::spectral_storage::read_spectral;
 use diffraction_brdf::storage::write_tables;
@@ -30,9 +32,12 @@ pub(crate) struct ExportArgs {
     /// Only these specimens; may be given several times
     #[arg(long, value_name = "NAME")]
     pub specimen: Vec<String>,
-    /// Folder to write to, or the file with `--single-file`; what is there is not overwritten
+    /// Folder to write, or the file with `--single-file`; a folder that holds something is never replaced
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
+    /// With `--single-file`: replace a file that is there already
+    #[arg(long, requires = "single_file")]
+    pub force: bool,
     /// With `--form viewer`: one HTML file that holds everything and works from the disk
     #[arg(long)]
     pub single_file: bool,
@@ -57,6 +62,10 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
     if args.single_file && args.form != Form::Viewer {
         return Err(Error::Call("`--single-file` goes with `--form viewer` alone".into()).into());
     }
+    match args.single_file {
+        true => destination::check_file(&args.out, &[], args.force)?,
+        false => destination::check_folder(&args.out, None)?,
+    }
     let folder = output::version_folder(&args.atlas)?;
     if args.form == Form::Viewer {
         return export_viewer(&folder, args);
@@ -64,29 +73,12 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
     let index = atlas::read_index(&folder)?;
     let all: Vec<String> = index.specimens.iter().map(|entry| entry.name.clone()).collect();
     let names = if args.specimen.is_empty() { &all } else { &args.specimen };
-    let specimens = names.iter().map(|name| Ok((name, atlas::specimen_folder(&folder, &index, name)?)));
+    let specimens = names.iter().map(|name| Ok((name.as_str(), atlas::specimen_folder(&folder, &index, name)?)));
     let specimens = specimens.collect::<Result<Vec<_>>>()?;
-    if args.form == Form::Shaders {
-        fresh_folder(&args.out)?;
-        export_shaders(&args.out, [ShaderSource::Tables, ShaderSource::TablesFiltered], "README.md", README)?;
-    }
-    for (name, from) in &specimens {
-        let to = args.out.join(name);
-        fresh_folder(&to)?;
-        match args.form {
-            Form::FloatTables => export_float(from, &to)?,
-            Form::Viewer => unreachable!("returned above"),
-            Form::Shaders => {
-                let (file, tables) = specimen_file::load(from)?;
-                write_shader_data(&to, Surface { tables: &tables, pigment: file.pigment.as_ref() })?;
-                if let Some(stored) = &file.spectral {
-                    write_spectral_data(&to, &read_spectral(from, stored, tables.front_factor)?)?;
-                    let sources = [ShaderSource::Spectral, ShaderSource::SpectralFiltered];
-                    export_shaders(&args.out, sources, "README_spectral.md", SPECTRAL_README)?;
-                }
-            }
-        }
-    }
+    destination::write_folder(&args.out, |out| match args.form {
+        Form::Shaders => export_all_shaders(out, &specimens),
+        Form::FloatTables | Form::Viewer => export_float(out, &specimens),
+    })?;
     output::print(&format!("exported {} to {}\n", specimens.len(), args.out.display()))?;
     Ok(Outcome::Done)
 }
@@ -94,18 +86,34 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
 /// The page, with what it reads of a version.
 fn export_viewer(folder: &Path, args: &ExportArgs) -> Result<Outcome> {
     let content = Content::open(folder, &args.specimen)?;
-    let write = if args.single_file { write_single_file } else { write_folder };
-    let bytes = write(&content, &args.out)?;
+    let bytes = if args.single_file {
+        let page = single_file(&content)?;
+        destination::create_parent(&args.out)?;
+        files::replace(&args.out, page.as_bytes())?;
+        page.len() as u64
+    } else {
+        destination::write_folder(&args.out, |out| fill_folder(&content, out))?
+    };
     output::print(&format!("exported the viewer to {}, {}\n", args.out.display(), output::bytes_in_words(bytes)))?;
     Ok(Outcome::Done)
 }
 
-/// A folder of its own: nothing is overwritten.
-fn fresh_folder(folder: &Path) -> error::Result<()> {
-    if folder.exists() {
-        return Err(Error::Call(format!("{}: is there already; name another `--out`", folder.display())));
+/// Specimens by name, with their folders.
+type Specimens<'a> = [(&'a str, PathBuf)];
+
+fn export_all_shaders(out: &Path, specimens: &Specimens) -> Result<()> {
+    export_shaders(out, [ShaderSource::Tables, ShaderSource::TablesFiltered], "README.md", README)?;
+    for (name, from) in specimens {
+        let to = out.join(name);
+        let (file, tables) = specimen_file::load(from)?;
+        write_shader_data(&to, Surface { tables: &tables, pigment: file.pigment.as_ref() })?;
+        if let Some(stored) = &file.spectral {
+            write_spectral_data(&to, &read_spectral(from, stored, tables.front_factor)?)?;
+            let sources = [ShaderSource::Spectral, ShaderSource::SpectralFiltered];
+            export_shaders(out, sources, "README_spectral.md", SPECTRAL_README)?;
+        }
     }
-    files::create_folder(folder)
+    Ok(())
 }
 
 /// Shaders in every language, with what an engine needs to know of them.
@@ -118,8 +126,13 @@ fn export_shaders(out: &Path, sources: [ShaderSource; 2], name: &str, readme: &s
     Ok(files::replace(&out.join(name), readme.as_bytes())?)
 }
 
-fn export_float(from: &Path, to: &Path) -> error::Result<()> {
-    let (file, set) = specimen_file::load(from)?;
-    let tables = write_tables(to, &set, Storage::Float)?;
-    specimen_file::write(to, &specimen_file::SpecimenFile { tables, ..file })
+fn export_float(out: &Path, specimens: &Specimens) -> Result<()> {
+    for (name, from) in specimens {
+        let to = out.join(name);
+        files::create_folder(&to)?;
+        let (file, set) = specimen_file::load(from)?;
+        let tables = write_tables(&to, &set, Storage::Float)?;
+        specimen_file::write(&to, &specimen_file::SpecimenFile { tables, ..file })?;
+    }
+    Ok(())
 }

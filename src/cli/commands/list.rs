@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
+use crate::cli::terminal;
 use diffraction_brdf::error::{Error, Result};
 
 /// Arguments of `list`.
@@ -53,7 +54,7 @@ pub(crate) fn run(args: &ListArgs, global: &Global) -> crate::error::Result<Outc
         output::print(&render(&atlases))?;
     }
     if atlases.is_empty() && !global.quiet {
-        eprintln!("no atlas in {}", args.folder.display());
+        terminal::say(&format!("no atlas in {}\n", args.folder.display()));
     }
     Ok(Outcome::Done)
 }

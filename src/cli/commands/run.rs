@@ -6,6 +6,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
+use crate::cli::terminal;
 use crate::error::Result;
 use crate::manifest::{self, convert::run_config};
 use crate::report::spectrum_picture::{spectrum_half_range_per_um, spectrum_picture};
@@ -57,7 +58,7 @@ pub(crate) fn run(args: &RunArgs, global: &Global) -> Result<Outcome> {
         output::print(&summary(published, &config, outcome.results.total_wall_s))?;
     }
     if !global.quiet {
-        eprint!("{}", warning_lines(&outcome.results.specimens));
+        terminal::say(&warning_lines(&outcome.results.specimens));
     }
     let failures: Vec<String> = outcome.results.failures.iter().map(failure_line).collect();
     Ok(if failures.is_empty() { Outcome::Done } else { Outcome::Failures(failures) })
@@ -66,11 +67,13 @@ pub(crate) fn run(args: &RunArgs, global: &Global) -> Result<Outcome> {
 fn summary(published: &Published, config: &RunConfig, wall_s: f64) -> String {
     let folder = config.atlas_root.join(published.version());
     match published {
-        Published::Version(_) => format!(
-            "published {} in {wall_s:.1} s\nreport    {}\n",
-            folder.display(),
-            folder.join("report.html").display()
-        ),
+        Published::Version(_) => {
+            let published = format!("published {} in {wall_s:.1} s\n", folder.display());
+            match config.report.write {
+                true => format!("{published}report    {}\n", folder.join("report.html").display()),
+                false => published,
+            }
+        }
         Published::Unchanged(_) => format!("{} holds the same already; nothing was published\n", folder.display()),
     }
 }
