@@ -9,7 +9,7 @@ use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, contents, usual};
 /// The layout of a version with `tables` tables per specimen, one window per scan over all positions.
 fn layout(specimens: &[(&str, [usize; 2])], scenes: &[&str]) -> BTreeSet<String> {
     let mut files: BTreeSet<String> =
-        ["atlas.json", "FORMAT.md", "report.html", "report.json"].map(String::from).into();
+        ["atlas.json", "FORMAT.md", "manifest.toml", "report.html", "report.json"].map(String::from).into();
     for (specimen, [tables, spectral]) in specimens {
         let pictures = ["preview.png", "heights.png", "spectrum.png", "reflection_00deg.png", "reflection_45deg.png"];
         for file in ["specimen.json", "lobe.exr", "spectral_lobe.exr"].into_iter().chain(pictures) {
@@ -62,9 +62,9 @@ fn a_run_publishes_once_and_again_only_after_a_change() {
     assert_eq!(contents(&place.path("out/small/v0001")), v1, "published versions never change");
     place.call("verify out/small --manifest m.toml").ended(0);
 
-    let diff = place.call("diff out/small/v0001 out/small/v0002").ended(0);
+    let diff = place.call("diff out/small/v0001 out/small/v0002").ended(1);
     assert!(diff.stdout.contains("optics.material.dielectric.n: 1.5 -> 1.6"), "{}", diff.stdout);
-    let diff = place.call("diff out/small/v0001 out/small --json").ended(0).json();
+    let diff = place.call("diff out/small/v0001 out/small --json").ended(1).json();
     let changed: Vec<&str> =
         diff["specimens"].as_array().unwrap().iter().map(|s| s["name"].as_str().unwrap()).collect();
     assert_eq!(changed, ["rough"], "the other specimen did not change");

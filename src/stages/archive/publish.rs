@@ -13,6 +13,9 @@ use diffraction_brdf::atlas::{self, AtlasIndex, LATEST_FILE};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files;
 
+/// Name of the file in a version's folder with the manifest that it was made from, word for word.
+pub const MANIFEST_FILE: &str = "manifest.toml";
+
 const LOCK_FILE: &str = ".lock";
 const STAGING_PREFIX: &str = ".staging-";
 

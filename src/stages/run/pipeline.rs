@@ -12,7 +12,7 @@ use super::job::{Illustrate, Job};
 use super::specimen::run_specimen;
 use crate::error::Result;
 use crate::stages::archive::format_md::write_format;
-use crate::stages::archive::publish::{self, Published};
+use crate::stages::archive::publish::{self, MANIFEST_FILE, Published};
 use crate::stages::cache::store::{Cache, CacheUse};
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::coverage::asked;
@@ -74,6 +74,7 @@ pub fn run(config: &RunConfig, helpers: &Helpers) -> Result<RunOutcome> {
         return Ok(RunOutcome { results, published: None });
     };
     write_format(&staging.path().join(example), staging.path())?;
+    files::replace(&staging.path().join(MANIFEST_FILE), config.manifest_text.as_bytes())?;
     if config.report.write {
         (helpers.write_report)(&results, staging.path())?;
     }
