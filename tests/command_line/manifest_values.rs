@@ -108,7 +108,7 @@ fn every_key_of_the_example_arrives() {
     assert_eq!(integers.prepare.despike.map(|despike| despike.threshold_rms), Some(8.0));
     assert_eq!(integers.read.max_missing_share, 0.01);
     let file = folder.path().join("measured.csv");
-    assert_eq!(integers.measured, Some(MeasuredConfig { file, acceptance_deg: 1.5, bandwidth_nm: 2.0 }));
+    assert_eq!(integers.measured, Some(MeasuredConfig { file, acceptance_deg: 1.5, bandwidth_nm: 2.0, export: None }));
     // Its own sigma and windows, but the edge of `[optics]`.
     let optics = &integers.optics;
     assert_eq!((optics.sigma_nm, optics.edge, optics.windows), (3000.0, Edge::Fade, Windows::Grid));

@@ -122,6 +122,7 @@ fn warnings(job: &Job, ingested: &Ingested, planned: &Planned, measured: &Measur
     warnings.extend(scenes::warnings(&scenes, optics));
     warnings.extend(too_bright(&measured.reflected.albedo, measured.energy_limit.as_ref()));
     warnings.extend(rows::broken_tolerances(&measured.errors, ingested.tables.tolerance, set.size()));
+    warnings.extend(ingested.unread.iter().chain(&measured.not_compared).cloned());
     warnings
 }
 
