@@ -5,6 +5,7 @@ pub(crate) mod diff;
 pub(crate) mod eval;
 pub(crate) mod export;
 pub(crate) mod inspect;
+pub(crate) mod inspect_many;
 pub(crate) mod list;
 pub(crate) mod plan;
 pub(crate) mod run;
