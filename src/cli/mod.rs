@@ -7,6 +7,7 @@ pub(crate) mod lengths;
 pub(crate) mod options;
 pub(crate) mod output;
 pub(crate) mod progress;
+pub mod surroundings;
 pub(crate) mod terminal;
 
 use std::ffi::OsString;

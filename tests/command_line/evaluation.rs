@@ -289,8 +289,8 @@ fn polarised_values_add_up_to_the_unpolarised_ones() {
     place.write("d.csv", &(directions(10) + "40,10,40,190\n57.3,0,57,180.5\n"));
     for line in [
         "--atlas out/small",
-        "--method reference --manifest m.toml",
-        "--method reference --manifest m.toml --wavelengths-nm 450,633",
+        "--method direct-sum --manifest m.toml",
+        "--method direct-sum --manifest m.toml --wavelengths-nm 450,633",
     ] {
         let line = format!("eval --directions d.csv --specimen rough {line}");
         let (plain, kept) = (place.call(&line).ended(0), place.call(&format!("{line} --polarised")).ended(0));
