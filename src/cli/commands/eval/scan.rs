@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
+use super::args::{EvalArgs, Method};
 use super::values::{
     Evaluated, Table, check_polarised, polarised_columns, polarised_table, warn_beyond, wavelength_columns, xyz_table,
 };
-use super::{EvalArgs, Method};
 use crate::cli::destination;
 use crate::cli::options::Global;
 use crate::cli::progress::reporter;

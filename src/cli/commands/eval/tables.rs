@@ -4,7 +4,7 @@ use std::path::Path;
 
 use rayon::prelude::*;
 
-use super::EvalArgs;
+use super::args::EvalArgs;
 use super::values::{Evaluated, Table, check_polarised, polarised_table, warn_beyond, wavelength_columns, xyz_table};
 use crate::cli::output;
 use crate::error::Result;
