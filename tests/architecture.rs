@@ -252,3 +252,26 @@ fn what_documents_name_is_there() {
     let renamed = glossary.replace("`Restriction`", "`Restrictions`");
     assert_eq!(dead_names(root, &renamed), ["Restrictions is in none of `crates/brdf/src/table_set.rs`"]);
 }
+
+/// The one file that writes to the terminal cleans what it writes; whatever writes past it would not.
+#[test]
+fn all_output_passes_through_one_file() {
+    let writes = |text: &str| {
+        let code = text
+            .split("mod tests {")
+            .next()
+            .unwrap_or(text)
+            .lines()
+            .filter(|line| !line.trim_start().starts_with("//"));
+        let code: String = code.collect();
+        ["println!", "print!(", "eprint!", "eprintln!", "io::stdout()", "io::stderr().lock()"]
+            .iter()
+            .any(|way| code.contains(way))
+    };
+    let sources = sources();
+    let of_program = sources.iter().filter(|source| source.path.starts_with("src/"));
+    let found: Vec<&str> =
+        of_program.filter(|source| writes(&source.text)).map(|source| source.path.as_str()).collect();
+    assert_eq!(found, ["src/cli/terminal.rs"]);
+    assert!(writes("fn f() { println!(\"{name}\") }") && !writes("/// `println!` is not called."));
+}

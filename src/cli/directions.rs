@@ -1,13 +1,10 @@
 //! Lists of directions as CSV: read from a file, and written with values beside them.
 
-use std::fmt::Write;
+use std::fs::File;
 use std::path::Path;
-
-use serde_json::Value;
 
 use diffraction_brdf::direction::{Vec3, from_angles_deg};
 use diffraction_brdf::error::{Error, Result};
-use diffraction_brdf::files;
 use diffraction_build::ground::csv;
 
 /// The columns of a direction, in degrees.
@@ -39,23 +36,40 @@ impl Row {
 /// Largest azimuth, either way.
 const PHI_MAX_DEG: f64 = 360.0;
 
+/// Largest list that is read: some million directions.
+const BYTES_MAX: u64 = 64 << 20;
+
+/// A list of directions.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Directions {
+    /// The pairs, in the order of the list.
+    pub rows: Vec<Row>,
+    /// Names of the columns that are not used.
+    pub ignored: Vec<String>,
+}
+
 /// Reads a list of directions in any of the forms that measured reflectance may have: separated by commas, semicolons or
-/// tabs, with comments. Further columns are ignored. The path `-` is standard input.
+/// tabs, with comments. Further columns are not used. The path `-` is standard input.
 ///
 /// # Errors
 /// An unreadable file, a missing column, or a cell that is no angle above the surface, with its line.
-pub(crate) fn read(path: &Path) -> Result<Vec<Row>> {
+pub(crate) fn read(path: &Path) -> Result<Directions> {
     let standard_input = path == Path::new(STANDARD_INPUT);
     let path = if standard_input { Path::new("standard input") } else { path };
+    // A pipe is as good as a file where its end is.
     let text = if standard_input {
-        std::io::read_to_string(std::io::stdin().lock()).map_err(|error| Error::disk(path, "read", error))?
+        csv::read_stream(path, std::io::stdin().lock(), BYTES_MAX)?
     } else {
-        files::read_text(path)?
+        let file = File::open(path).map_err(|error| Error::disk(path, "read", error))?;
+        csv::read_stream(path, file, BYTES_MAX)?
     };
     let mut lines = csv::lines(&text);
     let header = lines.next().map_or("", |(_, line)| line);
     let table = Table::new(path, header)?;
-    lines.map(|(number, line)| table.row(number, line)).collect()
+    let rows = lines.map(|(number, line)| table.row(number, line)).collect::<Result<_>>()?;
+    let names = csv::cells(header, table.separator).into_iter().enumerate();
+    let ignored = names.filter(|(index, (_, name))| !name.is_empty() && !table.positions.contains(index));
+    Ok(Directions { rows, ignored: ignored.map(|(_, (_, name))| format!("`{name}`")).collect() })
 }
 
 /// A file being read.
@@ -109,30 +123,6 @@ fn beyond(column: usize, angle_deg: f64) -> Option<String> {
     (!above).then(|| "lie above the horizon, between -90 and 90 with neither included".into())
 }
 
-/// The directions as they were read, with further columns: ten significant digits.
-pub(crate) fn write(rows: &[Row], columns: &[String], values: &[Vec<f64>]) -> String {
-    let mut text = format!("{},{}\n", COLUMNS.join(","), columns.join(","));
-    for (row, values) in rows.iter().zip(values) {
-        text.push_str(&row.cells.join(","));
-        for value in values {
-            // Writing to a string cannot fail.
-            let _ = write!(text, ",{value:.9e}");
-        }
-        text.push('\n');
-    }
-    text
-}
-
-/// The same as JSON: an object per pair, its angles and values as numbers under the names of the columns.
-pub(crate) fn to_json(rows: &[Row], columns: &[String], values: &[Vec<f64>]) -> Value {
-    let object = |(row, values): (&Row, &Vec<f64>)| {
-        let names = COLUMNS.iter().map(ToString::to_string).chain(columns.iter().cloned());
-        let numbers = row.angles_deg.iter().chain(values);
-        Value::Object(names.zip(numbers.map(|&number| Value::from(number))).collect())
-    };
-    rows.iter().zip(values).map(object).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -147,10 +137,10 @@ mod tests {
     #[test]
     fn columns_may_stand_in_any_order() {
         let (_folder, path) = file("Y,phi_i_deg,theta_i_deg,phi_r_deg,theta_r_deg\n9,20,10,40,30.50\n\n");
-        let rows = read(&path).unwrap();
+        let Directions { rows, ignored } = read(&path).unwrap();
         assert_eq!(rows[0].angles_deg, [10.0, 20.0, 30.5, 40.0]);
-        let text = write(&rows, &["X".into()], &[vec![0.25]]);
-        assert_eq!(text, "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,X\n10,20,30.50,40,2.500000000e-1\n");
+        assert_eq!(rows[0].cells.join(","), "10,20,30.50,40");
+        assert_eq!(ignored, ["`Y`"]);
     }
 
     #[test]

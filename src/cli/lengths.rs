@@ -2,6 +2,8 @@
 
 use std::str::FromStr;
 
+use diffraction_build::height::PITCH_NM;
+
 /// Sample spacing along x and y in nm, written as one number or as `X,Y`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct PitchNm(pub [f64; 2]);
@@ -17,7 +19,12 @@ impl FromStr for PitchNm {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        pair(text, positive).map(Self)
+        let [low, high] = PITCH_NM;
+        let one = |text: &str| match finite(text) {
+            Ok(pitch) if (low..=high).contains(&pitch) => Ok(pitch),
+            _ => Err(format!("expected nm between {low} and {high}, with a decimal point")),
+        };
+        pair(text, one).map(Self)
     }
 }
 
@@ -79,7 +86,7 @@ mod tests {
 
     #[test]
     fn nonsense_is_refused() {
-        for text in ["", "0", "-1", "nan", "inf", "1,2,3", "1;2", "1,"] {
+        for text in ["", "0", "-1", "1e-300", "48;8", "nan", "inf", "1,2,3", "1;2", "1,"] {
             assert!(text.parse::<PitchNm>().is_err(), "{text}");
             assert!(text.parse::<SizePx>().is_err(), "{text}");
         }

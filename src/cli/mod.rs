@@ -1,11 +1,14 @@
 //! The command line: arguments in, exit status out; results on stdout, everything else on stderr.
 
 pub(crate) mod commands;
+pub(crate) mod destination;
 pub(crate) mod directions;
 pub(crate) mod lengths;
 pub(crate) mod options;
 pub(crate) mod output;
 pub(crate) mod progress;
+pub mod surroundings;
+pub(crate) mod terminal;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -23,9 +26,9 @@ use output::Outcome;
 #[command(
     name = "diffraction-atlas",
     version,
-    after_help = "Exit status: 0 done, or nothing to do; 1 done with failures, which are listed; \
-                  2 the call or the manifest is wrong, and nothing was written; 75 worth trying again as it is: \
-                  another run holds the atlas, or the disk is full."
+    after_help = "Exit status: 0 done, or nothing to do, or what was compared is the same; 1 done with failures, which are listed, \
+                  or not done for a file or a limit, or compared and different; 2 the call or the manifest is wrong, \
+                  and nothing was written; 75 worth trying again as it is: another run holds the atlas, or the disk is full."
 )]
 pub(crate) struct Cli {
     /// What holds for every command.
@@ -74,9 +77,12 @@ pub fn main(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let cli = match Cli::try_parse_from(args) {
         Ok(cli) => cli,
         Err(message) => {
-            // clap knows which of its messages are results (--help, --version) and which are errors;
-            // a reader that closed the pipe is nobody's fault.
-            let _ = message.print();
+            // clap knows which of its messages are results (--help, --version), in colours, and which are errors, which hold what
+            // was typed; a reader that closed the pipe is nobody's fault.
+            match message.use_stderr() {
+                true => terminal::say(&message.render().to_string()),
+                false => drop(message.print()),
+            }
             return ExitCode::from(message.exit_code() as u8);
         }
     };
@@ -107,13 +113,12 @@ fn dispatch(cli: &Cli) -> Result<Outcome> {
 
 /// Sizes the pool of threads that all computations share.
 fn set_threads(threads: Option<u16>) -> Result<()> {
-    let Some(threads) = threads else {
-        return Ok(());
-    };
-    rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.into())
-        .build_global()
-        .map_err(|error| Error::limit(format!("cannot start {threads} threads: {error}"), "lower `--threads`"))?;
+    // Made here in any case: where the system allows fewer, the first use of the pool would panic.
+    let count = threads.map_or(0, usize::from);
+    rayon::ThreadPoolBuilder::new().num_threads(count).build_global().map_err(|error| {
+        let what = threads.map_or("a thread per core".into(), |threads| format!("{threads} threads"));
+        Error::limit(format!("cannot start {what}: {error}"), "ask for fewer with `--threads`")
+    })?;
     Ok(())
 }
 

@@ -1,11 +1,12 @@
 //! Output conventions: results on stdout, messages on stderr, exit status 0, 1, 2, or 75.
 
-use std::io::{ErrorKind, Write};
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use serde::Serialize;
 
+use super::terminal;
 use crate::error;
 use diffraction_brdf::atlas;
 use diffraction_brdf::error::{Error, Result};
@@ -15,6 +16,8 @@ use diffraction_brdf::error::{Error, Result};
 pub(crate) enum Outcome {
     /// Everything was done.
     Done,
+    /// What was compared is not the same; the result says how.
+    Different,
     /// The rest was done; what was not is listed, a line each.
     Failures(Vec<String>),
 }
@@ -25,8 +28,11 @@ pub(crate) enum Outcome {
 /// [`Error::Disk`] where stdout cannot be written; a reader that closed the pipe has had enough, which
 /// is no error.
 pub(crate) fn print(text: &str) -> Result<()> {
-    let mut stdout = std::io::stdout().lock();
-    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+    written(terminal::print(text))
+}
+
+fn written(outcome: io::Result<()>) -> Result<()> {
+    match outcome {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(Error::disk(Path::new("standard output"), "write", error))
         }
@@ -42,7 +48,7 @@ pub(crate) fn print_json(value: &impl Serialize) -> Result<()> {
     let mut text = serde_json::to_string_pretty(value)
         .map_err(|error| Error::Call(format!("this result has no form in JSON: {error}")))?;
     text.push('\n');
-    print(&text)
+    written(terminal::print_json(&text))
 }
 
 /// The version's folder that a path means. Where newer versions are damaged, says so on stderr: the answer is an older one.
@@ -52,7 +58,8 @@ pub(crate) fn print_json(value: &impl Serialize) -> Result<()> {
 pub(crate) fn version_folder(path: &Path) -> Result<PathBuf> {
     let found = atlas::resolve(path)?;
     for what in &found.passed_over {
-        eprintln!("warning: a newer version is damaged, {} is taken in its place: {what}", found.folder.display());
+        let folder = found.folder.display();
+        terminal::say(&format!("warning: a newer version is damaged, {folder} is taken in its place: {what}\n"));
     }
     Ok(found.folder)
 }
@@ -60,14 +67,14 @@ pub(crate) fn version_folder(path: &Path) -> Result<PathBuf> {
 /// Reports errors and failures on stderr and gives the exit status.
 pub(crate) fn conclude(outcome: error::Result<Outcome>) -> ExitCode {
     let (text, status) = conclusion(outcome);
-    // Where stderr is closed the exit status still tells.
-    let _ = std::io::stderr().lock().write_all(text.as_bytes());
+    terminal::say(&text);
     ExitCode::from(status)
 }
 
 fn conclusion(outcome: error::Result<Outcome>) -> (String, u8) {
     match outcome {
         Ok(Outcome::Done) => (String::new(), 0),
+        Ok(Outcome::Different) => (String::new(), 1),
         Ok(Outcome::Failures(failures)) => {
             let lines: String = failures.iter().map(|failure| format!("failed: {failure}\n")).collect();
             (format!("{lines}{} failed; the rest is done\n", failures.len()), 1)

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::terminal;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::ground::progress::{Progress, Silent};
 
@@ -132,7 +133,7 @@ impl Progress for Bar {
         self.bar.reset();
         self.bar.set_style(Self::style(total));
         self.bar.set_length(total);
-        self.bar.set_message(name.to_owned());
+        self.bar.set_message(terminal::clean(name).into_owned());
         self.bar.enable_steady_tick(Duration::from_millis(200));
     }
 
@@ -141,7 +142,7 @@ impl Progress for Bar {
     }
 
     fn message(&self, text: &str) {
-        self.bar.suspend(|| eprintln!("{text}"));
+        self.bar.suspend(|| terminal::say(&format!("{text}\n")));
     }
 
     fn finish(&self) {
@@ -149,7 +150,7 @@ impl Progress for Bar {
             self.bar.disable_steady_tick();
             self.bar.finish_and_clear();
             if let Some(line) = stage.summary(LINE_WORTH) {
-                eprintln!("{line}");
+                terminal::say(&format!("{line}\n"));
             }
         }
     }
@@ -172,7 +173,7 @@ impl<W: Write> Lines<W> {
     fn line(&self, text: &str) {
         let mut out = self.out.lock().unwrap_or_else(PoisonError::into_inner);
         // Progress that cannot be shown must not stop the work.
-        let _ = writeln!(out, "{text}");
+        let _ = writeln!(out, "{}", terminal::clean(text));
     }
 }
 

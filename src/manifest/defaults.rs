@@ -27,6 +27,8 @@ pub(crate) const MAX_MISSING_SHARE: f64 = 0.05;
 pub(crate) const ACCEPTANCE_DEG: f64 = 0.0;
 /// `measured.bandwidth_nm`: a single wavelength.
 pub(crate) const BANDWIDTH_NM: f64 = 0.0;
+/// `measured.white_reflectance`: values relative to what reflects all light.
+pub(crate) const WHITE_REFLECTANCE: f64 = 1.0;
 /// `height.offset_nm`, beside `nm_per_count`.
 pub(crate) const OFFSET_NM: f64 = 0.0;
 /// `[[scene]] size_px`.

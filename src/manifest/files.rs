@@ -6,8 +6,13 @@ use std::path::{Component, Path, PathBuf};
 
 use glob::{MatchOptions, Pattern};
 
+use super::keys;
+
 /// Most files that one pattern may match: far beyond any specimen, and a bound on memory.
 pub(crate) const MATCHES_MAX: usize = 100_000;
+
+/// Most names among which a like one is looked for.
+const NAMES_MAX: usize = 10_000;
 
 /// As in a shell: hidden files must be asked for.
 const LIKE_A_SHELL: MatchOptions =
@@ -34,6 +39,10 @@ pub(crate) fn expand(base: &Path, pattern: &str) -> io::Result<Vec<PathBuf>> {
         let mut next = BTreeSet::new();
         for folder in &found {
             match &wild {
+                // A folder whose own name holds brackets is meant as it is written.
+                Some(_) if folder.join(name).is_dir() => {
+                    next.insert(folder.join(name));
+                }
                 Some(pattern) => add_matches(folder, pattern, &mut next)?,
                 None => {
                     next.insert(folder.join(name));
@@ -79,7 +88,54 @@ fn add_matches(folder: &Path, pattern: &Pattern, found: &mut BTreeSet<PathBuf>) 
 /// What is wrong with a path that should name a file and does not, for a message about its key; a folder is there, but no file.
 pub(crate) fn no_file(place: &Path) -> String {
     let what = if place.is_dir() { "a folder where a file is expected" } else { "a file that does not exist" };
-    format!("names {what}: {}", place.display())
+    format!("names {what}: {}{}", place.display(), hint(place))
+}
+
+/// What is wrong with a pattern that matches nothing, and what may be meant.
+pub(crate) fn no_match(base: &Path, pattern: &str) -> String {
+    let place = base.join(pattern);
+    let mut hint = hint(&place);
+    let folder = place.parent().unwrap_or(Path::new(""));
+    let name = place.file_name().unwrap_or_default().to_string_lossy();
+    let in_any_case = MatchOptions { case_sensitive: false, ..LIKE_A_SHELL };
+    let like = names_in(folder).into_iter().find(|known| compiled(&name).matches_with(known, in_any_case));
+    if let Some(known) = like {
+        hint = format!("; names keep their case, and `{known}` is there");
+    } else if pattern.contains('[') {
+        hint += "; brackets stand for one of the characters between them, `[[]` for a bracket";
+    }
+    format!("matches no file: {}{hint}", place.display())
+}
+
+/// What may be meant by a path that is not there: `~`, another folder, or a name like it.
+fn hint(place: &Path) -> String {
+    if place.components().any(|part| part.as_os_str() == "~") {
+        return "; `~` is a shell's word for the home folder: write the whole path".into();
+    }
+    if place.exists() {
+        return String::new();
+    }
+    let is_there = |folder: &&Path| folder.as_os_str().is_empty() || folder.is_dir();
+    let folder = place.parent().unwrap_or(Path::new(""));
+    if !is_there(&folder) && !has_wildcard(&folder.to_string_lossy()) {
+        let above = folder.ancestors().find(is_there).unwrap_or(Path::new(""));
+        let missing = folder.strip_prefix(above).ok().and_then(|rest| rest.components().next());
+        return missing.map_or(String::new(), |part| format!("; there is no folder {}", above.join(part).display()));
+    }
+    let names = names_in(folder);
+    let known: Vec<&str> = names.iter().map(String::as_str).collect();
+    let name = place.file_name().unwrap_or_default().to_string_lossy();
+    keys::nearest(&name, &known).map_or(String::new(), |near| format!("; did you mean `{near}`?"))
+}
+
+/// Names of the files and folders in a folder, sorted; some of them where there are very many.
+fn names_in(folder: &Path) -> Vec<String> {
+    let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let Ok(entries) = std::fs::read_dir(here) else { return Vec::new() };
+    let named = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let mut names: Vec<String> = named.take(NAMES_MAX).collect();
+    names.sort();
+    names
 }
 
 /// A pattern for one component of a path. A bracket that is not closed is a character like any other, and `**` is `*`.
@@ -164,5 +220,36 @@ mod tests {
         assert!(names("s*").is_empty(), "folders are not files");
         assert!(names("nowhere/*.tif").is_empty());
         assert!(names("s1/a.tif/*").is_empty());
+    }
+
+    #[test]
+    fn what_may_be_meant_is_said() {
+        let folder = tempfile::tempdir().unwrap();
+        let base = folder.path();
+        std::fs::create_dir_all(base.join("[lab] scans")).unwrap();
+        for name in ["snake_1.TIF", "beetle.tif", "[lab] scans/a.tif"] {
+            std::fs::write(base.join(name), "").unwrap();
+        }
+        for (name, expected) in [
+            ("beetel.tif", "did you mean `beetle.tif`?"),
+            ("scan/beetle.tif", "there is no folder"),
+            ("~/beetle.tif", "`~` is a shell's word"),
+            ("[lab] scans", "a folder where a file is expected"),
+        ] {
+            let message = no_file(&base.join(name));
+            assert!(message.contains(expected), "{message}");
+        }
+        for (pattern, expected) in [
+            ("*.tif", ""),
+            ("snake_*.tif", "`snake_1.TIF` is there"),
+            ("~/*.tif", "`~`"),
+            ("[ab]x.tif", "`[[]` for a bracket"),
+            ("nowhere/*.tif", "there is no folder"),
+        ] {
+            let message = no_match(base, pattern);
+            assert!(message.contains(expected), "{message}");
+        }
+        // A folder whose name holds brackets is found as it is written.
+        assert_eq!(expand(base, "[lab] scans/*.tif").unwrap().len(), 1);
     }
 }

@@ -80,7 +80,21 @@ pub const SPECIMEN: Keys = Keys {
 };
 
 /// Measured reflectance to compare with.
-pub(crate) const MEASURED: Keys = Keys { table: "measured", names: &["file", "acceptance_deg", "bandwidth_nm"] };
+pub(crate) const MEASURED: Keys = Keys {
+    table: "measured",
+    names: &[
+        "file",
+        "acceptance_deg",
+        "bandwidth_nm",
+        "theta_i_deg",
+        "phi_i_deg",
+        "theta_r_deg",
+        "phi_r_deg",
+        "kind",
+        "white_reflectance",
+        "column",
+    ],
+};
 
 /// What the stored numbers of a scan mean.
 pub(crate) const HEIGHT: Keys =

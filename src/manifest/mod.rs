@@ -8,8 +8,10 @@ pub mod convert;
 mod defaults;
 mod files;
 pub(crate) mod illuminant;
+pub(crate) mod inputs;
 pub mod keys;
 mod material;
+mod measured;
 mod mesh;
 mod model;
 mod name;
@@ -170,8 +172,31 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
 
 fn syntax_error(source: &Source, error: &toml::de::Error) -> error::Error {
     let end = source.text.len();
-    let message = format!("not valid TOML: {}", error.message().trim_end());
-    source.error(error.span().unwrap_or(end..end), message)
+    let span = error.span().unwrap_or(end..end);
+    let hint = syntax_hint(source.text, span.start);
+    source.error(span, format!("not valid TOML: {}{hint}", error.message().trim_end()))
+}
+
+/// What is likely meant at a place that is not TOML: a path with backslashes in double quotes, or a decimal comma.
+fn syntax_hint(text: &str, at: usize) -> &'static str {
+    let bytes = text.as_bytes();
+    let at = at.min(bytes.len());
+    let start = bytes[..at].iter().rposition(|&byte| byte == b'\n').map_or(0, |before| before + 1);
+    let end = bytes[at..].iter().position(|&byte| byte == b'\n').map_or(bytes.len(), |after| at + after);
+    let line = &bytes[start..end];
+    if line.contains(&b'\\') && line.contains(&b'"') {
+        return "; write paths with forward slashes, or between single quotes, where a backslash is one";
+    }
+    let is_digit = |index: usize| line.get(index).is_some_and(u8::is_ascii_digit);
+    // The parser stops at the comma, where it expects the line to end.
+    let near = (at - start).saturating_sub(1)..=at - start + 1;
+    if near
+        .into_iter()
+        .any(|index| index > 0 && line.get(index) == Some(&b',') && is_digit(index - 1) && is_digit(index + 1))
+    {
+        return "; numbers have a decimal point, not a comma";
+    }
+    ""
 }
 
 /// Refuses a version that is not this program's; a missing one is seen to later.

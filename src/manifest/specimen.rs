@@ -6,27 +6,22 @@ use std::path::{Path, PathBuf};
 use super::defaults;
 use super::files;
 use super::keys;
+use super::measured;
 use super::name;
 use super::optics;
 use super::reader::{Item, Section};
 use crate::error::Result;
 use crate::stages::config::SpecimenConfig;
-use crate::stages::measured::MeasuredConfig;
+use diffraction_build::height::PITCH_NM;
 use diffraction_build::height::prepare::{Despike, Level, PrepareConfig};
 use diffraction_build::height::read::{HeightScale, LengthUnit, ReadConfig};
 use diffraction_build::optics::config::{Material, OpticsConfig};
 
-/// Largest lateral length and pitch: 1 mm, beyond any structure that diffracts visibly.
+/// Largest lateral length: 1 mm, beyond any structure that diffracts visibly.
 const LATERAL_MAX_NM: f64 = 1e6;
 
 /// Largest height: 1 mm.
 const HEIGHT_MAX_NM: f64 = 1e6;
-
-/// Widest cone of a detector.
-const ACCEPTANCE_MAX_DEG: f64 = 60.0;
-
-/// Widest slit: half of the shortest wavelength remains at its foot.
-const BANDWIDTH_MAX_NM: f64 = 100.0;
 
 /// Most samples along a side.
 const SAMPLES_MAX: usize = 1 << 20;
@@ -136,7 +131,7 @@ fn read(section: &Section, name: String, common: Common) -> Result<SpecimenConfi
         is_material_given: is_material_given || section.has("material"),
         albedo: section.get("albedo").map(|item| albedo(&item, &optics)).transpose()?,
         optics,
-        measured: section.get("measured").map(|item| measured(&item, base)).transpose()?,
+        measured: section.get("measured").map(|item| measured::read(&item, base)).transpose()?,
     })
 }
 
@@ -171,11 +166,9 @@ fn scans(item: &Item, base: &Path) -> Result<Vec<PathBuf>> {
         let found = files::expand(base, pattern)
             .map_err(|error| item.error(format!("\"{pattern}\" cannot be looked up: {error}")))?;
         if found.is_empty() {
-            let place = base.join(pattern);
-            return Err(item.error(if files::has_wildcard(pattern) {
-                format!("matches no file: {}", place.display())
-            } else {
-                files::no_file(&place)
+            return Err(item.error(match files::has_wildcard(pattern) {
+                true => files::no_match(base, pattern),
+                false => files::no_file(&base.join(pattern)),
             }));
         }
         scans.extend(found);
@@ -190,37 +183,6 @@ fn scans(item: &Item, base: &Path) -> Result<Vec<PathBuf>> {
     Ok(scans)
 }
 
-/// A CSV file, alone or with what the instrument averages over.
-fn measured(item: &Item, base: &Path) -> Result<MeasuredConfig> {
-    let mut measured = MeasuredConfig {
-        file: PathBuf::new(),
-        acceptance_deg: defaults::ACCEPTANCE_DEG,
-        bandwidth_nm: defaults::BANDWIDTH_NM,
-    };
-    if !item.is_table() {
-        measured.file = existing(item, base)?;
-        return Ok(measured);
-    }
-    let example = "{ file = \"reflectance.csv\", acceptance_deg = 1.0 }";
-    let section = item.section(&keys::MEASURED, example)?;
-    measured.file = existing(&section.require("file", example)?, base)?;
-    if let Some(item) = section.get("acceptance_deg") {
-        measured.acceptance_deg = item.number_within(0.0, ACCEPTANCE_MAX_DEG, "degrees")?;
-    }
-    if let Some(item) = section.get("bandwidth_nm") {
-        measured.bandwidth_nm = item.number_within(0.0, BANDWIDTH_MAX_NM, "nm")?;
-    }
-    Ok(measured)
-}
-
-fn existing(item: &Item, base: &Path) -> Result<PathBuf> {
-    let path = base.join(item.text_not_empty()?);
-    if !path.is_file() {
-        return Err(item.error(files::no_file(&path)));
-    }
-    Ok(path)
-}
-
 /// First column, first row, width, height.
 fn crop(item: &Item) -> Result<[usize; 4]> {
     let [x, y, width, height] =
@@ -232,10 +194,10 @@ fn crop(item: &Item) -> Result<[usize; 4]> {
 
 fn pitch(item: &Item) -> Result<[f64; 2]> {
     if !item.is_list() {
-        return item.number_above(0.0, LATERAL_MAX_NM, "nm").map(|pitch| [pitch; 2]);
+        return item.number_within(PITCH_NM[0], PITCH_NM[1], "nm").map(|pitch| [pitch; 2]);
     }
     let [x, y] = item.list_of::<2>("a number of nm, or two for x and y")?;
-    Ok([x.number_above(0.0, LATERAL_MAX_NM, "nm")?, y.number_above(0.0, LATERAL_MAX_NM, "nm")?])
+    Ok([x.number_within(PITCH_NM[0], PITCH_NM[1], "nm")?, y.number_within(PITCH_NM[0], PITCH_NM[1], "nm")?])
 }
 
 fn height(item: &Item) -> Result<HeightScale> {

@@ -3,7 +3,7 @@
 use crate::report::axes::{Axis, level_lines, marks_below, polyline, ticks_in_powers, title_below};
 use crate::report::numbers;
 use crate::report::svg::{at, escape};
-use crate::stages::measured::read::Kind;
+use crate::stages::measured::kind::Kind;
 use crate::stages::measured::{CurveResult, MeasuredColumn, MeasuredResult, PeakPair};
 
 /// Most curves that are drawn per column; figures of all stand in `report.json`.
@@ -98,12 +98,18 @@ fn figures(columns: &[MeasuredColumn]) -> String {
     )
 }
 
+/// Fewest pairs of peaks of which a median is told: of one or two it is chance.
+const SHIFTS_MIN: usize = 3;
+
 /// Median of model minus measured over the peaks of all spectra, or of all scans, with its unit.
 fn shift(column: &MeasuredColumn, spectra: bool) -> String {
     let curves = column.curves.iter().filter(|curve| is_spectrum(curve) == spectra);
     let mut shifts: Vec<f64> = curves.flat_map(|curve| &curve.peaks).map(|peak| peak.model - peak.measured).collect();
-    if shifts.is_empty() {
-        return numbers::MISSING.into();
+    if shifts.len() < SHIFTS_MIN {
+        return match shifts.len() {
+            0 => numbers::MISSING.into(),
+            count => format!("{} ({count} of {SHIFTS_MIN} pairs)", numbers::MISSING),
+        };
     }
     shifts.sort_by(f64::total_cmp);
     let middle = 0.5 * (shifts[(shifts.len() - 1) / 2] + shifts[shifts.len() / 2]);
@@ -139,12 +145,13 @@ fn curves(column: &MeasuredColumn) -> String {
                 numbers::percent(curve.relative_l2),
                 numbers::number(curve.correlation, 4)
             );
-            format!("<figure>{}<figcaption>{caption}</figcaption></figure>", plot(curve, &column.name))
+            format!("<figure>{}<figcaption>{caption}</figcaption></figure>", plot(curve, column))
         })
         .collect();
     let of = if shown < all.len() { format!("{shown} of {} curves", all.len()) } else { String::new() };
     format!(
-        "<p class=\"meta\"><b>{}</b>: circles measured, line model{}, dashed where a peak is that both have. {of}</p><div class=\"pair\">{figures}</div>",
+        "<p class=\"meta\"><b>{}</b>: circles measured, line model{}; dashed, upright: a measured peak that has one in the model. \
+         {of}</p><div class=\"pair\">{figures}</div>",
         escape(&column.name),
         if column.kind.is_relative() { " with the fitted factor" } else { "" }
     )
@@ -178,9 +185,9 @@ fn axis_title(along: &str) -> &'static str {
 }
 
 /// Measured samples as circles over the model's line.
-fn plot(curve: &CurveResult, label: &str) -> String {
+fn plot(curve: &CurveResult, column: &MeasuredColumn) -> String {
     const LEFT: f64 = 52.0;
-    const TOP: f64 = 8.0;
+    const TOP: f64 = 24.0;
     let span = WIDTH - LEFT - 10.0;
     let values = || curve.measured.iter().chain(&curve.model).copied();
     let high = values().fold(0.0, f64::max) * 1.05;
@@ -194,7 +201,9 @@ fn plot(curve: &CurveResult, label: &str) -> String {
     let title = axis_title(&curve.along);
     let mut body = level_lines(&y, &in_units, across, "grid");
     body += &marks_below(&x, &x.ticks(6), bottom);
-    body += &title_below(&format!("{title}{factor}"), across, bottom);
+    body += &title_below(title, across, bottom);
+    let what = format!("{}{factor}", kind_text(column.kind));
+    body += &format!(r#"<text x="0" y="12">{}</text>"#, escape(&what));
     for PeakPair { measured, .. } in &curve.peaks {
         body += &format!(r#"<path class="limit" d="M{} {}v{HEIGHT}"/>"#, at(x.at(*measured)), at(TOP));
     }
@@ -210,7 +219,7 @@ fn plot(curve: &CurveResult, label: &str) -> String {
     format!(
         r#"<svg class="plot" viewBox="0 0 {WIDTH} {}" role="img" aria-label="{}">{body}</svg>"#,
         at(TOP + HEIGHT + 40.0),
-        escape(&format!("{label}, measured and model, against {title}"))
+        escape(&format!("{}, measured and model, against {title}", column.name))
     )
 }
 
@@ -225,21 +234,31 @@ fn peaks(column: &MeasuredColumn) -> String {
         let (decimals, unit) = if is_spectrum(curve) { (1, "\u{a0}nm") } else { (2, "°") };
         let text = |value: f64, decimals: usize| format!("{}{unit}", fixed(value, decimals));
         format!(
-            "<tr><td class=\"l\">{}</td><td class=\"l\">{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            "<tr><td class=\"l\">{}</td><td class=\"l\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
             escape(&place(curve)),
             axis_title(&curve.along),
             text(peak.measured, decimals),
             text(peak.model, decimals),
             text(peak.model - peak.measured, decimals + 1),
+            peak.prominence.map(|share| fixed(100.0 * share, 0)).join(" / "),
         )
     };
     let rows: String = all.iter().take(PEAKS_MAX).map(row).collect();
     let counts = column.curves.iter().fold([0; 2], |sum, curve| [0, 1].map(|side| sum[side] + curve.peak_counts[side]));
     let rest = if all.len() > PEAKS_MAX { format!(" The first {PEAKS_MAX} are listed.") } else { String::new() };
+    let widest = column.curves.iter().map(|curve| curve.smoothing).fold(0.0, f64::max);
+    let smoothing = match widest > 0.0 {
+        true => format!(
+            "Both are smoothed alike for it, by the slit or the cone and as far as the noise asks for it: by up to {} nm or degrees at \
+             half height.",
+            numbers::round_number(widest, 3)
+        ),
+        false => String::new(),
+    };
     format!(
-        "<p>Peaks of {}: {} measured, {} in the model, {} belong together.{rest}</p>\
+        "<p>Peaks of {}: {} measured, {} in the model, {} belong together.{rest} {smoothing}</p>\
          <div class=\"scroll\"><table><thead><tr><th class=\"l\">geometry</th><th class=\"l\">peak in</th><th>measured</th>\
-         <th>model</th><th>difference</th></tr></thead><tbody>{rows}</tbody></table></div>",
+         <th>model</th><th>difference</th><th>stand out by,<br/>% of the range</th></tr></thead><tbody>{rows}</tbody></table></div>",
         escape(&column.name),
         counts[0],
         counts[1],
@@ -261,8 +280,9 @@ mod tests {
             model: vec![0.0, 1.5, 2.5, 1.0, 0.0],
             relative_l2: 0.2,
             correlation: f64::NAN,
-            peak_counts: [1, 1],
-            peaks: vec![PeakPair { measured: 520.0, model: 520.0 + shift }],
+            peak_counts: [3, 3],
+            smoothing: 2.0,
+            peaks: vec![PeakPair { measured: 520.0, model: 520.0 + shift, prominence: [1.0, 0.9] }; 3],
         }
     }
 
@@ -293,6 +313,14 @@ mod tests {
         roxmltree::Document::parse(&format!("<div>{html}</div>")).unwrap();
         assert!(!html.contains("NaN") && !html.contains("inf") && !html.contains("<x>") && !html.contains("<b>.csv"));
         assert!(html.contains("−1.50\u{a0}nm") && html.contains("0.250°"), "{html}");
+    }
+
+    #[test]
+    fn a_median_of_two_is_none() {
+        let mut single = curve("wavelength_nm", -1.5);
+        single.peaks.truncate(2);
+        let html = section(&result(vec![single]));
+        assert!(html.contains("(2 of 3 pairs)") && html.contains("dashed, upright"), "{html}");
     }
 
     #[test]

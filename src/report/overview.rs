@@ -35,7 +35,7 @@ pub(crate) fn state(specimen: &SpecimenResult) -> State {
 }
 
 /// Class of the colour of a specimen's state, and its word.
-fn colour(state: State) -> [&'static str; 2] {
+fn tone_and_word(state: State) -> [&'static str; 2] {
     match state {
         State::Failed => ["red", "failed"],
         State::Bad => ["red", "not good"],
@@ -49,7 +49,7 @@ pub(crate) fn verdict(specimen: &SpecimenResult) -> Option<[String; 2]> {
     let sentence = &specimen.verdict.as_ref()?.sentence;
     let mut letters = sentence.chars();
     let first = letters.next()?.to_uppercase();
-    Some([colour(state(specimen))[0].into(), first.chain(letters).collect()])
+    Some([tone_and_word(state(specimen))[0].into(), first.chain(letters).collect()])
 }
 
 /// How many specimens there are, and how many of each state but the good ones.
@@ -59,7 +59,7 @@ pub(crate) fn counted(specimens: &[SpecimenResult]) -> String {
         1 => "1 specimen".to_owned(),
         count => format!("{} specimens", numbers::count(count as u64)),
     };
-    let counts = [State::Failed, State::Bad, State::Warned].map(|state| (of(state), colour(state)[1]));
+    let counts = [State::Failed, State::Bad, State::Warned].map(|state| (of(state), tone_and_word(state)[1]));
     let named: Vec<String> = counts
         .into_iter()
         .filter(|(count, _)| *count > 0)
@@ -101,8 +101,8 @@ pub(crate) fn row(anchor: &str, specimen: &SpecimenResult, preview: Option<Strin
         name => &specimen.name,
         species => specimen.species.clone().unwrap_or_default(),
         generated => specimen.generated,
-        tone => colour(state(specimen))[0],
-        word => colour(state(specimen))[1],
+        tone => tone_and_word(state(specimen))[0],
+        word => tone_and_word(state(specimen))[1],
         state => state(specimen) as usize,
         reason => reason.map(|words| Value::from_safe_string(prose(&first_words(words)))).unwrap_or_default(),
         thumb => preview.map_or_else(|| Value::from(dash()), Value::from_safe_string),

@@ -12,6 +12,7 @@ use super::study_plots::{
 };
 use super::style::STYLE;
 use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::files::{create_folder, replace};
 use diffraction_render::render::png_image::encode_png;
 use diffraction_study::stability::{Stability, StabilityCase, Verdict};
 use diffraction_study::study::{PURPOSES, SpecimenStudy, Study};
@@ -135,12 +136,8 @@ fn strip(specimen: &SpecimenStudy) -> Result<Vec<Shown>> {
 /// Those of [`study_files`], and `Error::Disk`.
 pub(crate) fn write_study(folder: &Path, study: &Study, stability: &Stability) -> Result<()> {
     let files = study_files(study, stability)?;
-    std::fs::create_dir_all(folder).map_err(|source| Error::disk(folder, "create the folder", source))?;
-    for (name, bytes) in files {
-        let path = folder.join(name);
-        std::fs::write(&path, bytes).map_err(|source| Error::disk(&path, "write", source))?;
-    }
-    Ok(())
+    create_folder(folder)?;
+    files.iter().try_for_each(|(name, bytes)| replace(&folder.join(name), bytes))
 }
 
 /// One line of the table of stability cases.

@@ -4,7 +4,7 @@ use std::fs;
 
 use diffraction_brdf::atlas;
 
-use crate::place::{Place, contents, usual};
+use crate::place::{HEAD, LASERS, Place, ROUGH, contents, usual};
 
 #[test]
 fn one_changed_byte_in_any_file_is_found_and_named() {
@@ -60,13 +60,23 @@ fn files_missing_added_and_cut_short_are_named() {
 fn a_scan_that_was_exchanged_is_named() {
     let place = Place::with_scans();
     place.publish(&usual());
+    place.publish(&usual().replace("n = 1.5", "n = 1.6"));
     fs::copy(place.path("bumps.tif"), place.path("rough.tif")).unwrap();
-    place.call("verify out/small").ended(0);
-    let verified = place.call("verify out/small --manifest m.toml").ended(1);
-    assert_eq!(
-        verified.stderr,
-        "failed: rough: rough.tif is not the file that the tables were made from\n1 failed; the rest is done\n"
-    );
+    // Each version has its own manifest, so that older ones are held against their scans too.
+    for version in ["", "/v0001"] {
+        let verified = place.call(&format!("verify out/small{version}")).ended(1);
+        assert_eq!(
+            verified.stderr,
+            "failed: rough: rough.tif is not the file that the tables were made from\n1 failed; the rest is done\n"
+        );
+    }
+    // From elsewhere the scans are not found, and that is said.
+    let elsewhere = Place::empty();
+    let atlas = place.path("out/small").display().to_string();
+    let verified = elsewhere.call(&format!("verify {atlas}")).ended(0);
+    assert!(verified.stdout.contains("not evaluated against the scans: "), "{}", verified.stdout);
+    let manifest = place.path("m.toml").display().to_string();
+    elsewhere.call(&format!("verify {atlas} --manifest {manifest}")).ended(1);
 }
 
 #[test]
@@ -84,7 +94,11 @@ fn tables_that_are_wrong_though_every_digest_fits_are_found_by_their_values() {
     atlas::write_index(&folder, &mut index).unwrap();
 
     let verified = place.call("verify out/small --manifest m.toml").ended(1);
-    for failure in ["rough: stored check values differ", "rough: whole hemisphere: errors against the scans"] {
+    for failure in [
+        "rough: stored check values differ",
+        "rough: whole hemisphere: errors at the recorded directions",
+        "rough: whole hemisphere: errors against the scans",
+    ] {
         assert!(verified.stderr.contains(&format!("failed: {failure}")), "{failure}: {}", verified.stderr);
     }
     assert!(!verified.stderr.contains("wave"), "{}", verified.stderr);
@@ -140,4 +154,80 @@ fn an_older_version_that_answers_says_so() {
         "{}",
         refused.stderr
     );
+}
+
+#[test]
+fn what_lies_beside_the_versions_is_looked_at() {
+    let place = Place::with_scans();
+    place.publish(&[HEAD, LASERS, ROUGH].concat());
+    let root = place.path("out/small");
+    let failed = |expected: &str| {
+        let verified = place.call("verify out/small --samples 0").ended(1);
+        assert!(verified.stderr.contains(&format!("failed: {expected}")), "{}", verified.stderr);
+        // The version itself is whole.
+        place.call("verify out/small/v0001 --samples 0").ended(0);
+    };
+    place.call("verify out/small --samples 0").ended(0);
+    fs::remove_file(root.join("latest")).unwrap();
+    failed("latest: it is missing");
+    fs::write(root.join("latest"), "../../etc\n").unwrap();
+    failed("latest: it names `../../etc`, the newest version is v0001");
+    fs::write(root.join("latest"), "v0001\n").unwrap();
+    fs::create_dir(root.join("v18446744073709551615")).unwrap();
+    failed("v18446744073709551615: it is no part of the atlas");
+    // Its number is no version's, so that there is a next one.
+    place.publish(&[HEAD, LASERS, &ROUGH.replace("1.5", "1.6")].concat());
+    assert_eq!(place.latest(), "v0002");
+    fs::remove_dir(root.join("v18446744073709551615")).unwrap();
+    fs::create_dir(root.join("v0002/rough/empty")).unwrap();
+    let verified = place.call("verify out/small --samples 0").ended(1);
+    assert!(verified.stderr.contains("failed: rough/empty: "), "{}", verified.stderr);
+}
+
+/// A version whose specimen.json was changed by someone who knows how to seal it again.
+fn forge(place: &Place, change: impl Fn(&mut serde_json::Value)) {
+    let folder = place.path("out/small/v0001");
+    let mut specimen = place.json("out/small/v0001/rough/specimen.json");
+    change(&mut specimen);
+    fs::write(folder.join("rough/specimen.json"), serde_json::to_string_pretty(&specimen).unwrap() + "\n").unwrap();
+    let mut index = atlas::read_index(&folder).unwrap();
+    index.files = atlas::record_files(&folder).unwrap();
+    atlas::write_index(&folder, &mut index).unwrap();
+}
+
+#[test]
+fn forged_specimens_are_refused_and_never_give_values_that_are_none() {
+    let place = Place::with_scans();
+    place.publish(&[HEAD, LASERS, ROUGH].concat());
+    place.write("d.csv", "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n10,0,20,170\n");
+    let sound = place.json("out/small/v0001/rough/specimen.json");
+    let eval = "eval --directions d.csv --atlas out/small --specimen rough";
+    let lines = [
+        eval.to_owned(),
+        format!("{eval} --wavelengths-nm 500"),
+        "export out/small --form shaders --out shaders".into(),
+        "export out/small --form float-tables --out floats".into(),
+        "verify out/small".into(),
+    ];
+    let refused = |what: &str| {
+        for line in &lines {
+            let called = place.call(line).ended(1);
+            assert!(
+                called.stderr.contains("specimen.json") && !called.stderr.contains("panicked"),
+                "{what}, {line}: {}",
+                called.stderr
+            );
+            assert!(!called.stdout.to_lowercase().contains("nan"), "{what}, {line}: {}", called.stdout);
+        }
+        forge(&place, |specimen| *specimen = sound.clone());
+    };
+    for n in [0.0, 1e308, 1e-200] {
+        forge(&place, |specimen| specimen["optics"]["material"]["dielectric"]["n"] = n.into());
+        refused(&format!("n = {n}"));
+    }
+    forge(&place, |specimen| specimen["tables"]["tables"] = serde_json::json!([]));
+    for line in [&lines[0], &lines[2], &lines[3]] {
+        let called = place.call(line).ended(1);
+        assert!(called.stderr.contains("it holds no table"), "{line}: {}", called.stderr);
+    }
 }

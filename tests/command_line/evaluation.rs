@@ -135,7 +135,7 @@ fn wavelengths_are_evaluated_one_by_one() {
     let green = LASERS.replace("[633, 532, 450]", "[532]");
     place.write("m.toml", &[HEAD, &green, ROUGH].concat());
     place.write("d.csv", &directions(10));
-    let line = "eval --directions d.csv --method reference --manifest m.toml --specimen rough";
+    let line = "eval --directions d.csv --method direct-sum --manifest m.toml --specimen rough";
     let spectral = place.call(&format!("{line} --wavelengths-nm 532,633.5")).ended(0);
     assert_eq!(spectral.stdout.lines().next().unwrap(), format!("{COLUMNS},f_532_nm,f_633.5_nm"));
     let xyz = place.call(line).ended(0);
@@ -148,6 +148,48 @@ fn wavelengths_are_evaluated_one_by_one() {
     let stored = std::fs::read_to_string(place.path("f.csv")).unwrap();
     assert_eq!(values(&stored), values(&spectral.stdout).iter().map(|row| vec![row[0]]).collect::<Vec<_>>());
     assert_eq!(place.call(&format!("{line} --wavelengths-nm 532,-1")).status, 2);
+    // By the transforms, which is what is meant where nothing else is said: the same but for their interpolation.
+    let fast = line.replace("direct-sum", "reference");
+    for more in ["", "--wavelengths-nm 532,633.5"] {
+        let [exact, found] =
+            [line, &fast].map(|line| values(&place.call(&format!("{line} {more}")).ended(0).stdout).concat());
+        let largest = exact.iter().copied().fold(0.0, f64::max);
+        let worst = found.iter().zip(&exact).map(|(a, b)| (a - b).abs() / largest).fold(0.0, f64::max);
+        assert!(worst > 0.0 && worst < 1e-6, "{more}: {worst:e}");
+    }
+}
+
+/// What `eval` writes of single wavelengths is a measured file, and other forms hold the same numbers.
+#[test]
+fn values_have_the_forms_that_others_read() {
+    let place = Place::with_scans();
+    place.publish(&[HEAD, LASERS, ROUGH].concat());
+    let angles = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg";
+    place.write("d.csv", &format!("{angles},operator\n10,0,25,180\n"));
+    let tables = "eval --directions d.csv --atlas out/small --specimen rough";
+    let nm: Vec<String> = (0..20).map(|i| (450 + 5 * i).to_string()).collect();
+    let long = place.call(&format!("{tables} --wavelengths-nm {} --long --out long.csv", nm.join(","))).ended(0);
+    assert!(long.stderr.contains("not used: `operator`"), "{}", long.stderr);
+    place.publish(&[HEAD, LASERS, ROUGH, "measured = \"long.csv\"\n"].concat());
+    let report = place.json("out/small/v0002/report.json");
+    let column = &report["specimens"][0]["measured"]["columns"][0];
+    assert_eq!((column["name"].as_str(), column["values"].as_u64()), (Some("brdf_per_sr"), Some(20)));
+    assert!(column["relative_l2"].as_f64().unwrap() < 1e-8, "{column}");
+
+    let colour = place.call(&format!("{tables} --colour --quiet")).ended(0);
+    assert_eq!(colour.stderr, "");
+    let names = "X,Y,Z,sRGB_R,sRGB_G,sRGB_B,x,y,dominant_nm";
+    assert_eq!(colour.stdout.lines().next().unwrap(), format!("{angles},{names}"));
+    let [x, y, z, r, g, b, cx, cy, _] = values(&colour.stdout)[0][..] else { panic!("nine values") };
+    assert!((cx - x / (x + y + z)).abs() < 1e-8 && (cy - y / (x + y + z)).abs() < 1e-8);
+    assert!([r, g, b].iter().all(|c| (0.0..=1.0).contains(c)));
+
+    place.call(&format!("{tables} --npy --out v.npy")).ended(0);
+    let bytes = std::fs::read(place.path("v.npy")).unwrap();
+    let last = f64::from_le_bytes(bytes[bytes.len() - 8..].try_into().unwrap());
+    assert!((last - z).abs() <= 1e-9 * z, "{last} {z}");
+    assert_eq!(place.call(&format!("{tables} --npy")).status, 2, "NumPy's form needs a file");
+    assert_eq!(place.call(&format!("{tables} --long")).status, 2, "a row for each of no wavelengths");
 }
 
 /// One atlas answers for wavelengths and lights that its manifest did not name.
@@ -247,8 +289,8 @@ fn polarised_values_add_up_to_the_unpolarised_ones() {
     place.write("d.csv", &(directions(10) + "40,10,40,190\n57.3,0,57,180.5\n"));
     for line in [
         "--atlas out/small",
-        "--method reference --manifest m.toml",
-        "--method reference --manifest m.toml --wavelengths-nm 450,633",
+        "--method direct-sum --manifest m.toml",
+        "--method direct-sum --manifest m.toml --wavelengths-nm 450,633",
     ] {
         let line = format!("eval --directions d.csv --specimen rough {line}");
         let (plain, kept) = (place.call(&line).ended(0), place.call(&format!("{line} --polarised")).ended(0));

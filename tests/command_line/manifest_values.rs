@@ -115,7 +115,10 @@ fn every_key_of_the_example_arrives() {
     assert_eq!(integers.read.max_missing_share, 0.01);
     assert_eq!((integers.read.missing_value, integers.read.crop), (Some(-9999.0), Some([0, 0, 512, 400])));
     let file = folder.path().join("measured.csv");
-    assert_eq!(integers.measured, Some(MeasuredConfig { file, acceptance_deg: 1.5, bandwidth_nm: 2.0 }));
+    assert_eq!(integers.measured, Some(MeasuredConfig { file, acceptance_deg: 1.5, bandwidth_nm: 2.0, export: None }));
+    let export = floats.measured.as_ref().and_then(|measured| measured.export.as_ref()).unwrap();
+    assert_eq!((export.angles_deg, export.percent), ([0.0, 0.0, 30.0, 0.0], true));
+    assert_eq!((export.white_reflectance, export.column.as_deref()), (0.98, Some("2")));
     // Its own sigma and windows, but the edge of `[optics]`.
     let optics = &integers.optics;
     assert_eq!((optics.sigma_nm, optics.edge, optics.windows), (3000.0, Edge::Fade, Windows::Grid));

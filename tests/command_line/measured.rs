@@ -53,12 +53,55 @@ fn figures_stand_in_the_report_and_a_changed_file_publishes_anew() {
 }
 
 #[test]
-fn a_faulty_file_fails_its_specimen_with_its_place() {
+fn a_faulty_file_costs_the_comparison_and_not_the_tables() {
     let place = Place::with_scans();
     place.write("wave.csv", &csv(475.0).replacen("0;0;30;0;410", "0;0;x;0;410", 1));
     place.write("m.toml", &manifest("\"wave.csv\""));
-    let called = place.call("--quiet run m.toml").ended(1);
-    assert!(called.stderr.contains("wave.csv:4:5: `x` in the column `theta_r_deg`"), "{}", called.stderr);
+    let called = place.call("run m.toml").ended(0);
+    let warned = called.stderr.lines().find(|line| line.starts_with("warning: ")).unwrap_or_default();
+    let expected =
+        "warning: wave: not compared with the measured reflectance: wave.csv:4:5: `x` in the column `theta_r_deg`";
+    assert!(warned.starts_with(expected), "{}", called.stderr);
+    let report = place.json("out/small/v0001/report.json");
+    assert!(report["specimens"][0]["measured"].is_null() && report["specimens"][0]["build"].is_object());
     let called = place.call("plan m.toml").ended(1);
     assert!(called.stdout.contains("wave.csv:4:5:"), "{}", called.stdout);
+}
+
+/// What a spectrometer writes, with the geometry in the manifest, is compared as a file that says it all.
+#[test]
+fn a_spectrometers_export_is_compared() {
+    let place = Place::with_scans();
+    let rows: String = csv(475.0)
+        .lines()
+        .skip(1)
+        .map(|line| {
+            let cells: Vec<&str> = line.split(';').collect();
+            format!("{}\t{}\n", cells[4], cells[5])
+        })
+        .collect();
+    place.write(
+        "wave.txt",
+        &format!("SpectraSuite Data File\n>>>>>Begin Processed Spectral Data<<<<<\n150,0\t1,0\n{rows}>>>>>End<<<<<\n"),
+    );
+    place.write("wave.csv", &csv(475.0));
+    let place_of = "theta_i_deg = 0, theta_r_deg = 30, kind = \"brdf_per_sr\", white_reflectance = 1";
+    place.publish(&manifest(&format!("{{ file = \"wave.txt\", {place_of} }}")));
+    place.publish(&manifest("\"wave.csv\""));
+    let column = |version: &str| {
+        place.json(&format!("out/small/{version}/report.json"))["specimens"][0]["measured"]["columns"][0].clone()
+    };
+    let (export, long) = (column("v0001"), column("v0002"));
+    for figure in ["values", "relative_l2", "correlation", "best_scale"] {
+        assert_eq!(export[figure], long[figure], "{figure}");
+    }
+    let notes = place.json("out/small/v0001/report.json")["specimens"][0]["measured"]["notes"].to_string();
+    assert!(notes.contains("1 rows with wavelengths outside"), "{notes}");
+    // Without the geometry nobody knows what the values are.
+    place.write("m.toml", &manifest("{ file = \"wave.txt\", theta_i_deg = 0 }"));
+    let called = place.call("run m.toml").ended(2);
+    assert!(called.stderr.contains("`kind` is missing"), "{}", called.stderr);
+    place.write("m.toml", &manifest("\"wave.txt\""));
+    let called = place.call("run m.toml").ended(0);
+    assert!(called.stderr.contains("say the geometry and the kind in the manifest"), "{}", called.stderr);
 }

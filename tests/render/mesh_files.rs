@@ -296,3 +296,28 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_reference_may_begin_in_the_documents_own_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("ok.bin"), buffer()).unwrap();
+    for uri in ["\"ok.bin\"", "\"./ok.bin\"", "\"././ok.bin\""] {
+        std::fs::write(folder.path().join("square.gltf"), document(uri)).unwrap();
+        assert_eq!(read(&folder.path().join("square.gltf")).unwrap().mesh.triangles.len(), 2, "{uri}");
+    }
+    for uri in ["\"./../ok.bin\"", "\"/ok.bin\"", "\"./\""] {
+        std::fs::write(folder.path().join("square.gltf"), document(uri)).unwrap();
+        assert!(read(&folder.path().join("square.gltf")).is_err(), "{uri}");
+    }
+}
+
+/// No hierarchy keeps triangles in one place apart: each ray would meet them all.
+#[test]
+fn coincident_triangles_are_refused() {
+    let face = "f 1/1/1 2/2/1 3/3/1\n";
+    let few = format!("{OBJ}{}", face.repeat(60));
+    assert!(read_bytes("few.obj", few.as_bytes()).is_ok());
+    // The same corners in another order are the same place.
+    let many = format!("{OBJ}{}{}", face.repeat(40), "f 2/2/1 3/3/1 1/1/1\n".repeat(40));
+    assert!(message("many.obj", many.as_bytes()).contains("81 of its triangles lie in one place"));
+}

@@ -345,6 +345,10 @@ fn ome_units_and_images() {
                <Image><Pixels PhysicalSizeX=\"2\" PhysicalSizeY=\"2\"><TiffData IFD=\"0\"/></Pixels></Image></OME>";
     assert_eq!(read(&with(two), &config).unwrap().field.pitch_nm, [2000.0, 2000.0]);
     assert!(message(&with("<OME><Image>"), &config).contains("not XML"));
+    // A parser compares each attribute with all others of its element: so many would take it minutes.
+    let attributes: String = (0..100_000).map(|n| format!(" a{n}=\"\"")).collect();
+    let flooded = format!("<OME><Image{attributes}/></OME>");
+    assert!(message(&with(&flooded), &config).contains("more than 4096 attributes"));
 }
 
 #[test]

@@ -61,7 +61,7 @@ fn file(folder: &Path, kind: &str, value: impl Fn([f64; 4], f64) -> f64) -> Meas
     }
     let file = folder.join("r.csv");
     std::fs::write(&file, text).unwrap();
-    MeasuredConfig { file, acceptance_deg: 0.0, bandwidth_nm: 0.0 }
+    MeasuredConfig { file, acceptance_deg: 0.0, bandwidth_nm: 0.0, export: None }
 }
 
 fn compared(field: &HeightField, optics: &OpticsConfig, config: &MeasuredConfig) -> MeasuredResult {
@@ -80,7 +80,8 @@ const TRANSFORM: f64 = 1e-6;
 #[test]
 fn the_bundled_file_is_the_closed_form() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("specimens/sinusoid_1600nm.closed_form.csv");
-    let bundled = measured::read(&MeasuredConfig { file, acceptance_deg: 0.0, bandwidth_nm: 0.0 }).unwrap();
+    let bundled =
+        measured::read(&MeasuredConfig { file, acceptance_deg: 0.0, bandwidth_nm: 0.0, export: None }).unwrap();
     assert!(bundled.notes.is_empty() && bundled.columns.len() == 1);
     for (row, value) in bundled.columns[0].values.iter().enumerate() {
         let expected = closed_form(bundled.angles_deg[row], bundled.wavelength_nm[row]);
@@ -179,7 +180,7 @@ fn a_rough_surface_meets_the_direct_sum_under_every_window() {
         }
         let file = folder.path().join("rough.csv");
         std::fs::write(&file, text).unwrap();
-        let config = MeasuredConfig { file, acceptance_deg: 0.0, bandwidth_nm: 0.0 };
+        let config = MeasuredConfig { file, acceptance_deg: 0.0, bandwidth_nm: 0.0, export: None };
         let measurement = measured::read(&config).unwrap();
         let against = |optics: &OpticsConfig| {
             let result = measured::compare(&fields, optics, None, &measurement, String::new(), MEMORY_BYTES).unwrap();
@@ -248,7 +249,7 @@ fn a_mirrors_cone_catches_the_gaussian_share() {
     )
     .unwrap();
     let caught = |acceptance_deg: f64| {
-        let config = MeasuredConfig { file: path.clone(), acceptance_deg, bandwidth_nm: 0.0 };
+        let config = MeasuredConfig { file: path.clone(), acceptance_deg, bandwidth_nm: 0.0, export: None };
         let measurement = measured::read(&config).unwrap();
         let model =
             measured::model::modelled(std::slice::from_ref(&mirror), &optics(), None, &measurement, MEMORY_BYTES)

@@ -217,18 +217,23 @@ fn diff_tells_what_changed() {
     let expected = (f64::from(peak) / 2.0 - before).abs() / f64::from(peak);
     assert!((one.tables[0].max_relative.unwrap() - expected).abs() <= 2f64.powi(-10));
     assert!(one.settings.iter().any(|change| change.what == "tables.usable_radius"));
-    let text = report.to_text();
+    let text = report.to_text(true);
     let needed = [
         "usable_radius: 1.71 -> 1.5",
         "a.tif: \"aa\" -> \"bb\"",
         "one/table.000.exr: sha256 ",
-        "specimens added: two",
+        "specimens added    two",
+        "specimens changed  one",
+        "inputs changed     a.tif",
+        "colours            one: CIEDE2000 up to ",
         "table.000: differs by up to",
     ];
     for needed in needed {
         assert!(text.contains(needed), "{needed} is missing in\n{text}");
     }
+    let summary = report.to_text(false);
+    assert!(!summary.contains("sha256 ") && summary.contains("--details"), "{summary}");
     let same = diff(&root.join("v0001"), &root.join("v0001")).unwrap();
-    assert!(same.is_same() && same.to_text().contains("hold the same"));
+    assert!(same.is_same() && same.to_text(false).contains("hold the same"));
     assert!(files::list(root).unwrap().iter().all(|path| !path.ends_with(".part")));
 }

@@ -147,13 +147,25 @@ pub fn read_index(folder: &Path) -> Result<AtlasIndex> {
     if let Some(file) = index.files.iter().find(|file| !files::stays_below(&file.path)) {
         return Err(Error::bad_file(&path, format!("it lists `{}`, outside its folder", file.path), FIX));
     }
+    if let Some(entry) = index.specimens.iter().find(|entry| !is_folder_name(&entry.name)) {
+        return Err(Error::bad_file(
+            &path,
+            format!("it names the specimen `{}`, which is no folder's name", entry.name),
+            FIX,
+        ));
+    }
     Ok(index)
+}
+
+/// Whether a name is that of one folder in another.
+fn is_folder_name(name: &str) -> bool {
+    files::stays_below(name) && !name.contains('/')
 }
 
 /// Folder of a specimen in a version.
 pub fn specimen_folder(version_folder: &Path, index: &AtlasIndex, name: &str) -> Result<PathBuf> {
     let known: Vec<&str> = index.specimens.iter().map(|entry| entry.name.as_str()).collect();
-    if known.contains(&name) && files::stays_below(name) {
+    if known.contains(&name) && is_folder_name(name) {
         return Ok(version_folder.join(name));
     }
     Err(Error::Call(format!(
@@ -168,10 +180,13 @@ pub fn version_name(number: u64) -> String {
     format!("v{number:04}")
 }
 
+/// Largest number of a version: there is always a next one, however a folder is called.
+const VERSION_MAX: u64 = 999_999_999;
+
 /// Number in a version's name.
 pub fn version_number(name: &str) -> Option<u64> {
     let number = name.strip_prefix('v')?.parse().ok()?;
-    (version_name(number) == name).then_some(number)
+    (number <= VERSION_MAX && version_name(number) == name).then_some(number)
 }
 
 /// Numbers of all versions present, sorted; complete or not.
@@ -261,7 +276,9 @@ mod tests {
         assert_eq!(version_name(1), "v0001");
         assert_eq!(version_number("v0012"), Some(12));
         assert_eq!(version_number(&version_name(123_456)), Some(123_456));
-        for other in ["v12", "v00012", "0001", "v", "v+001", "latest", ".staging-v0001"] {
+        for other in
+            ["v12", "v00012", "0001", "v", "v+001", "latest", ".staging-v0001", "v18446744073709551615", "v1000000000"]
+        {
             assert_eq!(version_number(other), None, "{other}");
         }
     }
@@ -291,6 +308,16 @@ mod tests {
         index.files = vec![FileRecord { path: "../secret".into(), bytes: 3, sha256: "22".into() }];
         write_index(folder.path(), &mut index).unwrap();
         assert!(read_index(folder.path()).unwrap_err().to_string().contains("outside its folder"));
+    }
+
+    #[test]
+    fn specimens_that_are_no_folders_of_the_version_are_refused() {
+        for name in ["../../etc", "/etc", "a/b", "", ".", "a\\b"] {
+            let folder = tempfile::tempdir().unwrap();
+            let specimens = vec![SpecimenEntry { name: name.into(), species: String::new() }];
+            write_index(folder.path(), &mut AtlasIndex::new("test", "", vec![], specimens)).unwrap();
+            assert!(read_index(folder.path()).unwrap_err().to_string().contains("no folder's name"), "{name}");
+        }
     }
 
     #[test]

@@ -12,9 +12,23 @@ use crate::error::{Error, Result};
 /// End of the name of a file that is still being written; it starts with a dot.
 pub const PART_SUFFIX: &str = ".part";
 
-/// All bytes of a file.
+/// All bytes of a plain file. Pipes and devices, which may never end, are refused.
 pub fn read(path: &Path) -> Result<Vec<u8>> {
+    check_plain(path)?;
     fs::read(path).map_err(|e| Error::disk(path, "read", e))
+}
+
+/// Refuses what is no plain file, or a link to one.
+///
+/// # Errors
+/// [`Error::BadFile`], and [`Error::Disk`] where there is nothing.
+pub fn check_plain(path: &Path) -> Result<()> {
+    let found = fs::metadata(path).map_err(|e| Error::disk(path, "read", e))?;
+    if found.is_file() {
+        return Ok(());
+    }
+    let what = if found.is_dir() { "this is a folder" } else { "this is a pipe or a device, which may never end" };
+    Err(Error::bad_file(path, what, "Name a file."))
 }
 
 /// All of a UTF-8 text file.

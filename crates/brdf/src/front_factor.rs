@@ -9,6 +9,7 @@ use num_complex::Complex;
 use serde::{Deserialize, Serialize};
 
 use crate::direction::{Vec3, geometry_factor, v_cavity_shadowing};
+use crate::dispersion::INDEX_MAX;
 use crate::material::{Material, cos_half_angle, reflectance, root};
 
 /// Which model of reflection stands in front of the tables.
@@ -43,7 +44,21 @@ pub struct Polarised {
     pub coherent: [f64; 4],
 }
 
+/// Smallest modulus of a refractive index: no material has one near it, and squares of it are far from underflow.
+const INDEX_MIN: f64 = 1e-3;
+
 impl FrontFactor {
+    /// What keeps the factor from being a number in every direction, in words: an index that no material has.
+    pub(crate) fn check(&self) -> std::result::Result<(), String> {
+        let [n, k] = match self.material {
+            Material::Ideal => return Ok(()),
+            Material::Dielectric { n } => [n, 0.0],
+            Material::Conductor { n, k } => [n, k],
+        };
+        let is_possible = n > 0.0 && k >= 0.0 && n.hypot(k) >= INDEX_MIN && n.max(k) <= INDEX_MAX;
+        if is_possible { Ok(()) } else { Err(format!("its material has the refractive index {n} + {k}i")) }
+    }
+
     /// The factor of diffuse part and cross term, without unit, shadowing included; zero for directions not above the
     /// surface.
     pub fn diffuse(&self, wi: Vec3, wo: Vec3) -> f64 {

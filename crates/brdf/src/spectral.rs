@@ -166,6 +166,7 @@ impl SpectralTables {
             true => Ok(()),
             false => Err(format!("its {name} is {value}")),
         };
+        self.front_factor.check()?;
         positive("shortest wavelength", self.shortest_nm)?;
         positive("coherence of the diffuse part", self.sigma_nm)?;
         if !(self.longest_nm >= self.shortest_nm && self.longest_nm.is_finite()) {

@@ -4,7 +4,6 @@ use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 
 use crate::front_factor::FrontFactor;
-use crate::material::Material;
 
 /// Which expansion in `w` the tables hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -137,15 +136,7 @@ impl TableSet {
                 check_images("patches of the cross term", &lobe.cross, [side, side])?;
             }
         }
-        let material = match self.front_factor.material {
-            Material::Ideal => [1.0, 0.0],
-            Material::Dielectric { n } => [n, 0.0],
-            Material::Conductor { n, k } => [n, k],
-        };
-        if !(material[0] > 0.0 && material.iter().all(|part| part.is_finite() && *part >= 0.0)) {
-            return Err(format!("its material has the refractive index {} + {}i", material[0], material[1]));
-        }
-        Ok(())
+        self.front_factor.check()
     }
 }
 

@@ -9,14 +9,20 @@ use crate::stages::archive::diff::diff;
 
 /// Arguments of `diff`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
-#[command(after_help = "Example:\n  diffraction-atlas diff out/atlas/squamates/v0001 out/atlas/squamates/v0002")]
+#[command(after_help = "Exit status: 0 both hold the same; 1 they differ; 2 the call is wrong.
+
+Example:
+  diffraction-atlas diff out/atlas/squamates/v0001 out/atlas/squamates/v0002")]
 pub(crate) struct DiffArgs {
     /// The older version
     pub a: PathBuf,
     /// The newer version
     pub b: PathBuf,
-    /// Print as JSON
+    /// Print every key, file and table that differs, after the summary
     #[arg(long)]
+    pub details: bool,
+    /// Print as JSON, with all details
+    #[arg(long, conflicts_with = "details")]
     pub json: bool,
 }
 
@@ -29,7 +35,7 @@ pub(crate) fn run(args: &DiffArgs, _global: &Global) -> Result<Outcome> {
     if args.json {
         output::print_json(&report)?;
     } else {
-        output::print(&report.to_text())?;
+        output::print(&report.to_text(args.details))?;
     }
-    Ok(Outcome::Done)
+    Ok(if report.is_same() { Outcome::Done } else { Outcome::Different })
 }

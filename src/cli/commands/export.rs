@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::export_forms::{self, Specimens};
+use crate::cli::destination;
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use crate::error::Result;
@@ -10,9 +11,10 @@ use crate::stages::archive::shader_data::Texels;
 use crate::stages::archive::shader_include::IncludeConfig;
 use crate::stages::archive::specimen_file;
 use crate::stages::viewer::content::Content;
-use crate::stages::viewer::written::{write_folder, write_single_file};
+use crate::stages::viewer::single_file::single_file;
+use crate::stages::viewer::written::fill_folder;
 use diffraction_brdf::atlas;
-use diffraction_brdf::error::{self, Error};
+use diffraction_brdf::error::Error;
 use diffraction_brdf::files;
 use diffraction_brdf::storage::write_tables;
 use diffraction_build::tables::model::Storage;
@@ -29,9 +31,12 @@ pub(crate) struct ExportArgs {
     /// Only these specimens; may be given several times
     #[arg(long, value_name = "NAME")]
     pub specimen: Vec<String>,
-    /// Folder to write to, or the file with `--single-file`; what is there is not overwritten
+    /// Folder to write, or the file with `--single-file`; a folder that holds something is never replaced
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
+    /// With `--single-file`: replace a file that is there already
+    #[arg(long, requires = "single_file")]
+    pub force: bool,
     /// With `--form viewer`: one HTML file that holds everything and works from the disk
     #[arg(long)]
     pub single_file: bool,
@@ -67,6 +72,10 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
     if args.single_file && args.form != Form::Viewer {
         return Err(Error::Call("`--single-file` goes with `--form viewer` alone".into()).into());
     }
+    match args.single_file {
+        true => destination::check_file(&args.out, &[], args.force)?,
+        false => destination::check_folder(&args.out, None)?,
+    }
     let folder = output::version_folder(&args.atlas)?;
     if args.form == Form::Viewer {
         return export_viewer(&folder, args);
@@ -76,16 +85,15 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
     let names = if args.specimen.is_empty() { &all } else { &args.specimen };
     let specimens = names.iter().map(|name| Ok((name.as_str(), atlas::specimen_folder(&folder, &index, name)?)));
     let specimens = specimens.collect::<Result<Vec<_>>>()?;
-    fresh_folder(&args.out)?;
-    match args.form {
+    destination::write_folder(&args.out, |out| match args.form {
         Form::Shaders => {
             let include = IncludeConfig { prefix: args.prefix.clone(), first_binding: args.first_binding };
             let texels = if args.float_texels { Texels::Float } else { Texels::Half };
-            export_forms::export_shaders(&args.out, &specimens, texels, &include)?;
+            export_forms::export_shaders(out, &specimens, texels, &include)
         }
-        Form::Osl => export_forms::export_osl(&args.out, &args.out, &specimens)?,
-        Form::FloatTables | Form::Viewer => export_float(&args.out, &specimens)?,
-    }
+        Form::Osl => export_forms::export_osl(out, &args.out, &specimens),
+        Form::FloatTables | Form::Viewer => export_float(out, &specimens),
+    })?;
     output::print(&format!("exported {} to {}\n", specimens.len(), args.out.display()))?;
     Ok(Outcome::Done)
 }
@@ -93,18 +101,16 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
 /// The page, with what it reads of a version.
 fn export_viewer(folder: &Path, args: &ExportArgs) -> Result<Outcome> {
     let content = Content::open(folder, &args.specimen)?;
-    let write = if args.single_file { write_single_file } else { write_folder };
-    let bytes = write(&content, &args.out)?;
+    let bytes = if args.single_file {
+        let page = single_file(&content)?;
+        destination::create_parent(&args.out)?;
+        files::replace(&args.out, page.as_bytes())?;
+        page.len() as u64
+    } else {
+        destination::write_folder(&args.out, |out| fill_folder(&content, out))?
+    };
     output::print(&format!("exported the viewer to {}, {}\n", args.out.display(), output::bytes_in_words(bytes)))?;
     Ok(Outcome::Done)
-}
-
-/// A folder of its own: nothing is overwritten.
-fn fresh_folder(folder: &Path) -> error::Result<()> {
-    if folder.exists() {
-        return Err(Error::Call(format!("{}: is there already; name another `--out`", folder.display())));
-    }
-    files::create_folder(folder)
 }
 
 fn export_float(out: &Path, specimens: &Specimens) -> Result<()> {

@@ -4,12 +4,15 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
+use crate::cli::commands::inspect_many;
+use crate::cli::destination;
 use crate::cli::lengths::PitchNm;
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use crate::error::Result;
 use crate::stages::archive::specimen_file;
 use diffraction_brdf::atlas;
+use diffraction_brdf::error::Error;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::quality::{Advice, Finding, Remedy, Verdict, advise, scan_verdict};
 use diffraction_build::height::read::{CallerWords, HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
@@ -26,6 +29,7 @@ use diffraction_build::tables::model::{Basis, Storage};
 #[derive(Debug, Clone, PartialEq, clap::Args)]
 #[command(after_help = "Examples:
   diffraction-atlas inspect scans/snake.tif --pitch-nm 48.8 --full-scale-nm 375
+  diffraction-atlas inspect scans/a.tif scans/b.tif
   diffraction-atlas inspect scans/snake.gsf --save-heights heights.tif
   diffraction-atlas inspect scans/snake.spm --channel \"Height Sensor\"
   diffraction-atlas inspect out/atlas/squamates/v0001 --json
@@ -35,9 +39,14 @@ Asylum .ibw, Nanosurf .nid, Digital Surf .sur, X3P, WSxM .stp and .top, matrices
 pub(crate) struct InspectArgs {
     /// A scan, an atlas, or one version of it
     pub file: PathBuf,
+    /// Further scans: a line for each then, all with the same options
+    pub others: Vec<PathBuf>,
     /// Write the scan's heights as 32-bit floats in nm, row 0 at +y, before any levelling
     #[arg(long, value_name = "OUT.tif")]
     pub save_heights: Option<PathBuf>,
+    /// Replace the file of `--save-heights` where it is there already
+    #[arg(long, requires = "save_heights")]
+    pub force: bool,
     /// Sample spacing where the scan does not say, or to overrule it: one number, or X,Y
     #[arg(long, value_name = "NM")]
     pub pitch_nm: Option<PitchNm>,
@@ -63,6 +72,16 @@ pub(crate) struct InspectArgs {
 /// # Errors
 /// A file that is neither scan nor atlas.
 pub(crate) fn run(args: &InspectArgs, _global: &Global) -> Result<Outcome> {
+    if let Some(path) = &args.save_heights {
+        destination::check_file(path, &[&args.file], args.force)?;
+    }
+    if !args.others.is_empty() {
+        if args.save_heights.is_some() {
+            return Err(Error::Call("`--save-heights` is for one scan".into()).into());
+        }
+        let files = [std::slice::from_ref(&args.file), &args.others].concat();
+        return inspect_many::run(&files, &read_config(args), WAVELENGTH_MIN_NM, args.json);
+    }
     if args.file.is_dir() { inspect_atlas(args) } else { inspect_scan(args) }
 }
 
@@ -110,7 +129,8 @@ const WAVELENGTH_MAX_NM: f64 = 780.0;
 /// What a scan is taken for, which has no material: a dielectric; which index it has does not matter to the doubts.
 const MATERIAL: Material = Material::Dielectric { n: 1.5 };
 
-fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
+/// How the options say to read a scan.
+fn read_config(args: &InspectArgs) -> ReadConfig {
     let height = match (args.full_scale_nm, &args.unit) {
         (Some(full_scale_nm), _) => Some(HeightScale::FullScaleNm(full_scale_nm)),
         (None, Some(unit)) => LengthUnit::parse(unit).map(HeightScale::Unit),
@@ -118,10 +138,13 @@ fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
     };
     let pitch_nm = args.pitch_nm.map(|pitch| pitch.0);
     let words = CallerWords { height: if args.unit.is_some() { "--unit" } else { "--full-scale-nm" }, ..WORDS };
-    let config =
-        ReadConfig { page: args.page, channel: args.channel.clone(), pitch_nm, height, words, ..ReadConfig::default() };
-    let scan = read_scan(&args.file, &config)?;
+    ReadConfig { page: args.page, channel: args.channel.clone(), pitch_nm, height, words, ..ReadConfig::default() }
+}
+
+fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
+    let scan = read_scan(&args.file, &read_config(args))?;
     if let Some(path) = &args.save_heights {
+        destination::create_parent(path)?;
         write_scan_tiff(path, &scan.field)?;
     }
     let plane = PrepareConfig { level: Level::Plane, despike: None, blend_nm: None };
@@ -266,7 +289,7 @@ fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {
     let specimens = index
         .specimens
         .iter()
-        .map(|entry| specimen_file::read(&folder.join(&entry.name)))
+        .map(|entry| specimen_file::read(&atlas::specimen_folder(&folder, &index, &entry.name)?))
         .collect::<diffraction_brdf::Result<Vec<_>>>()?;
     if args.json {
         output::print_json(&serde_json::json!({ "index": index, "specimens": specimens }))?;

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
+use crate::cli::terminal;
 use crate::manifest::{self, convert::run_config};
 use crate::stages::run::outlook::outlook;
 use diffraction_brdf::error::{Error, Result};
@@ -66,7 +67,7 @@ pub(crate) fn run(args: &ListArgs, global: &Global) -> crate::error::Result<Outc
         output::print(&render(&atlases))?;
     }
     if atlases.is_empty() && !global.quiet {
-        eprintln!("no atlas in {}", args.folder.display());
+        terminal::say(&format!("no atlas in {}\n", args.folder.display()));
     }
     Ok(Outcome::Done)
 }

@@ -6,6 +6,7 @@ pub(crate) mod eval;
 pub(crate) mod export;
 mod export_forms;
 pub(crate) mod inspect;
+pub(crate) mod inspect_many;
 pub(crate) mod list;
 pub(crate) mod plan;
 pub(crate) mod prune;

@@ -9,6 +9,7 @@ use serde_json::json;
 use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::{Logged, reporter};
+use crate::cli::terminal;
 use crate::error::Result;
 use crate::manifest::keys::nearest;
 use crate::manifest::{self, convert::run_config};
@@ -219,7 +220,7 @@ fn conclude(
     let specimens = &outcome.results.specimens;
     let said = warning_lines(specimens) + &verdict_lines(specimens);
     if !quiet {
-        eprint!("{said}");
+        terminal::say(&said);
     }
     progress.note(&said);
     Ok(failed(&outcome.results.failures, progress))

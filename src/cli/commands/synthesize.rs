@@ -2,9 +2,11 @@
 
 use std::path::PathBuf;
 
+use crate::cli::destination;
 use crate::cli::lengths::{PitchNm, SizePx, finite, positive, share};
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
+use crate::cli::terminal;
 use crate::error::Result;
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{Structure, synthesize};
@@ -30,9 +32,12 @@ pub(crate) struct FieldArgs {
     /// Sample spacing: one number, or X,Y
     #[arg(long, value_name = "NM", default_value = "62.5")]
     pub pitch_nm: PitchNm,
-    /// The TIFF file to write; an existing one is replaced
+    /// The TIFF file to write
     #[arg(long, value_name = "OUT.tif")]
     pub out: PathBuf,
+    /// Replace a file that is there already
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// The structures, each with its own parameters.
@@ -133,12 +138,14 @@ pub(crate) enum StructureArgs {
 /// Generates, writes, and says what was written.
 pub(crate) fn run(args: &SynthesizeArgs, global: &Global) -> Result<Outcome> {
     let (structure, file) = args.structure.parts();
+    destination::check_file(&file.out, &[], file.force)?;
     let (size, pitch) = (file.size.0, file.pitch_nm.0);
     let field = synthesize(&structure, size, pitch)?;
+    destination::create_parent(&file.out)?;
     write_scan_tiff(&file.out, &field)?;
     output::print(&format!("{}: {}\n", file.out.display(), summary(&field)))?;
     if !structure.repeats(size, pitch) && !global.quiet {
-        eprintln!("note: the tile does not hold whole periods; repeated, it has a seam");
+        terminal::say("note: the tile does not hold whole periods; repeated, it has a seam\n");
     }
     Ok(Outcome::Done)
 }

@@ -8,6 +8,7 @@ use std::time::Duration;
 use crate::cli::commands::list;
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
+use crate::cli::terminal;
 use crate::error::Result;
 use crate::stages::viewer::content::Content;
 use crate::stages::viewer::server::Loopback;
@@ -56,7 +57,7 @@ pub(crate) fn run(args: &ViewArgs, global: &Global) -> Result<Outcome> {
         .map_err(|error| Error::limit(format!("Ctrl-C cannot be caught: {error}"), "start the program anew"))?;
     output::print(&format!("{}\n", server.url()))?;
     if !global.quiet {
-        eprintln!("{} from {}; Ctrl-C ends it", content.name(), folder.display());
+        terminal::say(&format!("{} from {}; Ctrl-C ends it\n", content.name(), folder.display()));
     }
     if !args.no_open {
         open_browser(server.url());
@@ -82,7 +83,7 @@ fn only_atlas(folder: &Path) -> error::Result<PathBuf> {
 fn open_browser(url: String) {
     thread::spawn(move || {
         if let Err(error) = open::that_detached(&url) {
-            eprintln!("no browser could be opened ({error}): open {url}");
+            terminal::say(&format!("no browser could be opened ({error}): open {url}\n"));
         }
     });
 }

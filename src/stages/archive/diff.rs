@@ -7,12 +7,15 @@ use ndarray::Array3;
 use serde::Serialize;
 use serde_json::Value;
 
+use super::diff_colours::colour_change;
 use crate::stages::archive::specimen_file::{self, SpecimenFile};
 use diffraction_brdf::atlas::{self, AtlasIndex};
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::specimen::CheckValue;
 use diffraction_build::tables::model::TableSet;
+
+pub use super::diff_colours::ColourChange;
 
 /// A value that is not the same in both; `None` where it is absent.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -54,6 +57,8 @@ pub struct SpecimenChange {
     pub settings: Vec<Change>,
     /// Tables that differ.
     pub tables: Vec<TableChange>,
+    /// How far colours and values moved; `None` where no table differs and the front factor is the same.
+    pub colours: Option<ColourChange>,
     /// The check values, where they differ.
     pub check_values: Option<CheckChange>,
 }
@@ -86,27 +91,6 @@ impl DiffReport {
             && self.removed.is_empty()
             && self.added.is_empty()
             && self.specimens.is_empty()
-    }
-
-    /// Plain text for a terminal.
-    pub fn to_text(&self) -> String {
-        if self.is_same() {
-            return format!("{} and {} hold the same\n", self.a, self.b);
-        }
-        let mut text = format!("{} -> {}\n", self.a, self.b);
-        let sections = [("index", &self.index), ("inputs", &self.inputs), ("files", &self.files)];
-        for (title, changes) in sections {
-            append_changes(&mut text, title, changes, "");
-        }
-        for (title, names) in [("specimens removed", &self.removed), ("specimens added", &self.added)] {
-            if !names.is_empty() {
-                text += &format!("{title}: {}\n", names.join(", "));
-            }
-        }
-        for specimen in &self.specimens {
-            append_specimen(&mut text, specimen);
-        }
-        text
     }
 }
 
@@ -169,7 +153,9 @@ fn specimen_change(
     let check_values =
         (file_a.check_values != file_b.check_values).then(|| check_change(&file_a.check_values, &file_b.check_values));
     let same = settings.is_empty() && tables.is_empty() && check_values.is_none();
-    Ok((!same).then(|| SpecimenChange { name: name.to_owned(), settings, tables, check_values }))
+    let looks_the_same = tables.is_empty() && tables_a.front_factor == tables_b.front_factor;
+    let colours = (!looks_the_same).then(|| colour_change(tables_a, tables_b));
+    Ok((!same).then(|| SpecimenChange { name: name.to_owned(), settings, tables, colours, check_values }))
 }
 
 fn settings(file: &SpecimenFile) -> Result<Value> {
@@ -263,21 +249,6 @@ fn check_change(a: &[CheckValue], b: &[CheckValue]) -> CheckChange {
     }
 }
 
-fn append_changes(text: &mut String, title: &str, changes: &[Change], indent: &str) {
-    if changes.is_empty() {
-        return;
-    }
-    *text += &format!("{indent}{title}:\n");
-    for Change { what, a, b } in changes {
-        *text += &match (a, b) {
-            (Some(a), Some(b)) => format!("{indent}  {what}: {} -> {}\n", short(a), short(b)),
-            (Some(a), None) => format!("{indent}  {what}: {} -> (absent)\n", short(a)),
-            (None, Some(b)) => format!("{indent}  {what}: (absent) -> {}\n", short(b)),
-            (None, None) => continue,
-        };
-    }
-}
-
 /// A value in a line of text; digests by their first digits.
 pub(crate) fn short(value: &Value) -> String {
     match value {
@@ -285,23 +256,6 @@ pub(crate) fn short(value: &Value) -> String {
             format!("sha256 {}", &text[..12])
         }
         other => other.to_string(),
-    }
-}
-
-fn append_specimen(text: &mut String, specimen: &SpecimenChange) {
-    *text += &format!("specimen {}:\n", specimen.name);
-    append_changes(text, "settings", &specimen.settings, "  ");
-    for table in &specimen.tables {
-        *text += &match table.max_relative {
-            Some(relative) => format!("  {}: differs by up to {relative:.3e} of its peak\n", table.table),
-            None => format!("  {}: in one version only, or of another size\n", table.table),
-        };
-    }
-    if let Some(check) = &specimen.check_values {
-        *text += &format!(
-            "  check values: {} compared, differ by up to {:.3e} of Y; {} without a partner\n",
-            check.compared, check.max_relative, check.unmatched
-        );
     }
 }
 

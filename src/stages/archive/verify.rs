@@ -5,11 +5,13 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use super::specimen_file;
-use super::verify_files::{VerifyReport, verify_files};
-use super::verify_scans::{AgainstScans, ReferenceCheck, Sampling, against_scans};
+use super::verify_chance::FALSE_ALARMS_MAX;
+use super::verify_files::{Failure, VerifyReport, verify_files};
+use super::verify_root::verify_root;
+use super::verify_scans::{AgainstScans, Checking, RecordedCheck, ReferenceCheck, Sampling, against_scans};
 use crate::error::Result;
 use crate::stages::config::RunConfig;
-use diffraction_brdf::atlas;
+use diffraction_brdf::atlas::{self, AtlasIndex};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
 use diffraction_brdf::specimen::CheckValue;
 use diffraction_brdf::spectral_storage::{SpectralCheckValue, read_spectral};
@@ -22,6 +24,8 @@ use diffraction_build::tables::model::TableSet;
 pub(crate) struct Verified {
     /// The version's folder.
     pub(crate) folder: String,
+    /// What is wrong beside its versions, where the whole atlas is checked.
+    pub(crate) atlas: Vec<Failure>,
     /// Its files.
     pub(crate) files: VerifyReport,
     /// Its specimens; none where files are damaged.
@@ -41,7 +45,9 @@ pub(crate) struct SpecimenCheck {
     pub(crate) check_worst: f64,
     /// Scans that are not the ones the tables were made from: nothing is evaluated against them.
     pub(crate) other_scans: Vec<String>,
-    /// Directions evaluated against the scans, by group; empty where that was not asked for.
+    /// The recorded directions evaluated anew, by group; empty where that was not asked for, or where they cannot be found again.
+    pub(crate) recorded: Vec<RecordedCheck>,
+    /// Fresh directions evaluated against the scans, by group; empty where that was not asked for.
     pub(crate) reference: Vec<ReferenceCheck>,
 }
 
@@ -51,33 +57,47 @@ const CHECK_TOLERANCE: f64 = 1e-9;
 /// The run a version was made by, which names the scans; or why it is not known, as a remark.
 pub(crate) type MadeBy = std::result::Result<RunConfig, String>;
 
-/// Checks a version's files, its check values and, where the scans are known, a sample of directions anew. `made_by` finds
-/// the run whose manifest has a digest.
+/// Checks a version's files, its check values and, where the scans are known, its errors: at the recorded directions, and at a
+/// sample of fresh ones. `made_by` finds the run that made a version. Where an atlas is named, what lies beside its versions is
+/// checked too.
 ///
 /// # Errors
 /// A folder that is no atlas, or scans that cannot be read any more.
 pub(crate) fn verify(
-    folder: &Path,
+    path: &Path,
     sampling: Sampling,
-    made_by: impl FnOnce(&str) -> Result<MadeBy>,
+    made_by: impl FnOnce(&Path, &AtlasIndex) -> Result<MadeBy>,
 ) -> Result<Verified> {
-    let files = verify_files(folder)?;
+    let folder = target(path)?;
+    let atlas = if folder == path { Vec::new() } else { verify_root(path)? };
+    let files = verify_files(&folder)?;
     let (mut specimens, mut remarks) = (Vec::new(), Vec::new());
     // Damaged files would only be evaluated to nonsense.
     if files.failures.is_empty() {
-        let index = atlas::read_index(folder)?;
-        let run = made_by(&index.manifest_sha256)?;
+        let index = atlas::read_index(&folder)?;
+        let run =
+            if sampling.count > 0 { made_by(&folder, &index)? } else { Err("not evaluated against the scans".into()) };
+        let same_program = index.program_version == env!("CARGO_PKG_VERSION");
+        let alpha = FALSE_ALARMS_MAX / index.specimens.len().max(1) as f64;
+        let checking = Checking { sampling, alpha, same_program };
         for entry in &index.specimens {
-            specimens.push(check_specimen(&folder.join(&entry.name), run.as_ref().ok(), sampling)?);
+            let specimen_folder = atlas::specimen_folder(&folder, &index, &entry.name)?;
+            specimens.push(check_specimen(&specimen_folder, run.as_ref().ok(), checking)?);
+        }
+        if run.is_ok() && !same_program {
+            remarks.push(format!(
+                "made by version {} of the program, whose directions this one may not find again: checked at fresh ones alone",
+                index.program_version
+            ));
         }
         remarks.extend(run.err());
     }
-    Ok(Verified { folder: folder.display().to_string(), files, specimens, remarks })
+    Ok(Verified { folder: folder.display().to_string(), atlas, files, specimens, remarks })
 }
 
 /// The version to check: the one named, or the newest of an atlas, complete or damaged. Other commands fall
 /// back on an older version where the newest is damaged; here that would hide the damage.
-pub(crate) fn target(path: &Path) -> diffraction_brdf::Result<PathBuf> {
+fn target(path: &Path) -> diffraction_brdf::Result<PathBuf> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     if !path.is_dir() || atlas::version_number(&name).is_some() {
         let found = atlas::resolve(path).map(|found| found.folder);
@@ -89,10 +109,10 @@ pub(crate) fn target(path: &Path) -> diffraction_brdf::Result<PathBuf> {
     }
 }
 
-fn check_specimen(folder: &Path, run: Option<&RunConfig>, sampling: Sampling) -> Result<SpecimenCheck> {
+fn check_specimen(folder: &Path, run: Option<&RunConfig>, checking: Checking) -> Result<SpecimenCheck> {
     let (file, set) = specimen_file::load(folder)?;
-    let AgainstScans { other_scans, reference } = match run.filter(|_| sampling.count > 0) {
-        Some(run) => against_scans(run, &file, &set, sampling)?,
+    let AgainstScans { other_scans, recorded, reference } = match run {
+        Some(run) => against_scans(run, &file, &set, checking)?,
         None => AgainstScans::default(),
     };
     let mut deviations: Vec<f64> = file.check_values.iter().map(|value| deviation(&set, value)).collect();
@@ -105,6 +125,7 @@ fn check_specimen(folder: &Path, run: Option<&RunConfig>, sampling: Sampling) ->
         check_worst: metrics::quantiles(deviations).worst,
         name: file.name,
         other_scans,
+        recorded,
         reference,
     })
 }
@@ -141,7 +162,8 @@ fn spectral_deviation(tables: &SpectralTables, value: &SpectralCheckValue) -> f6
 impl Verified {
     /// What is wrong, a line each.
     pub(crate) fn failures(&self) -> Vec<String> {
-        let files = self.files.failures.iter().map(|failure| format!("{}: {}", failure.file, failure.what));
+        let all_files = self.atlas.iter().chain(&self.files.failures);
+        let files = all_files.map(|failure| format!("{}: {}", failure.file, failure.what));
         let values = self
             .specimens
             .iter()
@@ -152,6 +174,18 @@ impl Verified {
         let scans = self.specimens.iter().flat_map(|check| {
             let changed = |scan| format!("{}: {scan} is not the file that the tables were made from", check.name);
             check.other_scans.iter().map(changed)
+        });
+        let recorded = self.specimens.iter().flat_map(|check| {
+            check.recorded.iter().filter(|recorded| !recorded.passed).map(|recorded| {
+                let [now, then] = [recorded.found, recorded.recorded].map(|figures| {
+                    figures.map(|figure| figure.map_or("none".into(), |figure| format!("{figure:.3e}"))).join(", ")
+                });
+                format!(
+                    "{}: {}: errors at the recorded directions (median, 95 %, 99 %, largest, relative L2) are {now}; recorded were \
+                     {then}",
+                    check.name, recorded.region
+                )
+            })
         });
         let references = self.specimens.iter().flat_map(|check| {
             check.reference.iter().filter(|reference| !reference.passed).map(|reference| {
@@ -167,6 +201,6 @@ impl Verified {
                 )
             })
         });
-        files.chain(values).chain(scans).chain(references).collect()
+        files.chain(values).chain(scans).chain(recorded).chain(references).collect()
     }
 }

@@ -46,6 +46,9 @@ pub fn verify_files(version_folder: &Path) -> Result<VerifyReport> {
     let mut failures: Vec<Failure> = index.files.par_iter().filter_map(check).collect();
     let added = present.iter().filter(|path| *path != INDEX_FILE && !listed.contains(path.as_str()));
     failures.extend(added.map(|path| failure(path, format!("it is not listed in {INDEX_FILE}"))));
+    let is_used = |folder: &String| listed.iter().any(|path| path.starts_with(&format!("{folder}/")));
+    let foreign = folders(version_folder, "")?.into_iter().filter(|folder| !is_used(folder));
+    failures.extend(foreign.map(|folder| failure(&folder, "the folder holds nothing that is listed in the index")));
     for entry in &index.specimens {
         let path = format!("{}/{}", entry.name, diffraction_brdf::specimen::FILE);
         if !listed.contains(path.as_str()) {
@@ -54,6 +57,19 @@ pub fn verify_files(version_folder: &Path) -> Result<VerifyReport> {
     }
     failures.sort_by(|a, b| a.file.cmp(&b.file));
     Ok(VerifyReport { files_checked: index.files.len() + 1, failures })
+}
+
+/// All folders below one, relative to it.
+fn folders(folder: &Path, prefix: &str) -> Result<Vec<String>> {
+    let mut found = Vec::new();
+    for (path, kind) in files::entries(folder)? {
+        if kind.is_dir() {
+            let name = format!("{prefix}{}", path.file_name().unwrap_or_default().to_string_lossy());
+            found.extend(folders(&path, &format!("{name}/"))?);
+            found.push(name);
+        }
+    }
+    Ok(found)
 }
 
 fn failure(file: &str, what: impl Into<String>) -> Failure {

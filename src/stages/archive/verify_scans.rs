@@ -1,16 +1,17 @@
-//! Tables held against the scans they were made from, at other directions than those whose errors are recorded.
+//! Tables held against the scans they were made from: at the directions whose errors are recorded, and at fresh ones.
 
 use serde::Serialize;
 
 use super::specimen_file::SpecimenFile;
+use super::verify_chance::is_implausible;
 use crate::stages::config::RunConfig;
 use crate::stages::coverage::asked;
 use crate::stages::ingest::{Scans, ingest};
 use diffraction_brdf::direction::Xyz;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
-use diffraction_build::accuracy::directions::{Candidates, DRAWN, ErrorDirections, Group};
-use diffraction_build::accuracy::rows::{Cause, ErrorRow};
+use diffraction_build::accuracy::directions::{Candidates, DRAWN, ErrorDirections, ErrorGroup, Group};
+use diffraction_build::accuracy::rows::{Cause, ErrorRow, totals};
 use diffraction_build::ground::metrics;
 use diffraction_build::ground::sampling::{self, Region};
 use diffraction_build::height::HeightField;
@@ -33,7 +34,7 @@ pub(crate) struct Sampling {
     pub seed: u64,
 }
 
-/// Relative errors of Y over directions of one group, beside those recorded when the atlas was made.
+/// Relative errors over fresh directions of one group, beside those recorded when the atlas was made.
 #[derive(Debug, Serialize)]
 pub struct ReferenceCheck {
     /// The group's name.
@@ -54,22 +55,55 @@ pub struct ReferenceCheck {
     pub passed: bool,
 }
 
+/// Errors over the very directions of one group that were recorded when the atlas was made.
+#[derive(Debug, Serialize)]
+pub struct RecordedCheck {
+    /// The group's name.
+    pub region: String,
+    /// Directions that were bright enough.
+    pub directions: usize,
+    /// Median, 95th and 99th percentile, largest, and relative L2, as they are now; `null` for what nothing tells.
+    pub found: [Option<f64>; 5],
+    /// The same as recorded.
+    pub recorded: [Option<f64>; 5],
+    /// Whether both are the same.
+    pub passed: bool,
+}
+
 /// What the scans say of tables.
 #[derive(Debug, Default)]
 pub(super) struct AgainstScans {
     /// Scans that are not the ones the tables were made from: nothing is evaluated against them.
     pub(super) other_scans: Vec<String>,
-    /// The errors, group by group.
+    /// The errors at recorded directions, group by group; empty where these cannot be found again.
+    pub(super) recorded: Vec<RecordedCheck>,
+    /// The errors at fresh directions, group by group.
     pub(super) reference: Vec<ReferenceCheck>,
+}
+
+/// How a specimen is checked.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Checking {
+    /// The fresh directions.
+    pub(super) sampling: Sampling,
+    /// Chance of a false alarm that this specimen may take.
+    pub(super) alpha: f64,
+    /// Whether this program's version is the one that made the atlas, so that it finds the recorded directions again.
+    pub(super) same_program: bool,
 }
 
 /// Errors below this are rounding and not compared.
 const ERROR_FLOOR: f64 = 1e-5;
 
-/// Standard deviations by which more errors than expected may lie above a recorded quantile.
-const SIGMAS: f64 = 4.0;
+/// What recorded errors may differ by from those at the same directions now, relatively and absolutely: other processors give the
+/// reference other digits from the ninth on, relative to values of which errors are a ten-thousandth part.
+const SAME: [f64; 2] = [1e-3, 1e-7];
 
 /// Holds a specimen's tables against its scans; nothing where the run has no such specimen.
+///
+/// Errors at the recorded directions must be those that are recorded: an intact atlas cannot fail there, and a change of 1 % moves
+/// them by 1 % of the values, far more than they may differ. Fresh directions are held to the recorded quantiles by
+/// [`is_implausible`].
 ///
 /// # Errors
 /// Scans that cannot be read any more, and those of the transforms.
@@ -77,7 +111,7 @@ pub(super) fn against_scans(
     run: &RunConfig,
     file: &SpecimenFile,
     set: &TableSet,
-    sampling: Sampling,
+    checking: Checking,
 ) -> Result<AgainstScans> {
     let Some(specimen) = run.specimens.iter().find(|specimen| specimen.name == file.name) else {
         return Ok(AgainstScans::default());
@@ -85,35 +119,94 @@ pub(super) fn against_scans(
     let scans = ingest(specimen)?;
     let other_scans = other_scans(file, &scans);
     if !other_scans.is_empty() {
-        return Ok(AgainstScans { other_scans, reference: Vec::new() });
+        return Ok(AgainstScans { other_scans, ..AgainstScans::default() });
     }
-    let recorded: Vec<ErrorRow> = serde_json::from_value(file.errors.clone())
+    let rows: Vec<ErrorRow> = serde_json::from_value(file.errors.clone())
         .map_err(|error| Error::Call(format!("{}: its recorded errors cannot be read: {error}", file.name)))?;
-    let total = |group: &Group| recorded.iter().find(|row| row.cause == Cause::Total && row.group == *group);
+    if rows.is_empty() {
+        return Ok(AgainstScans::default());
+    }
+    let again = match (&set.restriction, checking.same_program) {
+        (None, true) => ErrorDirections::of_regions(set),
+        _ => ErrorDirections::default(),
+    };
+    let fresh = fresh_directions(run, file, set, &rows, checking.sampling)?;
+    let pairs = [again.pairs.as_slice(), &fresh.pairs].concat();
+    let exact = reference(&scans.fields, &scans.optics, &run.tables, &pairs)?;
+    let (exact_again, exact_fresh) = exact.split_at(again.pairs.len());
+    Ok(AgainstScans {
+        other_scans,
+        recorded: recorded_checks(&again, exact_again, set, &rows),
+        reference: fresh_checks(&fresh, exact_fresh, set, &rows, checking.alpha),
+    })
+}
+
+fn total<'a>(rows: &'a [ErrorRow], group: &Group) -> Option<&'a ErrorRow> {
+    rows.iter().find(|row| row.cause == Cause::Total && row.group == *group)
+}
+
+/// Directions that the run did not see.
+fn fresh_directions(
+    run: &RunConfig,
+    file: &SpecimenFile,
+    set: &TableSet,
+    rows: &[ErrorRow],
+    sampling: Sampling,
+) -> Result<ErrorDirections> {
     let mut candidates = match set.restriction {
         None => hemisphere_candidates(set, sampling.seed),
         Some(_) => scene_candidates(run, file, set, sampling.seed)?,
     };
     // What tables that went wrong would call dark is no measure: the recorded floor is.
     candidates.retain_mut(|candidates| {
-        let row = total(&candidates.group);
+        let row = total(rows, &candidates.group);
         candidates.floor_per_sr = row.map_or(0.0, |row| row.floor_per_sr);
         row.is_some()
     });
-    let ErrorDirections { groups, pairs } = ErrorDirections::drawn(set, candidates, sampling.count);
-    let exact = reference(&scans.fields, &scans.optics, &run.tables, &pairs)?;
-    let mut directions = pairs.iter().zip(&exact);
-    let mut reference = Vec::new();
-    for group in &groups {
-        let errors = directions.by_ref().take(group.len()).filter_map(|(&(wi, wo), exact)| {
-            let ours = brdf_xyz(set, Interpolation::Bilinear, wi, wo)[1];
-            // A NaN is kept, so that it counts as an error.
-            (exact[1] > group.floor_per_sr || exact[1].is_nan()).then(|| (ours - exact[1]).abs() / exact[1])
-        });
-        let errors = errors.collect();
-        reference.extend(total(&group.group).map(|recorded| reference_check(&group.group, errors, recorded)));
+    Ok(ErrorDirections::drawn(set, candidates, sampling.count))
+}
+
+/// The rows of everything together, now and as recorded.
+fn recorded_checks(again: &ErrorDirections, exact: &[Xyz], set: &TableSet, rows: &[ErrorRow]) -> Vec<RecordedCheck> {
+    let now = totals(&again.groups, &again.pairs, exact, set);
+    let pairs = now.iter().filter(|row| row.cause == Cause::Total);
+    pairs.filter_map(|now| total(rows, &now.group).map(|recorded| recorded_check(now, recorded))).collect()
+}
+
+fn recorded_check(now: &ErrorRow, recorded: &ErrorRow) -> RecordedCheck {
+    let figures = |row: &ErrorRow| [row.p50, row.p95, row.p99, row.worst, row.relative_l2];
+    let is_same =
+        |now: f64, then: f64| (now - then).abs() <= SAME[0] * then + SAME[1] || (now.is_nan() && then.is_nan());
+    let passed = figures(now).into_iter().zip(figures(recorded)).all(|(now, then)| is_same(now, then));
+    let known = |figures: [f64; 5]| figures.map(|figure| figure.is_finite().then_some(figure));
+    RecordedCheck {
+        region: now.group.to_string(),
+        directions: now.directions,
+        found: known(figures(now)),
+        recorded: known(figures(recorded)),
+        passed,
     }
-    Ok(AgainstScans { other_scans, reference })
+}
+
+fn fresh_checks(
+    fresh: &ErrorDirections,
+    exact: &[Xyz],
+    set: &TableSet,
+    rows: &[ErrorRow],
+    alpha: f64,
+) -> Vec<ReferenceCheck> {
+    let mut start = 0;
+    let check = |group: &ErrorGroup| {
+        let range = start..start + group.len();
+        start = range.end;
+        let shown: Vec<Xyz> =
+            fresh.pairs[range.clone()].iter().map(|&(wi, wo)| brdf_xyz(set, Interpolation::Bilinear, wi, wo)).collect();
+        let errors = metrics::colour_errors(&exact[range], &shown, group.floor_per_sr);
+        // Two quantiles of each group share what the specimen may take.
+        let alpha = alpha / (2 * fresh.groups.len()) as f64;
+        total(rows, &group.group).map(|recorded| reference_check(&group.group, errors, recorded, alpha))
+    };
+    fresh.groups.iter().filter_map(check).collect()
 }
 
 /// Names of scans with other digests than those recorded.
@@ -166,13 +259,14 @@ fn scene_candidates(run: &RunConfig, file: &SpecimenFile, set: &TableSet, seed: 
     scenes.iter().map(of_scene).collect()
 }
 
-fn reference_check(group: &Group, errors: Vec<f64>, recorded: &ErrorRow) -> ReferenceCheck {
-    let plausible = |quantile: f64, limit: f64| {
+fn reference_check(group: &Group, errors: Vec<f64>, recorded: &ErrorRow, alpha: f64) -> ReferenceCheck {
+    let is_chance = |quantile: f64, limit: f64| {
         let limit = limit.max(ERROR_FLOOR);
+        // A NaN counts as an error.
         let above = errors.iter().filter(|&&error| error.is_nan() || error > limit).count();
-        above as f64 <= most_above(errors.len(), recorded.directions, quantile)
+        !is_implausible(above, errors.len(), recorded.directions, quantile, alpha)
     };
-    let passed = plausible(0.5, recorded.p50) && plausible(0.95, recorded.p95);
+    let passed = is_chance(0.5, recorded.p50) && is_chance(0.95, recorded.p95);
     let quantiles = metrics::quantiles(errors);
     ReferenceCheck {
         region: group.to_string(),
@@ -186,65 +280,6 @@ fn reference_check(group: &Group, errors: Vec<f64>, recorded: &ErrorRow) -> Refe
     }
 }
 
-/// How many of `count` errors may lie above a quantile of `recorded` others of the same kind by chance.
-///
-/// If both come from one distribution, whatever it is, the number above the `r`-th smallest recorded one is
-/// a sum over a beta-distributed share with mean `1 - q` and variance `q (1 - q) / (recorded + 2)`: its own
-/// variance is `count q (1 - q) (count + recorded + 1) / (recorded + 2)`.
-fn most_above(count: usize, recorded: usize, q: f64) -> f64 {
-    let (n, m) = (count as f64, recorded as f64);
-    n * (1.0 - q) + SIGMAS * (n * q * (1.0 - q) * (n + m + 1.0) / (m + 2.0)).sqrt()
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn recorded(directions: usize, p50: f64, p95: f64) -> ErrorRow {
-        ErrorRow {
-            cause: Cause::Total,
-            group: Group::Region(Region::Hemisphere),
-            directions,
-            floor_per_sr: 0.0,
-            share_above: 1.0,
-            directions_below: 0,
-            missed_directions: 0,
-            left_out_per_sr: None,
-            relative_l2: 0.0,
-            p50,
-            p95,
-            p99: p95,
-            worst: p95,
-        }
-    }
-
-    /// Errors spread over three decades, `scale` at the median.
-    fn errors(count: usize, scale: f64) -> Vec<f64> {
-        (0..count).map(|i| scale * 10f64.powf(3.0 * ((i as f64 + 0.5) / count as f64 - 0.5))).collect()
-    }
-
-    #[test]
-    fn errors_as_recorded_pass_and_larger_ones_fail() {
-        let row = recorded(128, 1e-3, 1e-3 * 10f64.powf(1.35));
-        let passed = |errors| reference_check(&row.group, errors, &row).passed;
-        assert!(passed(errors(64, 1e-3)));
-        assert!(passed(errors(64, 1e-4)));
-        assert!(!passed(errors(64, 1e-2)));
-        // A defect in one direction of four shows in the tail.
-        let mut some = errors(64, 1e-3);
-        some.iter_mut().step_by(4).for_each(|error| *error = 1.0);
-        assert!(!passed(some));
-        assert!(!passed(vec![f64::NAN; 64]));
-        assert!(passed(Vec::new()));
-    }
-
-    #[test]
-    fn few_recorded_directions_allow_for_chance() {
-        // Five directions on either side, as a grating leaves lit, say little about a median.
-        assert!(most_above(5, 5, 0.5) > 5.0);
-        assert!(most_above(64, 128, 0.5) < 64.0);
-        // The limit tends to the binomial's for a quantile known exactly.
-        let binomial = 32.0 + SIGMAS * 4.0;
-        assert!((most_above(64, usize::MAX >> 12, 0.5) - binomial).abs() < 1e-6);
-    }
-}
+#[path = "verify_scans_tests.rs"]
+mod tests;

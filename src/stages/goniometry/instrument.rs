@@ -7,17 +7,12 @@ use diffraction_brdf::direction::{Vec3, Xyz};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::evaluate::Interpolation;
 use diffraction_brdf::filtered::{Pyramids, brdf_xyz_filtered};
-use diffraction_brdf::spectrum::uniform_wavelengths;
-use diffraction_build::ground::hue::Hue;
 use diffraction_build::optics::config::OpticsConfig;
+use diffraction_build::optics::light::white;
 use diffraction_build::optics::pigment::{Surface, pigment_xyz};
 
 /// Angular diameter in degrees that strips and spectra are averaged over: their step, so that no order falls between two.
 pub(super) const ACCEPTANCE_DEG: f64 = 1.0;
-
-/// Step of the white's sum over wavelengths in nm, and the purity from which a light has no white of its own.
-const STEP_NM: f64 = 1.0;
-const COLOURED_LIGHT: f64 = 0.5;
 
 /// A surface, what is needed to average over it, and the white that its colours are seen against.
 pub(super) struct Instrument<'a> {
@@ -29,12 +24,7 @@ pub(super) struct Instrument<'a> {
 impl<'a> Instrument<'a> {
     /// An instrument before a surface; fails on a light without power in the range.
     pub(super) fn new(surface: Surface<'a>, optics: &OpticsConfig) -> Result<Self> {
-        let quadrature = uniform_wavelengths(&optics.illuminant, optics.wavelength_nm, STEP_NM)?;
-        let own: Xyz = std::array::from_fn(|c| quadrature.weights.iter().map(|weight| weight[c]).sum());
-        // A laser's colours are all alike; against equal energy they at least have a name.
-        let even = [1.0; 3];
-        let is_coloured = Hue::of(own, even).is_none_or(|hue| hue.purity > COLOURED_LIGHT);
-        let white = if is_coloured { even } else { own };
+        let white = white(&optics.illuminant, optics.wavelength_nm)?;
         Ok(Self { surface, pyramids: Pyramids::new(surface.tables), white })
     }
 

@@ -3,9 +3,10 @@
 use std::f64::consts::PI;
 
 use super::figures::{CurveResult, MeasuredColumn, MeasuredResult, PeakPair};
+use super::kind::Kind;
+use super::measurement::{Column, Measurement};
 use super::model::Modelled;
-use super::peaks;
-use super::read::{Column, Kind, Measurement};
+use super::peaks::{Peaks, pairs, peaks_of_both};
 use diffraction_build::ground::metrics::relative_l2;
 
 /// Fewest samples that make a curve.
@@ -109,8 +110,13 @@ fn curve(
     if at.len() < CURVE_MIN {
         return None;
     }
-    let found = [peaks::peaks(&at, &measured), peaks::peaks(&at, &model)];
-    let pairs = peaks::pairs(&found[0], &found[1]);
+    // A slit blurs spectra, a cone the scans of angles.
+    let resolution = match along {
+        4 => measurement.config.bandwidth_nm,
+        _ => measurement.config.acceptance_deg,
+    };
+    let Peaks { found, smoothing } = peaks_of_both(&at, &measured, &model, resolution);
+    let pairs = pairs(&found[0], &found[1]);
     Some(CurveResult {
         along: COORDINATES[along].into(),
         angles_deg: measurement.angles_deg[group[0]],
@@ -118,7 +124,15 @@ fn curve(
         relative_l2: relative_l2(&measured, &model),
         correlation: correlation(&measured, &model),
         peak_counts: [found[0].len(), found[1].len()],
-        peaks: pairs.into_iter().map(|[measured, model]| PeakPair { measured, model }).collect(),
+        smoothing,
+        peaks: pairs
+            .into_iter()
+            .map(|[measured, model]| PeakPair {
+                measured: measured.at,
+                model: model.at,
+                prominence: [measured.prominence, model.prominence],
+            })
+            .collect(),
         at,
         measured,
         model,

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::read::Kind;
+use super::kind::Kind;
 use diffraction_build::ground::null_for_nan;
 
 /// One specimen's comparison.
@@ -70,6 +70,9 @@ pub struct CurveResult {
     /// As for the column.
     #[serde(with = "null_for_nan")]
     pub correlation: f64,
+    /// Full width at half maximum of the Gaussian that both were smoothed with for their peaks, in the curve's coordinate.
+    #[serde(default)]
+    pub smoothing: f64,
     /// Number of peaks, measured and model.
     pub peak_counts: [usize; 2],
     /// Peaks that belong together.
@@ -83,4 +86,7 @@ pub struct PeakPair {
     pub measured: f64,
     /// Where it is in the model.
     pub model: f64,
+    /// How far it stands out in both, as shares of the curves' ranges.
+    #[serde(default)]
+    pub prominence: [f64; 2],
 }

@@ -4,14 +4,19 @@
 
 mod compare;
 mod config;
+mod export;
 mod figures;
+mod jcamp;
+pub mod kind;
+mod measurement;
 pub mod model;
 mod peaks;
 pub mod read;
 
-pub use config::MeasuredConfig;
+pub use config::{ExportConfig, MeasuredConfig};
 pub use figures::{CurveResult, MeasuredColumn, MeasuredResult, PeakPair};
-pub use read::{Measurement, read};
+pub use measurement::Measurement;
+pub use read::read;
 
 use diffraction_brdf::SpectralTables;
 use diffraction_brdf::error::Result;

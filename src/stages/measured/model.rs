@@ -4,7 +4,7 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 
 use rayon::prelude::*;
 
-use super::read::Measurement;
+use super::measurement::Measurement;
 use diffraction_brdf::SpectralTables;
 use diffraction_brdf::direction::{Vec3, from_angles_deg, wave_vector_change};
 use diffraction_brdf::error::{Error, Result};
@@ -203,26 +203,11 @@ fn triangle_quantile(share: f64) -> f64 {
 
 /// Transforms that hold every sample.
 fn spectra_config(rows: &[RowSamples], optics: &OpticsConfig, memory_bytes: u64) -> SpectraConfig {
-    let mut config = SpectraConfig {
-        phase_scale_per_nm: [0.0; 2],
-        frequency: [[0.0; 2]; 2],
-        tolerance: NODE_TOLERANCE,
-        memory_bytes,
-    };
-    // A source of fixed size blurs over (u, v) by 5.5 times a quarter of its diameter, at wavelengths that its light lacks too.
-    let blur = optics.source_deg.map_or(0.0, |source_deg| 5.5 * 0.25 * source_deg.to_radians());
-    for row in rows {
+    let asked = rows.iter().flat_map(|row| {
         let shortest_nm = row.wavelengths_nm.iter().copied().fold(f64::MAX, f64::min);
-        for &wo in &row.wo {
-            let q = wave_vector_change(row.wi, wo);
-            config.phase_scale_per_nm[1] = config.phase_scale_per_nm[1].max(TAU * q[2].abs() / shortest_nm);
-            for (range, component) in config.frequency.iter_mut().zip(q) {
-                let reach = (component.abs() + blur) / shortest_nm;
-                *range = [range[0].min(-reach), range[1].max(reach)];
-            }
-        }
-    }
-    config
+        row.wo.iter().map(move |&wo| (wave_vector_change(row.wi, wo), shortest_nm))
+    });
+    SpectraConfig::holding(optics, asked, NODE_TOLERANCE, memory_bytes)
 }
 
 fn check_evaluations(rows: &[RowSamples], windows: usize) -> Result<()> {

@@ -1,19 +1,16 @@
 //! CSV files of measured reflectance: angles, wavelength, and values whose column says their kind.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::config::MeasuredConfig;
+use super::export;
+use super::kind::{self, Kind, value_kind};
+use super::measurement::{Column, Measurement, ROWS_MAX, WAVELENGTH_NM, all_beyond, note_beyond, note_values};
 use diffraction_brdf::error::{Error, Result};
-use diffraction_brdf::files;
 use diffraction_build::ground::csv::{self, Cell};
 
 /// Largest file that is read.
 const BYTES_MAX: u64 = 64 << 20;
-
-/// Most rows: a hundred directions at a nanometre's step over the visible range, five times over.
-const ROWS_MAX: usize = 200_000;
 
 /// Most columns of values.
 const COLUMNS_MAX: usize = 16;
@@ -22,79 +19,7 @@ const COLUMNS_MAX: usize = 16;
 const PLACE: [&str; 5] = ["theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg", "wavelength_nm"];
 
 /// Steepest direction: at the horizon nothing is lit or seen.
-const THETA_MAX_DEG: f64 = 89.9;
-
-/// Shortest and longest wavelength, those of the manifest.
-const WAVELENGTH_NM: [f64; 2] = [200.0, 2500.0];
-
-/// What a value is, by what it is compared with. `f` is the BRDF, `⟨·⟩` the mean over cone and slit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Kind {
-    /// `⟨f cos_theta⟩ / cos_theta_r` in 1/sr.
-    Brdf,
-    /// `⟨f cos_theta⟩` in 1/sr: power per solid angle relative to the incident power.
-    Scatter,
-    /// `π ⟨f cos_theta⟩ / ⟨cos_theta⟩`: relative to a white Lambertian seen in the same cone.
-    RadianceFactor,
-    /// `Ω ⟨f cos_theta⟩`, `Ω` being the cone's solid angle: the share of the incident power that is caught.
-    ConeReflectance,
-    /// `⟨f cos_theta⟩ / cos_theta_r` times a factor that is fitted.
-    RelativeRadiance,
-    /// `⟨f cos_theta⟩` times a factor that is fitted.
-    RelativePower,
-}
-
-/// Names of the kinds as columns.
-const KINDS: [(&str, Kind); 7] = [
-    ("brdf_per_sr", Kind::Brdf),
-    ("scatter_per_sr", Kind::Scatter),
-    ("radiance_factor", Kind::RadianceFactor),
-    ("reflectance_factor", Kind::RadianceFactor),
-    ("cone_reflectance", Kind::ConeReflectance),
-    ("relative_radiance", Kind::RelativeRadiance),
-    ("relative_power", Kind::RelativePower),
-];
-
-impl Kind {
-    /// Whether a factor between model and measurement is fitted.
-    pub(crate) fn is_relative(self) -> bool {
-        matches!(self, Self::RelativeRadiance | Self::RelativePower)
-    }
-
-    /// Whether a hundredth part may be its unit.
-    fn is_share(self) -> bool {
-        matches!(self, Self::RadianceFactor | Self::ConeReflectance)
-    }
-}
-
-/// One column of values.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Column {
-    /// Its name in the file.
-    pub name: String,
-    /// What its values are.
-    pub kind: Kind,
-    /// A value per row, per cent divided by 100; NaN where the cell is empty.
-    pub values: Vec<f64>,
-}
-
-/// A measurement, row by row in the order of the file.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Measurement {
-    /// The file and the instrument.
-    pub config: MeasuredConfig,
-    /// SHA-256 of the file, hexadecimal.
-    pub sha256: String,
-    /// theta_i, phi_i, theta_r, phi_r of each row in degrees.
-    pub angles_deg: Vec<[f64; 4]>,
-    /// Wavelength of each row in nm.
-    pub wavelength_nm: Vec<f64>,
-    /// The columns of values, at least one.
-    pub columns: Vec<Column>,
-    /// What a reader of the figures must know about the file.
-    pub notes: Vec<String>,
-}
+pub(crate) const THETA_MAX_DEG: f64 = 89.9;
 
 /// Reads a file of measured reflectance.
 ///
@@ -106,7 +31,10 @@ pub struct Measurement {
 /// # Errors
 /// [`Error::BadFile`] with line and column for whatever cannot be taken as it is; [`Error::Disk`].
 pub fn read(config: &MeasuredConfig) -> Result<Measurement> {
-    let (text, sha256) = text(&config.file)?;
+    let (text, sha256) = csv::read(&config.file, BYTES_MAX)?;
+    if let Some(export) = &config.export {
+        return export::measurement(config, export, &text, sha256);
+    }
     let mut lines = csv::lines(&text);
     let Some((number, header)) = lines.next() else {
         return Err(Table { path: &config.file, separator: ',' }.error(1, 1, "the file holds no line of column names"));
@@ -121,39 +49,25 @@ pub fn read(config: &MeasuredConfig) -> Result<Measurement> {
         columns: layout.values.iter().map(|place| place.column.clone()).collect(),
         notes: layout.notes.clone(),
     };
+    let mut beyond = 0;
     for (number, line) in lines {
         if measurement.wavelength_nm.len() == ROWS_MAX {
             return Err(table.error(number, 1, &format!("the file holds more than {ROWS_MAX} rows of values")));
         }
-        table.row(number, line, &layout, &mut measurement)?;
+        beyond += usize::from(!table.row(number, line, &layout, &mut measurement)?);
     }
     if measurement.wavelength_nm.is_empty() {
-        return Err(table.error(number, 1, "no rows of values follow the column names"));
+        let what = if beyond > 0 { all_beyond() } else { "no rows of values follow the column names".into() };
+        return Err(table.error(number, 1, &what));
     }
-    note_values(&table, number, &mut measurement)?;
+    measurement.notes.extend(note_beyond(beyond));
+    note_values(&mut measurement).map_err(|what| table.error(number, 1, &what))?;
     Ok(measurement)
 }
 
-/// The bytes within bounds, as text without a byte-order mark, and their digest.
-fn text(path: &Path) -> Result<(String, String)> {
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(|e| Error::disk(path, "read", e))?;
-    file.take(BYTES_MAX + 1).read_to_end(&mut bytes).map_err(|e| Error::disk(path, "read", e))?;
-    if bytes.len() as u64 > BYTES_MAX {
-        return Err(Error::bad_file(
-            path,
-            format!("a file of measured reflectance may have {} MiB, this one is larger", BYTES_MAX >> 20),
-            FIX,
-        ));
-    }
-    let sha256 = files::sha256_hex(&bytes);
-    let text = String::from_utf8(bytes)
-        .map_err(|_| Error::bad_file(path, "this is not UTF-8 text", "Save it as CSV in UTF-8."))?;
-    Ok((text, sha256))
-}
-
 const FIX: &str = "The first line names the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, wavelength_nm and one or \
-                   more kinds of value (docs/manifest.md, `measured`); each other line holds a number for each.";
+                   more kinds of value; each other line holds a number for each. For a spectrometer's own export say the geometry \
+                   and the kind in the manifest (docs/manifest.md, `measured`).";
 
 /// A file being read.
 struct Table<'a> {
@@ -213,8 +127,8 @@ impl Table<'_> {
             }
         }
         if layout.values.is_empty() {
-            let known: Vec<String> = KINDS.iter().map(|(name, _)| format!("`{name}`")).collect();
-            let what = format!("no column says what kind of value it holds; expected one of {}", known.join(", "));
+            let what =
+                format!("no column says what kind of value it holds; expected one of {}", kind::names().join(", "));
             return Err(self.error(number, 1, &what));
         }
         if layout.values.len() > COLUMNS_MAX {
@@ -223,21 +137,28 @@ impl Table<'_> {
         Ok(layout)
     }
 
-    fn row(&self, number: usize, line: &str, layout: &Layout, out: &mut Measurement) -> Result<()> {
+    /// Takes a row over, unless its wavelength lies outside of what is compared; whether it did.
+    fn row(&self, number: usize, line: &str, layout: &Layout, out: &mut Measurement) -> Result<bool> {
         let cells = csv::row_cells(line, self.separator, layout.cells).map_err(|what| self.error(number, 1, &what))?;
         let mut place = [0.0; 5];
         for (index, &cell) in layout.place.iter().enumerate() {
             place[index] = self.place(number, cells[cell], index)?;
         }
         let [theta_i, phi_i, theta_r, phi_r, wavelength_nm] = place;
+        if !(WAVELENGTH_NM[0]..=WAVELENGTH_NM[1]).contains(&wavelength_nm) {
+            return Ok(false);
+        }
         out.angles_deg.push([theta_i, phi_i, theta_r, phi_r]);
         out.wavelength_nm.push(wavelength_nm);
         for (value_place, column) in layout.values.iter().zip(&mut out.columns) {
             let cell = cells[value_place.cell];
-            let value = if cell.1.is_empty() { f64::NAN } else { self.number(number, cell, &column.name)? };
+            let value = match csv::number_or_missing(cell.1, self.separator) {
+                Some(value) => value,
+                None => self.number(number, cell, &column.name)?,
+            };
             column.values.push(if value_place.percent { 0.01 * value } else { value });
         }
-        Ok(())
+        Ok(true)
     }
 
     /// An angle or a wavelength.
@@ -246,7 +167,8 @@ impl Table<'_> {
         let [low, high] = match index {
             0 | 2 => [-THETA_MAX_DEG, THETA_MAX_DEG],
             1 | 3 => [-360.0, 360.0],
-            _ => WAVELENGTH_NM,
+            // Whether it is compared at all is seen to later.
+            _ => [f64::MIN, f64::MAX],
         };
         if !(low..=high).contains(&value) {
             let what = format!("`{}` must lie between {low} and {high}; found {value}", PLACE[index]);
@@ -264,25 +186,6 @@ impl Table<'_> {
     }
 }
 
-/// The kind that a column's name in lower case says, and whether it is in per cent; `None` for other columns.
-fn value_kind(name: &str) -> std::result::Result<Option<(Kind, bool)>, String> {
-    let word = name.split(':').next().unwrap_or(name).trim();
-    let of = |word: &str| KINDS.iter().find(|(known, _)| *known == word).map(|(_, kind)| *kind);
-    if let Some(kind) = of(word) {
-        return Ok(Some((kind, false)));
-    }
-    if let Some(kind) = word.strip_suffix("_percent").and_then(of) {
-        return if kind.is_share() { Ok(Some((kind, true))) } else { Err(format!("`{word}` cannot be in per cent")) };
-    }
-    // Half a name would be a guess at what was measured.
-    let started = ["brdf", "scatter", "radiance", "reflectance", "relative", "cone", "btdf", "bsdf"];
-    if started.iter().any(|start| word.starts_with(start)) {
-        let known: Vec<String> = KINDS.iter().map(|(name, _)| format!("`{name}`")).collect();
-        return Err(format!("`{word}` does not say its kind and unit; expected one of {}", known.join(", ")));
-    }
-    Ok(None)
-}
-
 /// Where a column stands that may be meant, and what to say of it.
 fn alike(cells: &[Cell], names: &[String], wanted: &str) -> (usize, String) {
     let stem = wanted.rsplit_once('_').map_or(wanted, |(stem, _)| stem);
@@ -290,30 +193,6 @@ fn alike(cells: &[Cell], names: &[String], wanted: &str) -> (usize, String) {
     found.map_or((1, String::new()), |index| {
         (cells[index].0, format!("; found `{}`: the unit is the last word of the name", cells[index].1))
     })
-}
-
-/// Notes on empty and negative values; a column must have something to compare with.
-fn note_values(table: &Table, header_line: usize, measurement: &mut Measurement) -> Result<()> {
-    for column in &measurement.columns {
-        let present = || column.values.iter().filter(|value| !value.is_nan());
-        if !present().any(|&value| value > 0.0) {
-            let what = format!("the column `{}` holds no value above 0", column.name);
-            return Err(table.error(header_line, 1, &what));
-        }
-        let negative = present().filter(|&&value| value < 0.0).count();
-        if negative > 0 {
-            let all = present().count();
-            let name = &column.name;
-            measurement
-                .notes
-                .push(format!("{negative} of {all} values of `{name}` are negative, as a dark reading leaves them"));
-        }
-        let empty = column.values.len() - present().count();
-        if empty > 0 {
-            measurement.notes.push(format!("{empty} cells of `{}` are empty", column.name));
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -1,12 +1,14 @@
 //! Dialects of CSV that are taken, and faults that are named with their place.
 
+use std::fs::File;
+
 use super::*;
 
 fn parse_with(text: &str, acceptance_deg: f64) -> Result<Measurement> {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("r.csv");
     std::fs::write(&file, text).unwrap();
-    read(&MeasuredConfig { file, acceptance_deg, bandwidth_nm: 0.0 })
+    read(&MeasuredConfig { file, acceptance_deg, bandwidth_nm: 0.0, export: None })
 }
 
 fn parse(text: &str) -> Measurement {
@@ -50,7 +52,10 @@ fn several_columns_labels_per_cent_and_gaps() {
     assert!(second.values[0].is_nan() && second.values[1] == 3.0);
     assert_eq!((factor.kind, factor.values.as_slice()), (Kind::RadianceFactor, &[0.5, 0.25][..]));
     assert_eq!(file.notes.len(), 2, "{:?}", file.notes);
-    assert!(file.notes[0].contains("`operator`") && file.notes[1].contains("1 cells of `brdf_per_sr:second`"));
+    assert!(
+        file.notes[0].contains("`operator`")
+            && file.notes[1].contains("1 cells of `brdf_per_sr:second` hold no number")
+    );
 }
 
 #[test]
@@ -69,12 +74,11 @@ fn faults_are_named_with_file_line_and_column() {
         (format!("{},brdf_per_sr\n", HEAD.replace("phi_r_deg", "azimuth")), ":1:1:", "`phi_r_deg` is missing"),
         (row("0,0,0,0,500"), ":3:1:", "expected 6 cells"),
         (row("0,0,0,0,500,0,1"), ":3:1:", "separate cells by semicolons"),
-        (row("0,0,0,0,510,NaN"), ":3:13:", "`NaN` in the column `brdf_per_sr`"),
-        (row("0,0,0,0,510,inf"), ":3:13:", "not a finite number"),
+        (row("0,0,0,0,510,x"), ":3:13:", "`x` in the column `brdf_per_sr` is not a finite number"),
         (row("0,0, x,0,510,1"), ":3:6:", "`x` in the column `theta_r_deg`"),
         (row("90,0,0,0,510,1"), ":3:1:", "`theta_i_deg` must lie between -89.9 and 89.9"),
         (row("0,0,0,400,510,1"), ":3:7:", "`phi_r_deg` must lie"),
-        (row("0,0,0,0,0.51,1"), ":3:9:", "`wavelength_nm` must lie between 200 and 2500"),
+        (format!("{HEAD},brdf_per_sr\n0,0,0,0,0.51,1\n0,0,0,0,0.52,1\n"), ":1:1:", "are they in nm?"),
         (row("0,0,0,0,,1"), ":3:9:", "`` in the column `wavelength_nm`"),
         (format!("{HEAD},brdf_per_sr\n0,0,0,0,500,-1\n0,0,0,0,500,0\n"), ":1:1:", "no value above 0"),
     ] {
@@ -90,9 +94,9 @@ fn faults_are_named_with_file_line_and_column() {
 fn what_is_no_text_or_too_long_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("r.csv");
-    let config = MeasuredConfig { file: file.clone(), acceptance_deg: 0.0, bandwidth_nm: 0.0 };
-    std::fs::write(&file, [0xff, 0xfe, 0x00]).unwrap();
-    assert!(read(&config).unwrap_err().to_string().contains("not UTF-8"));
+    let config = MeasuredConfig { file: file.clone(), acceptance_deg: 0.0, bandwidth_nm: 0.0, export: None };
+    std::fs::write(&file, [b'I', b'I', 42, 0]).unwrap();
+    assert!(read(&config).unwrap_err().to_string().contains("this is no text"));
     let mut text = format!("{HEAD},brdf_per_sr\n");
     text.push_str(&"0,0,0,0,500,1\n".repeat(ROWS_MAX + 1));
     std::fs::write(&file, text).unwrap();
@@ -100,4 +104,14 @@ fn what_is_no_text_or_too_long_is_refused() {
     // A sparse file: its size alone is too much.
     File::options().write(true).open(&file).unwrap().set_len(BYTES_MAX + 1).unwrap();
     assert!(read(&config).unwrap_err().to_string().contains("64 MiB"));
+}
+
+#[test]
+fn rows_that_cannot_be_compared_are_counted() {
+    let rows = "0,0,0,0,199,1\n0,0,0,0,500,NaN\n0,0,0,0,510,inf\n0,0,0,0,520,2\n0,0,0,0,9000,1\n";
+    let file = parse(&format!("{HEAD},brdf_per_sr\n{rows}"));
+    assert_eq!(file.wavelength_nm, [500.0, 510.0, 520.0]);
+    assert!(file.columns[0].values[..2].iter().all(|value| value.is_nan()));
+    assert_eq!(file.notes.len(), 2, "{:?}", file.notes);
+    assert!(file.notes[0].starts_with("2 rows with wavelengths outside") && file.notes[1].starts_with("2 cells"));
 }

@@ -9,6 +9,7 @@ use crate::stages::coverage::{asked, savings};
 use crate::stages::ingest::{Scans, ingest as read_scans};
 use crate::stages::measured::{self, Measurement};
 use crate::stages::stage::Stage;
+use diffraction_brdf::error::Error;
 use diffraction_brdf::files;
 use diffraction_brdf::storage::{StoredTables, read_tables};
 use diffraction_build::accuracy::texels;
@@ -27,6 +28,8 @@ use diffraction_render::scene::model::Scene;
 pub(super) struct Ingested {
     pub(super) scans: Scans,
     pub(super) measurement: Option<Measurement>,
+    /// Why there is no measurement though one is named: that costs the comparison, not the tables.
+    pub(super) unread: Option<String>,
     /// What is asked of the tables.
     pub(super) tables: TablesConfig,
     /// What is pictured with them.
@@ -78,12 +81,20 @@ pub(super) fn ingest(job: &Job, clock: &mut Clock) -> Step<Ingested> {
         files::create_folder(&job.folder.join("scenes"))?;
         read_scans(specimen)
     })?;
-    let measurement = match &specimen.measured {
-        Some(config) => Some(clock.stage(Stage::ReadMeasured, || measured::read(config))?),
-        None => None,
+    let read = |config| clock.stage(Stage::ReadMeasured, || measured::read(config));
+    let (measurement, unread) = match specimen.measured.as_ref().map(read) {
+        None => (None, None),
+        Some(Ok(measurement)) => (Some(measurement), None),
+        Some(Err(failed)) => (None, Some(not_compared(&failed.error))),
     };
     let tables = asked::tables_for(config, &specimen.name);
-    Ok(Ingested { scans, measurement, tables, scenes: asked::pictured_scenes(config, &specimen.name) })
+    Ok(Ingested { scans, measurement, unread, tables, scenes: asked::pictured_scenes(config, &specimen.name) })
+}
+
+/// What a user must know of a measurement that is not compared with.
+pub(super) fn not_compared(error: &Error) -> String {
+    let what = error.to_string().lines().map(str::trim).collect::<Vec<_>>().join(" ");
+    format!("not compared with the measured reflectance: {what}")
 }
 
 /// The settings with which tables are tried first, on fewer texels than the tolerance may ask for; `None` where that is not to be

@@ -123,6 +123,7 @@ fn warnings(job: &Job, ingested: &Ingested, planned: &Planned, measured: &Measur
     warnings.extend(scenes::warnings(&scenes, optics));
     warnings.extend(too_bright(&measured.reflected.albedo, measured.energy_limit.as_ref()));
     warnings.extend(rows::broken_tolerances(&measured.errors, ingested.tables.tolerance, set.size()));
+    warnings.extend(ingested.unread.iter().chain(&measured.not_compared).cloned());
     warnings
 }
 
@@ -308,7 +309,7 @@ pub(super) fn failed_result(specimen: &SpecimenConfig, why: &str) -> SpecimenRes
         reached_png: None,
         spectral: None,
         budget: None,
-        verdict: Some(failed_verdict(&error.to_string())),
+        verdict: Some(failed_verdict(why)),
         warnings: Vec::new(),
         failed: Some(why.to_owned()),
         stale: None,

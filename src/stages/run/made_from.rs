@@ -19,7 +19,17 @@ use diffraction_render::scene::model::{Scene, Shape};
 pub(super) fn made_from(config: &RunConfig, specimen: &SpecimenConfig) -> Option<Value> {
     let SpecimenConfig { name, species, scans, read, prepare, optics, is_material_given, albedo, measured } = specimen;
     // Working memory changes no value, and words of messages are the same for all manifests.
-    let ReadConfig { page, pitch_nm, height, max_missing_share, max_samples: _, words: _ } = read;
+    let ReadConfig {
+        page,
+        channel,
+        pitch_nm,
+        height,
+        max_missing_share,
+        missing_value,
+        crop,
+        max_samples: _,
+        words: _,
+    } = read;
     let tables = TablesConfig { memory_mib: 0, ..config.tables.clone() };
     let ReportConfig { write: _, reference, savings } = config.report;
     let mut inputs = Map::new();
@@ -29,8 +39,13 @@ pub(super) fn made_from(config: &RunConfig, specimen: &SpecimenConfig) -> Option
     let scenes = asked::pictured_scenes(config, name);
     let scenes =
         scenes.iter().map(|scene| Some((scene.name.clone(), scene_value(scene)?))).collect::<Option<Map<_, _>>>()?;
-    let instrument = measured.as_ref().map(|MeasuredConfig { file, acceptance_deg, bandwidth_nm }| {
-        json!({ "file": config.relative_name(file), "acceptance_deg": acceptance_deg, "bandwidth_nm": bandwidth_nm })
+    let instrument = measured.as_ref().map(|MeasuredConfig { file, acceptance_deg, bandwidth_nm, export }| {
+        json!({
+            "file": config.relative_name(file),
+            "acceptance_deg": acceptance_deg,
+            "bandwidth_nm": bandwidth_nm,
+            "export": export,
+        })
     });
     Some(json!({
         "program": program::digest()?,
@@ -38,7 +53,15 @@ pub(super) fn made_from(config: &RunConfig, specimen: &SpecimenConfig) -> Option
         "specimen": {
             "name": name,
             "species": species,
-            "read": { "page": page, "pitch_nm": pitch_nm, "height": height, "max_missing_share": max_missing_share },
+            "read": {
+                "page": page,
+                "channel": channel,
+                "pitch_nm": pitch_nm,
+                "height": height,
+                "max_missing_share": max_missing_share,
+                "missing_value": missing_value,
+                "crop": crop,
+            },
             "prepare": prepare,
             "is_material_given": is_material_given,
             "albedo": albedo,

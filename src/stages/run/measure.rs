@@ -1,6 +1,6 @@
 //! From stored tables to what is known of them: pictures, the reference, errors, measured reflectance.
 
-use super::build::{Ingested, Planned, Stored};
+use super::build::{Ingested, Planned, Stored, not_compared};
 use super::clock::{Clock, Step};
 use super::job::Job;
 use crate::stages::cache::known::Known;
@@ -32,6 +32,8 @@ pub(super) struct Measured {
     pub(super) reflected: Reflected,
     pub(super) energy_limit: Option<EnergyLimit>,
     pub(super) measured: Option<MeasuredResult>,
+    /// Why there is no comparison though there is a measurement.
+    pub(super) not_compared: Option<String>,
 }
 
 /// Renders, evaluates the reference at the same directions, and compares.
@@ -72,17 +74,21 @@ pub(super) fn measure(
         let energy_limit = energy_limit(&stored.set, &reflected.albedo);
         Ok((errors, reflected, energy_limit))
     })?;
-    let measured = match &ingested.measurement {
-        None => None,
-        Some(measurement) => Some(clock.stage(Stage::CompareMeasured, || {
+    let compared = ingested.measurement.as_ref().map(|measurement| {
+        clock.stage(Stage::CompareMeasured, || {
             let file = job.config.relative_name(&measurement.config.file);
             let memory_bytes = planned.plan.spectra.memory_bytes;
             let Scans { fields, optics, .. } = &ingested.scans;
             measured::compare(fields, optics, spectral, measurement, file, memory_bytes)
-        })?),
+        })
+    });
+    let (measured, not_compared) = match compared {
+        None => (None, None),
+        Some(Ok(measured)) => (Some(measured), None),
+        Some(Err(failed)) => (None, Some(not_compared(&failed.error))),
     };
     let pictures = with_reference(works, reference.as_ref(), counted.len());
-    Ok(Measured { stored, pictures, counted, errors, reflected, energy_limit, measured })
+    Ok(Measured { stored, pictures, counted, errors, reflected, energy_limit, measured, not_compared })
 }
 
 /// The rows of the scans' sampling, where it is in question.

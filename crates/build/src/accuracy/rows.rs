@@ -154,6 +154,19 @@ pub fn error_rows(reference: &Reference, stored: &TableSet, built: &TableSet) ->
     reference.groups.iter().flat_map(of_group).collect()
 }
 
+/// The rows of everything together alone, group by group, at the pairs of [`ErrorDirections`](super::directions::ErrorDirections)
+/// and what the surface does there.
+pub fn totals(groups: &[ErrorGroup], pairs: &[(Vec3, Vec3)], exact: &[Xyz], stored: &TableSet) -> Vec<ErrorRow> {
+    let mut start = 0;
+    let of_group = |group: &ErrorGroup| {
+        let range = start..start + group.len();
+        start = range.end;
+        let shown = |look_up| pairs[range.clone()].iter().map(|&(wi, wo)| brdf_xyz(stored, look_up, wi, wo)).collect();
+        total_rows(group, &exact[range.clone()], stored.look_up(), shown)
+    };
+    groups.iter().flat_map(of_group).collect()
+}
+
 /// The rows of one group, whose directions stand at `range` of the reference.
 fn rows_of(
     group: &ErrorGroup,

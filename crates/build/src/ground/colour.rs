@@ -88,7 +88,7 @@ pub fn luminance(rgb: LinearRgb) -> f64 {
 }
 
 /// sRGB transfer function, linear to encoded, for [0, 1].
-pub(crate) fn srgb_encode(linear: f64) -> f64 {
+pub fn srgb_encode(linear: f64) -> f64 {
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055 }
 }
 

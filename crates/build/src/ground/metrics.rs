@@ -75,9 +75,14 @@ pub fn relative_error_quantiles(reference: &[f64], test: &[f64], floor: f64) -> 
 /// Chromaticity coordinates then shift by four times as much at most: `dx = (dX - x dS) / S` with `|dS| <= 3 e S`. Where all
 /// channels are the same it is what [`relative_error_quantiles`] says of one. Both slices must have the same length.
 pub fn colour_error_quantiles(reference: &[[f64; 3]], test: &[[f64; 3]], floor: f64) -> ErrorQuantiles {
+    quantiles(colour_errors(reference, test, floor))
+}
+
+/// The errors of [`colour_error_quantiles`], one by one.
+pub fn colour_errors(reference: &[[f64; 3]], test: &[[f64; 3]], floor: f64) -> Vec<f64> {
     assert_eq!(reference.len(), test.len(), "compared sets differ in length");
     let counts = |r: &[f64; 3]| r.iter().any(|x| x.is_nan()) || r[1].abs() > floor;
-    quantiles(reference.iter().zip(test).filter(|(r, _)| counts(r)).map(|(r, t)| colour_error(r, t)).collect())
+    reference.iter().zip(test).filter(|(r, _)| counts(r)).map(|(r, t)| colour_error(r, t)).collect()
 }
 
 fn colour_error(reference: &[f64; 3], test: &[f64; 3]) -> f64 {

@@ -9,6 +9,9 @@ pub mod write;
 
 use ndarray::Array2;
 
+/// Smallest and largest believable distance of samples in nm: a hundredth of an atom, and one millimetre.
+pub const PITCH_NM: [f64; 2] = [1e-3, 1e6];
+
 /// A height field on a regular grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeightField {

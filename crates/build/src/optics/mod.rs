@@ -6,6 +6,7 @@ pub mod dispersive;
 pub mod factors;
 pub mod kernel;
 pub mod left_out;
+pub mod light;
 pub mod lines;
 pub mod materials;
 pub mod pigment;

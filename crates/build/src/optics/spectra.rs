@@ -36,6 +36,26 @@ pub struct SpectraConfig {
 }
 
 impl SpectraConfig {
+    /// Transforms that hold pairs of directions, each given by its `q` and the shortest wavelength in nm that is asked for there.
+    pub fn holding(
+        optics: &OpticsConfig,
+        asked: impl IntoIterator<Item = (Vec3, f64)>,
+        tolerance: f64,
+        memory_bytes: u64,
+    ) -> Self {
+        let mut config = Self { phase_scale_per_nm: [0.0; 2], frequency: [[0.0; 2]; 2], tolerance, memory_bytes };
+        // A source of fixed size blurs over (u, v) by 5.5 times a quarter of its diameter, at wavelengths that its light lacks too.
+        let blur = optics.source_deg.map_or(0.0, |source_deg| 5.5 * 0.25 * source_deg.to_radians());
+        for (q, shortest_nm) in asked {
+            config.phase_scale_per_nm[1] = config.phase_scale_per_nm[1].max(TAU * q[2].abs() / shortest_nm);
+            for (range, component) in config.frequency.iter_mut().zip(q) {
+                let reach = (component.abs() + blur) / shortest_nm;
+                *range = [range[0].min(-reach), range[1].max(reach)];
+            }
+        }
+        config
+    }
+
     /// Whether transforms hold every frequency that a light asks for at `q`.
     pub fn holds(&self, optics: &OpticsConfig, q: Vec3) -> bool {
         let asked = |axis: usize| optics.illuminant.reach_nm(optics.wavelength_nm).map(|nm| q[axis] / nm);

@@ -43,6 +43,35 @@ pub fn brdf_xyz_batch(
     Ok(sums.into_iter().map(|sum| sum.map(|s| s * share)).collect())
 }
 
+/// The BRDF in 1/sr at each of some wavelengths for many pairs of directions, averaged over scans and windows.
+///
+/// # Errors
+/// As [`brdf_xyz_batch`], and a wavelength at which the material is not known.
+pub fn brdf_spectrum_batch(
+    fields: &[HeightField],
+    optics: &OpticsConfig,
+    config: &SpectraConfig,
+    pairs: &[(Vec3, Vec3)],
+    wavelengths_nm: &[f64],
+) -> Result<Vec<Vec<f64>>> {
+    optics.check_material_at(wavelengths_nm)?;
+    let mut sums = vec![vec![0.0; wavelengths_nm.len()]; pairs.len()];
+    let mut windows = 0;
+    for field in fields {
+        for placement in placements(field, optics)? {
+            let spectra = spectra::transform(field, placement, optics, config)?;
+            sums.par_iter_mut().zip(pairs).for_each_init(Buffers::default, |buffers, (sum, &(wi, wo))| {
+                let Some(factors) = PairFactors::of(optics, wi, wo) else { return };
+                brdf_of_window(&spectra, &factors, wavelengths_nm, buffers, |j, brdf| sum[j] += brdf);
+            });
+            windows += 1;
+        }
+    }
+    let share = 1.0 / f64::from(windows.max(1));
+    sums.iter_mut().flatten().for_each(|value| *value *= share);
+    Ok(sums)
+}
+
 /// Adds one window's BRDF to each pair's sum; `step` as in [`resolving_count`].
 ///
 /// # Errors

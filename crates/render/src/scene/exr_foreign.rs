@@ -69,6 +69,7 @@ pub(crate) fn read_luminance(path: &Path) -> Result<(Array2<f32>, String)> {
 }
 
 fn bounded(path: &Path) -> Result<Vec<u8>> {
+    files::check_plain(path)?;
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(|e| Error::disk(path, "read", e))?;
     file.take(BYTES_MAX + 1).read_to_end(&mut bytes).map_err(|e| Error::disk(path, "read", e))?;

@@ -9,6 +9,7 @@ mod opened;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use diffraction_brdf::direction::Vec3;
 use diffraction_brdf::error::{Error, Result};
 
 use self::growing::bad;
@@ -17,6 +18,9 @@ use super::tangents;
 use super::triangles::TriangleMesh;
 
 pub use self::growing::COORDINATE_MAX;
+
+/// Most triangles with the same three corners. No hierarchy keeps them apart, so that a ray is tried against each.
+const COINCIDENT_MAX: usize = 64;
 
 /// A mesh that has been read.
 #[derive(Clone, PartialEq, Default)]
@@ -55,6 +59,17 @@ pub fn read(path: &Path) -> Result<Model> {
     if raw.triangles.is_empty() {
         return Err(bad(path, "it holds no triangles"));
     }
+    let heap = coincident(&raw.positions, &raw.triangles);
+    if heap > COINCIDENT_MAX {
+        let what = format!(
+            "{}: {heap} of its triangles lie in one place, and every ray there would meet them all",
+            path.display()
+        );
+        return Err(Error::limit(
+            what,
+            format!("Remove duplicates; up to {COINCIDENT_MAX} in one place are rendered."),
+        ));
+    }
     let mesh = tangents::build(raw).map_err(|triangle| {
         bad(
             path,
@@ -68,4 +83,20 @@ pub fn read(path: &Path) -> Result<Model> {
         return Err(bad(path, "none of its triangles has an area"));
     }
     Ok(Model { mesh, files: opened.files })
+}
+
+/// Most triangles that share their three corners' places, in whatever order.
+fn coincident(positions: &[Vec3], triangles: &[[u32; 3]]) -> usize {
+    // Adding zero makes -0 and 0 the same place.
+    let place = |vertex: u32| positions[vertex as usize].map(|c| (c + 0.0).to_bits());
+    let mut corners: Vec<[[u64; 3]; 3]> = triangles
+        .iter()
+        .map(|triangle| {
+            let mut corners = triangle.map(place);
+            corners.sort_unstable();
+            corners
+        })
+        .collect();
+    corners.sort_unstable();
+    corners.chunk_by(|a, b| a == b).map(<[_]>::len).max().unwrap_or(0)
 }

@@ -20,4 +20,7 @@ pub(crate) struct StudyArgs {
     /// Folder for tables, plots, and JSON
     #[arg(long, value_name = "DIR", default_value = "out/study")]
     pub out: PathBuf,
+    /// Replace the files of an earlier study in that folder
+    #[arg(long)]
+    pub force: bool,
 }

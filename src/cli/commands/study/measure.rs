@@ -1,6 +1,7 @@
 //! The work of `study`: from a manifest to the study's folder.
 
 use super::args::StudyArgs;
+use crate::cli::destination;
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::reporter;
@@ -18,6 +19,7 @@ use diffraction_study::study::{GpuClock, SceneSamples, StudyConfig, StudySpecime
 
 /// As [`super::run`].
 pub(crate) fn run(args: &StudyArgs, global: &Global) -> Result<Outcome> {
+    destination::check_folder(&args.out, Some(args.force))?;
     let (manifest, _) = manifest::load(&args.manifest)?;
     if let Some(unknown) = args.specimen.iter().find(|name| manifest.specimens.iter().all(|s| s.name != **name)) {
         return Err(Error::Call(format!("{}: no specimen is called `{unknown}`", args.manifest.display())).into());

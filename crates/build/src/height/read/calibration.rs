@@ -7,12 +7,12 @@ use super::missing;
 use super::refusal::{Parsed, Refusal};
 use super::scan::{Provenance, Scan};
 use super::stored::{Line, RawScan, Sourced};
-use crate::height::HeightField;
+use crate::height::{HeightField, PITCH_NM};
 
 /// Largest believable height in nm: one metre.
 const HEIGHT_MAX_NM: f64 = 1e9;
-/// Upper bound of a believable pitch in nm: one millimetre.
-const PITCH_MAX_NM: f64 = 1e6;
+/// Sides of a sample from whose ratio on a decimal comma, or two numbers in each other's place, are likelier than the scan.
+const ELONGATED: f64 = 4.0;
 
 /// Calibrates, fills and checks a scan. File name and digest are left empty.
 pub(super) fn calibrate(mut raw: RawScan, config: &ReadConfig) -> Parsed<Scan> {
@@ -92,11 +92,20 @@ fn pitch(raw: &mut RawScan, config: &ReadConfig) -> Parsed<Sourced<[f64; 2]>> {
             return Err(Refusal::new(format!("the distance between samples is not known: {reason}"), words.add_pitch));
         }
     };
-    if pitch.value.iter().all(|side| *side > 0.0 && *side <= PITCH_MAX_NM) {
+    let [low, high] = PITCH_NM;
+    if pitch.value.iter().all(|side| (low..=high).contains(side)) {
+        let [x, y] = pitch.value;
+        let ratio = (x / y).max(y / x);
+        if ratio > ELONGATED {
+            raw.warnings.push(format!(
+                "its samples are {ratio:.1} times as long as wide ({x} x {y} nm, {}): is that meant? A decimal comma would do that",
+                pitch.from
+            ));
+        }
         Ok(pitch)
     } else {
         Err(Refusal::new(
-            format!("a pitch of {:?} nm ({}) is not above 0 and at most 1 mm", pitch.value, pitch.from),
+            format!("a pitch of {:?} nm ({}) is not between {low} nm and 1 mm", pitch.value, pitch.from),
             format!("set `{}` to the distance between neighbouring samples in nm", words.pitch),
         ))
     }

@@ -9,6 +9,14 @@ use super::unit::LengthUnit;
 /// More elements than any scan needs; bounds the parser's memory.
 const NODES_MAX: u32 = 200_000;
 
+/// More attributes than any element has; the parser compares each with all others.
+const ATTRIBUTES_MAX: usize = 4096;
+
+/// No fewer than the attributes of any element, by the equals signs between opening brackets, of which values hold none.
+fn attributes_bound(text: &str) -> usize {
+    text.split('<').map(|piece| piece.bytes().filter(|&byte| byte == b'=').count()).max().unwrap_or(0)
+}
+
 /// Whether a description is OME-XML.
 pub(super) fn is_ome(description: &str) -> bool {
     let text = description.trim_start();
@@ -28,6 +36,9 @@ pub(super) fn apply(scan: &mut RawScan, description: &str) -> Parsed<()> {
 }
 
 fn parsed(description: &str) -> Parsed<Document<'_>> {
+    if attributes_bound(description) > ATTRIBUTES_MAX {
+        return Err(Refusal::damaged(format!("its OME-XML has an element with more than {ATTRIBUTES_MAX} attributes")));
+    }
     let options = ParsingOptions { nodes_limit: NODES_MAX, ..ParsingOptions::default() };
     Document::parse_with_options(description.trim(), options)
         .map_err(|error| Refusal::damaged(format!("its OME-XML is not XML: {error}")))

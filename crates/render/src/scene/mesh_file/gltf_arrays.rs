@@ -63,8 +63,10 @@ pub fn buffers(opened: &mut Opened, root: &Root, binary: Option<Cow<'_, [u8]>>) 
 
 /// Bytes of a file beside the document; `None` where the address leads elsewhere.
 fn external(opened: &mut Opened, uri: &str) -> Option<Result<Vec<u8>>> {
-    let name = percent_decode_str(uri).decode_utf8().ok().filter(|name| files::stays_below(name))?;
-    let path = opened.path.parent().unwrap_or(Path::new("")).join(&*name);
+    let name = percent_decode_str(uri).decode_utf8().ok()?;
+    // A reference may begin in the document's own folder (RFC 3986, section 4.2): `./mesh.bin`.
+    let name = name.trim_start_matches("./");
+    let path = files::stays_below(name).then(|| opened.path.parent().unwrap_or(Path::new("")).join(name))?;
     Some(opened.read(&path))
 }
 
