@@ -51,6 +51,7 @@ fn structs_have_the_same_bytes() {
         first_column,
         first_row,
         factor,
+        look_up,
         permittivity,
         pigment,
         table_scales,
@@ -82,6 +83,7 @@ fn structs_of_spectral_tables_have_the_same_bytes() {
         lobe_sigma_nm,
         cross_radius,
         of_source,
+        look_up,
         table_scales,
         cross_scales
     });

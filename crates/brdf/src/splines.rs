@@ -1,7 +1,7 @@
 //! Cubic B-splines through tables' texels: the closest look-up, which graphics hardware makes of four linear ones.
 //!
 //! A spline is `Σ c_k B(x - k)` with coefficients `c` of its own, a recursive filter of the values. Straight from the values
-//! ([`through_values`]) it takes hundreds of texels, from coefficients ([`Splines`]) four by four.
+//! (`through_values`) it takes hundreds of texels, from coefficients ([`Splines`]) four by four.
 
 use ndarray::{Array3, ArrayView3, Axis};
 

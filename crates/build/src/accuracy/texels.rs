@@ -111,7 +111,7 @@ mod tests {
             let (told, exact) = (spline_error(&set), exact_error(&set));
             assert!((0.4..2.5).contains(&(told / exact)), "{size}: {told:e} for {exact:e}");
         }
-        let [few, many] = [121, 301].map(|size| spline_error(&set(size)));
+        let [few, many] = [121, 341].map(|size| spline_error(&set(size)));
         assert!(!suffice(few, 1e-3) && suffice(many, 1e-3), "{few:e} {many:e}");
     }
 }
