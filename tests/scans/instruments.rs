@@ -56,8 +56,8 @@ fn one_surface_in_every_format() {
         let turned = row["angle_deg"].as_f64().map(|deg| (deg * 1e6).round());
         assert_eq!(facts.angle_deg.map(|deg| (deg * 1e6).round()), turned, "{name}");
         assert!(facts.pitch_from.starts_with("file: ") && facts.height_from.starts_with("file: "), "{name}: {facts:?}");
-        for axis in 0..2 {
-            assert!((scan.field.pitch_nm[axis] / pitch[axis] - 1.0).abs() < 1e-6, "{name}: {:?}", scan.field.pitch_nm);
+        for (found, expected) in scan.field.pitch_nm.into_iter().zip(pitch) {
+            assert!((found / expected - 1.0).abs() < 1e-6, "{name}: {:?}", scan.field.pitch_nm);
         }
         let told = facts.warnings.iter().any(|warning| warning.contains("would be a height too"));
         assert_eq!(told, name.contains("32.001") || name.contains("in_32"), "{name}: {:?}", facts.warnings);

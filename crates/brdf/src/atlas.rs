@@ -314,7 +314,7 @@ mod tests {
     fn specimens_that_are_no_folders_of_the_version_are_refused() {
         for name in ["../../etc", "/etc", "a/b", "", ".", "a\\b"] {
             let folder = tempfile::tempdir().unwrap();
-            let specimens = vec![SpecimenEntry { name: name.into(), species: String::new() }];
+            let specimens = vec![SpecimenEntry { name: name.into(), species: String::new(), stale: None }];
             write_index(folder.path(), &mut AtlasIndex::new("test", "", vec![], specimens)).unwrap();
             assert!(read_index(folder.path()).unwrap_err().to_string().contains("no folder's name"), "{name}");
         }
