@@ -128,7 +128,11 @@ pub fn warnings(specimen: &SpecimenResult) -> Vec<String> {
         let texts = scan.get("warnings").and_then(|texts| texts.as_array()).into_iter().flatten();
         texts.map(move |text| prefix(scan) + text.as_str().unwrap_or_default())
     });
-    let mut found: Vec<String> = Vec::new();
+    let stale = specimen
+        .stale
+        .iter()
+        .map(|why| format!("this is the result of an older version, for making it again failed: {why}"));
+    let mut found: Vec<String> = stale.collect();
     for warning in specimen.warnings.iter().cloned().chain(of_statistics).chain(of_scans) {
         if !found.contains(&warning) {
             found.push(warning);
