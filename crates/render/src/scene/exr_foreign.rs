@@ -248,10 +248,11 @@ mod tests {
         dark[[0, 0, 1]] = -1.0;
         let (_folder, path) = written(&dark);
         assert!(read_luminance(&path).unwrap_err().to_string().contains("of its 72 pixels 0 have"));
-        dark[[0, 0, 1]] = f32::INFINITY;
-        dark[[3, 0, 1]] = f32::NAN;
-        let (_folder, path) = written(&dark);
-        assert!(read_luminance(&path).unwrap_err().to_string().contains("of its 72 pixels 2 have"));
+        let channels =
+            SpecificChannels::rgb(|Vec2(x, _): Vec2<usize>| (0.0f32, [f32::INFINITY, f32::NAN, 1.0][x], 0.0f32));
+        let layer = Layer::new((3, 2), LayerAttributes::named("sky"), Encoding::UNCOMPRESSED, channels);
+        Image::from_layer(layer).write().to_file(&path).unwrap();
+        assert!(read_luminance(&path).unwrap_err().to_string().contains("of its 6 pixels 4 have"));
     }
 
     /// Two rows of four pixels of green, as other programs may write them.
