@@ -104,7 +104,7 @@ pub(crate) fn row(anchor: &str, specimen: &SpecimenResult, preview: Option<Strin
         tone => tone_and_word(state(specimen))[0],
         word => tone_and_word(state(specimen))[1],
         state => state(specimen) as usize,
-        reason => reason.map(|words| Value::from_safe_string(prose(&first_words(words)))).unwrap_or_default(),
+        reason => reason.map(|words| Value::from_safe_string(prose(&first_words(words)))),
         thumb => preview.map_or_else(|| Value::from(dash()), Value::from_safe_string),
         cells => [
             shown(period, &numbers::length_nm),
