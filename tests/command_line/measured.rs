@@ -58,10 +58,9 @@ fn a_faulty_file_costs_the_comparison_and_not_the_tables() {
     place.write("wave.csv", &csv(475.0).replacen("0;0;30;0;410", "0;0;x;0;410", 1));
     place.write("m.toml", &manifest("\"wave.csv\""));
     let called = place.call("run m.toml").ended(0);
-    let warned = called.stderr.lines().find(|line| line.starts_with("warning: ")).unwrap_or_default();
     let expected =
         "warning: wave: not compared with the measured reflectance: wave.csv:4:5: `x` in the column `theta_r_deg`";
-    assert!(warned.starts_with(expected), "{}", called.stderr);
+    assert!(called.stderr.lines().any(|line| line.starts_with(expected)), "{}", called.stderr);
     let report = place.json("out/small/v0001/report.json");
     assert!(report["specimens"][0]["measured"].is_null() && report["specimens"][0]["build"].is_object());
     let called = place.call("plan m.toml").ended(1);

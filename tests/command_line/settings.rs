@@ -31,7 +31,7 @@ fn tables(place: &Place, specimen: &str) -> Vec<Vec<f64>> {
 
 /// XYZ of a specimen of `m.toml` straight from its scans.
 fn reference(place: &Place, specimen: &str) -> Vec<Vec<f64>> {
-    let line = format!("eval --directions d.csv --method reference --manifest m.toml --specimen {specimen}");
+    let line = format!("eval --directions d.csv --method direct-sum --manifest m.toml --specimen {specimen}");
     values(&place.call(&line).ended(0).stdout)
 }
 
