@@ -90,7 +90,7 @@ fn a_tile_with_a_seam_is_remarked_upon() {
     assert_eq!(status, Some(0));
     assert!(stdout.starts_with("s.tif: 64 x 2 samples, pitch 50 x 50 nm, heights -"), "{stdout}");
     assert!(stderr.contains("seam"), "{stderr}");
-    assert_eq!(call(&format!("--quiet {line}")).2, "");
+    assert_eq!(call(&format!("--quiet {line} --force")).2, "");
     let (status, stdout, stderr) = call("synthesize cd-track --size 64 --pitch-nm 500 --out none.tif");
     assert_eq!((status, stdout.as_str()), (Some(2), ""));
     assert!(stderr.contains("too coarse"), "{stderr}");

@@ -47,7 +47,11 @@ pub fn verify_files(version_folder: &Path) -> Result<VerifyReport> {
     let added = present.iter().filter(|path| *path != INDEX_FILE && !listed.contains(path.as_str()));
     failures.extend(added.map(|path| failure(path, format!("it is not listed in {INDEX_FILE}"))));
     let is_used = |folder: &String| listed.iter().any(|path| path.starts_with(&format!("{folder}/")));
-    let foreign = folders(version_folder, "")?.into_iter().filter(|folder| !is_used(folder));
+    // Specimens without scenes have an empty folder for them.
+    let is_empty = |folder: &String| {
+        !present.iter().any(|path| path.starts_with(&format!("{folder}/"))) && folder.ends_with("/scenes")
+    };
+    let foreign = folders(version_folder, "")?.into_iter().filter(|folder| !is_used(folder) && !is_empty(folder));
     failures.extend(foreign.map(|folder| failure(&folder, "the folder holds nothing that is listed in the index")));
     for entry in &index.specimens {
         let path = format!("{}/{}", entry.name, diffraction_brdf::specimen::FILE);

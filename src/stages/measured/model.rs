@@ -55,7 +55,7 @@ struct RowSamples {
     wanted: [usize; 2],
 }
 
-/// The model at every row: from spectral tables by cubic look-ups, or from the scan where there are none, or none that answer.
+/// The model at every row: from spectral tables by splines, or from the scan where there are none, or none that answer.
 ///
 /// # Errors
 /// As the transforms, a wavelength at which the material is not known, and [`Error::Limit`] for too many evaluations.
@@ -112,7 +112,7 @@ fn unfit(tables: &SpectralTables, rows: &[RowSamples]) -> Option<String> {
 fn scatter_of_tables(tables: &SpectralTables, row: &RowSamples) -> f64 {
     let above = row.wo.iter().filter(|wo| wo[2] > 0.0);
     let of = |wo: &Vec3| {
-        let brdf = tables.eval(Interpolation::Cubic, row.wi, *wo, &row.wavelengths_nm);
+        let brdf = tables.eval(Interpolation::Spline, row.wi, *wo, &row.wavelengths_nm);
         wo[2] * brdf.iter().sum::<f64>()
     };
     above.map(of).sum::<f64>() / (row.wo.len() * row.wavelengths_nm.len()) as f64

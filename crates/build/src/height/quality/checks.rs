@@ -38,7 +38,9 @@ pub fn findings(read: &HeightField, prepared: &HeightField) -> Vec<Finding> {
     found.extend(bow);
     found.extend(lines::check(&prepared));
     found.extend(scars::check(&prepared));
-    found.extend(steps::check(&prepared));
+    // Where lines are lost, their end is a step.
+    let is_step_hidden = lost.iter().any(|lost| *lost);
+    found.extend(Some(()).filter(|()| !is_step_hidden).and_then(|()| steps::check(&prepared)));
     found.extend(hum::check(&prepared));
     found
 }

@@ -6,7 +6,6 @@ use serde::{Deserialize, Serialize};
 
 use super::spectrum::Spectrum;
 use crate::height::HeightField;
-use crate::height::prepare::robust::median;
 
 /// Most periods reported.
 const PERIODS_MAX: usize = 3;
@@ -76,8 +75,7 @@ struct Peak {
 ///
 /// The heights are weighted with a Hann window. A peak counts if a random surface with the mean power found
 /// at that distance from the origin would reach its height anywhere in the spectrum with a probability of
-/// 1e-6 only, and if the strongest has its share of the mean square height. Of what is constant along the scan lines, or along
-/// the columns, lines across tell nothing, so the strongest peak has to rise above its own axis too ([`stands_out_along`]).
+/// 1e-6 only, and if the strongest has its share of the mean square height.
 ///
 /// Its place is the centre of the power around it, which lies between the lines: exactly so
 /// for a sinusoid, whose power a Hann window spreads over five lines, and in the middle of the many lines of a grating
@@ -91,9 +89,7 @@ pub(crate) fn dominant(field: &HeightField) -> Vec<Period> {
     let background = Background::new(&spectrum);
     // Powers of a random surface's lines are distributed exponentially about their mean.
     let threshold = (0.5 * spectrum.count() as f64 / FALSE_ALARM).ln();
-    let is_first = |line: [i64; 2]| {
-        2.0 * around(&spectrum, line) > SHARE_MIN * background.total && stands_out_along(&spectrum, &background, line)
-    };
+    let is_first = |line: [i64; 2]| 2.0 * around(&spectrum, line) > SHARE_MIN * background.total;
     let mut peaks: Vec<Peak> = Vec::new();
     for line in maxima {
         let power = spectrum.power(line);
@@ -121,46 +117,6 @@ pub(crate) fn dominant(field: &HeightField) -> Vec<Period> {
 /// Power of a line and the eight around it: nearly all that a Hann window leaves of a sinusoid, wherever between the lines it lies.
 fn around(spectrum: &Spectrum, [x, y]: [i64; 2]) -> f64 {
     (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| [x + dx, y + dy])).map(|line| spectrum.power(line)).sum()
-}
-
-/// Least ratio of a peak's power to what lies along its axis: independent heights reach it once in a thousand scans, a random walk once
-/// in five hundred (10,000 of each, of 32 to 512 lines).
-const ALONG_MIN: f64 = 12.0;
-
-/// Share of the power on an axis from which on a surface is constant across it.
-const ON_AXIS: f64 = 0.95;
-
-/// Nearest and farthest lines that tell the power beside a peak on its axis; the farthest are half of its own number further.
-const BESIDE: [i64; 2] = [4, 8];
-
-/// Whether a peak stands out of the lines along its own axis, where that is the only one that holds any power; and likewise
-/// one constant along the scan lines, where offsets between those have all their power. Others do.
-///
-/// What lies beside it is the median of the lines beside it, as they are or as they would be if the power fell as in a random walk, whichever
-/// is more.
-fn stands_out_along(spectrum: &Spectrum, background: &Background, line: [i64; 2]) -> bool {
-    let [x, y] = line;
-    let axis = match (x.abs() <= 1, y.abs() <= 1) {
-        (true, _) => 1,
-        (_, true) if background.on_x_axis > ON_AXIS => 0,
-        _ => return true,
-    };
-    // Along the axis from the peak's own distance across it, which the window blurs by one line.
-    let at = |number: i64| if axis == 0 { [number, y] } else { [x, number] };
-    let number = line[axis].abs();
-    let sign = line[axis].signum();
-    let numbers = (BESIDE[0]..BESIDE[1] + number / 2).flat_map(|apart| [number - apart, number + apart]);
-    let beside: Vec<(f64, f64)> = numbers
-        .filter(|&n| n >= 2 && spectrum.has(at(sign * n)))
-        .map(|n| (n as f64, around(spectrum, at(sign * n))))
-        .collect();
-    if beside.is_empty() {
-        return true;
-    }
-    let mut as_they_are: Vec<f64> = beside.iter().map(|(_, power)| *power).collect();
-    let mut as_a_walk: Vec<f64> = beside.iter().map(|(n, power)| power * (n / number as f64).powi(2)).collect();
-    let expected = median(&mut as_they_are).max(median(&mut as_a_walk)) / LN_2;
-    around(spectrum, line) > ALONG_MIN * expected
 }
 
 impl Peak {
@@ -257,26 +213,19 @@ struct Background {
     rings: Vec<Vec<f64>>,
     /// Of all lines.
     total: f64,
-    /// Share of those that are constant along y, within the Hann window's reach, among all that may be periods.
-    on_x_axis: f64,
 }
 
 impl Background {
     fn new(spectrum: &Spectrum) -> Self {
         let mut rings: Vec<Vec<f64>> = Vec::new();
-        let [mut on_x_axis, mut all] = [0.0; 2];
         for [x, y] in spectrum.half_plane() {
-            if (x as f64).hypot(y as f64) >= LINES_MIN {
-                all += spectrum.power([x, y]);
-                on_x_axis += if y.abs() <= 1 { spectrum.power([x, y]) } else { 0.0 };
-            }
             let ring = spectrum.ring([x as f64, y as f64]);
             if rings.len() <= ring {
                 rings.resize(ring + 1, Vec::new());
             }
             rings[ring].push(spectrum.power([x, y]));
         }
-        Self { rings, total: spectrum.powers().sum(), on_x_axis: on_x_axis / all }
+        Self { rings, total: spectrum.powers().sum() }
     }
 
     /// Mean power that a random surface would have at this distance from the origin: from the median, which a
