@@ -110,9 +110,14 @@ fn undeclared_marks_are_told() {
     let Some(folder) = shared("cases/scans") else { return };
     let advice = advise(&read(&folder.join("nd_notag_-9999.tif"))).unwrap();
     assert_eq!(advice.settings, [Remedy::MissingValue(-9999.0)], "{}", told(&advice));
-    let far = read_scan(&folder.join("nd_1e38.tif"), &ReadConfig::default()).unwrap_err().to_string();
+    let config = || ReadConfig {
+        pitch_nm: Some([50.0; 2]),
+        height: Some(HeightScale::Unit(LengthUnit::Nm)),
+        ..ReadConfig::default()
+    };
+    let far = read_scan(&folder.join("nd_1e38.tif"), &config()).unwrap_err().to_string();
     assert!(far.contains("`missing_value = 1e38`"), "{far}");
-    let declared = ReadConfig { missing_value: Some(1e38), ..ReadConfig::default() };
+    let declared = ReadConfig { missing_value: Some(1e38), ..config() };
     let scan = read_scan(&folder.join("nd_1e38.tif"), &declared).unwrap();
     assert!(scan.provenance.missing_samples > 0);
 }

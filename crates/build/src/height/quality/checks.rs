@@ -37,10 +37,11 @@ pub fn findings(read: &HeightField, prepared: &HeightField) -> Vec<Finding> {
     found.extend(shape::tilt(read, prepared.field));
     found.extend(bow);
     found.extend(lines::check(&prepared));
-    found.extend(scars::check(&prepared));
-    // Where lines are lost, their end is a step.
-    let is_step_hidden = lost.iter().any(|lost| *lost);
-    found.extend(Some(()).filter(|()| !is_step_hidden).and_then(|()| steps::check(&prepared)));
+    // Where lines are lost, their end is a step, and what was filled in looks like a scar.
+    if !lost.iter().any(|lost| *lost) {
+        found.extend(scars::check(&prepared));
+        found.extend(steps::check(&prepared));
+    }
     found.extend(hum::check(&prepared));
     found
 }
