@@ -14,6 +14,7 @@ use crate::stages::archive::specimen_file::{self, SpecimenFile};
 use crate::stages::pictures::scenes::reference_stride;
 use diffraction_brdf::atlas::DIFFERENCE_SUFFIX;
 use diffraction_brdf::error::Error;
+use diffraction_brdf::evaluate::Interpolation;
 use diffraction_brdf::exr_image::read_rgb;
 use diffraction_brdf::shader::{LAYERS_MAX, SIDE_MAX, table_image};
 use diffraction_build::optics::config::OpticsConfig;
@@ -112,11 +113,13 @@ impl Job<'_> {
 }
 
 /// Whether tables must be as good as the tolerance says: number and steps were left to it, texels hold point values of a
-/// grid that resolves the lobes, and the scan answers for the whole hemisphere.
+/// grid that resolves the lobes, and the scan answers for the whole hemisphere. A size that follows from splines promises nothing to the
+/// linear look-ups of pictures.
 fn tolerance_holds(set: &TableSet, optics: &OpticsConfig, config: &TablesConfig) -> bool {
     let texel = 4.0 / (set.size().max(2) - 1) as f64;
     set.basis == Basis::Chebyshev
         && config.count.is_none()
+        && (config.size.is_some() || set.look_up() == Interpolation::Bilinear)
         && config.wavelength_step_nm.is_none()
         && set.prefilter_width == 0.0
         && set.usable_radius >= 2.0
