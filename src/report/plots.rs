@@ -194,7 +194,7 @@ fn wavelength_colour(wavelength_nm: f64) -> String {
 
 /// Named durations in seconds as bars.
 pub(crate) fn time_plot(times: &[(String, f64)]) -> String {
-    const LEFT: f64 = 150.0;
+    const LEFT: f64 = 232.0;
     let longest = times.iter().map(|time| time.1).filter(|&time| drawable(time)).fold(0.0, f64::max);
     if longest == 0.0 {
         return String::new();
