@@ -188,7 +188,7 @@ fn axis_title(along: &str) -> &'static str {
 fn plot(curve: &CurveResult, column: &MeasuredColumn) -> String {
     const LEFT: f64 = 52.0;
     const TOP: f64 = 24.0;
-    let span = WIDTH - LEFT - 10.0;
+    let span = WIDTH - LEFT - 18.0;
     let values = || curve.measured.iter().chain(&curve.model).copied();
     let high = values().fold(0.0, f64::max) * 1.05;
     let low = values().fold(0.0, f64::min);
