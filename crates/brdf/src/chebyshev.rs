@@ -103,18 +103,21 @@ pub fn coefficient_matrix(count: usize) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// Values of the shifted polynomials `T_n(2t - 1)`, `n < count`, for `t` in [0, 1], by recurrence.
-pub fn shifted_values(count: usize, t: f64) -> Vec<f64> {
+/// Values of the shifted polynomials `T_n(2t - 1)`, from `n = 0` on, for `t` in [0, 1], by recurrence.
+pub fn shifted(t: f64) -> impl Iterator<Item = f64> {
     let x = 2.0 * t - 1.0;
-    let mut values = Vec::with_capacity(count);
-    for n in 0..count {
-        values.push(match n {
-            0 => 1.0,
-            1 => x,
-            _ => 2.0 * x * values[n - 1] - values[n - 2],
-        });
-    }
-    values
+    // T_n and T_{n+1}.
+    let mut pair = [1.0, x];
+    std::iter::repeat_with(move || {
+        let [value, next] = pair;
+        pair = [next, 2.0 * x * next - value];
+        value
+    })
+}
+
+/// The first `count` of [`shifted`].
+pub fn shifted_values(count: usize, t: f64) -> Vec<f64> {
+    shifted(t).take(count).collect()
 }
 
 /// Nodes that interpolate `exp(i s h)`, `|h| <= bandwidth`, over `s` in `[0, s_max]` to `tolerance`.

@@ -42,6 +42,12 @@ pub fn wave_vector_change(wi: Vec3, wo: Vec3) -> Vec3 {
     [-wi[0] - wo[0], -wi[1] - wo[1], -wi[2] - wo[2]]
 }
 
+/// Length of a vector in the plane of the surface, in directions' own scale: squares of its components neither overflow nor vanish,
+/// and the root of their sum takes a fraction of the time of `hypot`.
+pub fn length([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
 /// `sqrt(4 - u² - v²)`: the largest `|w|` that directions above the surface reach at a radius `sqrt(u² + v²)`.
 pub fn max_abs_w(radius: f64) -> f64 {
     (4.0 - radius * radius).max(0.0).sqrt()
@@ -49,7 +55,7 @@ pub fn max_abs_w(radius: f64) -> f64 {
 
 /// `t = |w| / sqrt(4 - u² - v²)`, the normalised `|w|`: in [0, 1] for directions above the surface.
 pub fn normalised_abs_w(q: Vec3) -> f64 {
-    let largest = max_abs_w(q[0].hypot(q[1]));
+    let largest = max_abs_w(length([q[0], q[1]]));
     if largest == 0.0 { 0.0 } else { (q[2].abs() / largest).min(1.0) }
 }
 

@@ -3,7 +3,7 @@
 use ndarray::{Array3, ArrayView3};
 
 use crate::chebyshev;
-use crate::direction::{Vec3, Xyz, normalised_abs_w, wave_vector_change};
+use crate::direction::{Vec3, Xyz, length, normalised_abs_w, wave_vector_change};
 use crate::front_factor::{Factor, image_radius2};
 use crate::splines::{Splines, through_values};
 use crate::table_set::{Basis, Lobe, Restriction, TableSet};
@@ -97,7 +97,7 @@ fn parts(set: &TableSet, look_up: LookUp, wi: Vec3, wo: Vec3) -> [Xyz; 2] {
 /// would leave below the horizon is added where it comes back (see [`image_radius2`]).
 pub fn coherent_lobe(set: &TableSet, lobe: &Lobe, interpolation: Interpolation, wi: Vec3, wo: Vec3) -> Xyz {
     let [u, v, w] = wave_vector_change(wi, wo);
-    let direct = coherent_value(lobe, interpolation, u.hypot(v), w);
+    let direct = coherent_value(lobe, interpolation, length([u, v]), w);
     match set.front_factor.factor {
         Factor::Scalar => direct,
         Factor::Vector => {
@@ -189,7 +189,7 @@ pub fn lobe_window_power(set: &TableSet, interpolation: Interpolation, q: Vec3) 
 
 fn lobe_value(lobe: &Lobe, interpolation: Interpolation, q: Vec3) -> Xyz {
     let [u, v, w] = q;
-    let coherent = coherent_value(lobe, interpolation, u.hypot(v), w);
+    let coherent = coherent_value(lobe, interpolation, length([u, v]), w);
     let cross = cross_window_power(lobe, interpolation, q);
     std::array::from_fn(|c| coherent[c] / (w * w) + cross[c])
 }
@@ -238,11 +238,12 @@ pub fn sample(table: ArrayView3<f32>, interpolation: Interpolation, at: [f64; 2]
     let mut sum = [0.0; 3];
     // Of the four by four texels a linear look-up reads two by two.
     let taps = if interpolation == Interpolation::Bilinear { 2 } else { 4 };
-    for (dy, wy) in wy.iter().enumerate().take(taps.min(rows - row)) {
-        for (dx, wx) in wx.iter().enumerate().take(taps.min(columns - column)) {
-            for (c, sum) in sum.iter_mut().enumerate() {
-                *sum += wy * wx * f64::from(table[[row + dy, column + dx, c]]);
-            }
+    // Lines of plain floats: no look-up is more frequent.
+    let table = table.as_standard_layout();
+    let (texels, _) = table.as_slice().expect("in standard layout").as_chunks::<3>();
+    for (line, wy) in texels[row * columns..].chunks(columns).zip(wy).take(taps) {
+        for (texel, wx) in line[column..].iter().zip(wx).take(taps) {
+            sum.iter_mut().zip(texel).for_each(|(sum, value)| *sum += wy * wx * f64::from(*value));
         }
     }
     sum

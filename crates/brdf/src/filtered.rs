@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use ndarray::Array3;
 
 use crate::chebyshev;
-use crate::direction::{Vec3, Xyz, max_abs_w, normalised_abs_w, wave_vector_change};
+use crate::direction::{Vec3, Xyz, length, max_abs_w, normalised_abs_w, wave_vector_change};
 use crate::evaluate::{Interpolation, LookUp, cross_window_power, diffuse_window_power_by, stencil};
 use crate::footprint::Footprint;
 use crate::front_factor::Factor;
@@ -128,12 +128,12 @@ fn mean_of_points<const N: usize>(q: Vec3, footprint: Footprint, value: impl Fn(
     let mut sum = [0.0; N];
     for [x, y] in points_of(footprint) {
         let [mut u, mut v] = [q[0] + x, q[1] + y];
-        let radius = u.hypot(v);
+        let radius = length([u, v]);
         // No two directions reach further.
         if radius > 2.0 - 1e-9 {
             [u, v] = [u, v].map(|part| part * (2.0 - 1e-9) / radius);
         }
-        let value = value([u, v, -t * max_abs_w(u.hypot(v))]);
+        let value = value([u, v, -t * max_abs_w(length([u, v]))]);
         sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += value);
     }
     sum.map(|sum| sum / (POINTS[0] * POINTS[1]) as f64)

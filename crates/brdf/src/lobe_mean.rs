@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
-use crate::direction::Vec3;
+use crate::direction::{Vec3, length};
 use crate::footprint::Footprint;
 use crate::front_factor::image_radius2;
 
@@ -58,7 +58,7 @@ impl LobeEllipse {
             let half = 0.5 * (high - low);
             for [place, _, weight] in nodes() {
                 let x = self.centre[0] + self.semi_axes[0] * (low + half * (1.0 + place));
-                let value = value(x.hypot(y));
+                let value = value(length([x, y]));
                 sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += half * weight * value);
             }
             sum

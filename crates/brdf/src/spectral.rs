@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use ndarray::Array3;
 
 use crate::chebyshev;
-use crate::direction::{Vec3, normalised_abs_w, wave_vector_change};
+use crate::direction::{Vec3, length, normalised_abs_w, wave_vector_change};
 use crate::dispersion::Dispersion;
 use crate::error::{Error, Result};
 use crate::evaluate::{Interpolation, LookUp, sample};
@@ -155,7 +155,7 @@ impl SpectralTables {
     pub fn window_power(&self, interpolation: Interpolation, q: Vec3) -> f64 {
         let diffuse = self.diffuse_at(LookUp::Values(interpolation), q);
         let Some(lobe) = &self.lobe else { return diffuse };
-        let shape = (-(TAU * lobe.sigma_nm * q[0].hypot(q[1]) / self.shortest_nm).powi(2)).exp();
+        let shape = (-(TAU * lobe.sigma_nm * length([q[0], q[1]]) / self.shortest_nm).powi(2)).exp();
         let cross = lobe.cross.as_ref().map_or(0.0, |cross| cross.value(interpolation, q));
         diffuse + cross + lobe.power_at(q[2].abs()) * shape / q[2].powi(2)
     }
@@ -299,7 +299,7 @@ impl Pair {
             wi,
             wo,
             q,
-            radius: q[0].hypot(q[1]),
+            radius: length([q[0], q[1]]),
             image_radius: (front.factor == Factor::Vector).then(|| image_radius2(wi, wo).sqrt()),
             diffuse: front.diffuse(wi, wo),
             coherent: front.coherent(wi, wo),

@@ -84,11 +84,12 @@ fn mirrored(index: i64, count: usize) -> usize {
 fn held([row, column]: [usize; 2], size: usize) -> [usize; 2] {
     let middle = 0.5 * (size - 1) as f64;
     let [y, x] = [row as f64 - middle, column as f64 - middle];
-    let radius = x.hypot(y);
-    if radius <= middle + HELD_TEXELS {
+    let limit = middle + HELD_TEXELS;
+    if x * x + y * y <= limit * limit {
         return [row, column];
     }
-    let at = |x: f64| ((middle + x * (middle + HELD_TEXELS) / radius).round().max(0.0) as usize).min(size - 1);
+    let radius = x.hypot(y);
+    let at = |x: f64| ((middle + x * limit / radius).round().max(0.0) as usize).min(size - 1);
     [at(y), at(x)]
 }
 
@@ -131,28 +132,36 @@ fn filter(line: &mut [f64]) {
 /// The spline through a square table's values at a position in texels (row, column), without coefficients.
 pub(crate) fn through_values(table: ArrayView3<f32>, at: [f64; 2]) -> Xyz {
     let (size, _, _) = table.dim();
-    let [(first_row, wy), (first_column, wx)] = at.map(|at| cardinal(at.clamp(0.0, (size - 1) as f64)));
+    let [(rows, wy), (columns, wx)] = at.map(|at| {
+        let (first, shares) = cardinal(at.clamp(0.0, (size - 1) as f64));
+        let texels: [usize; TAPS] = std::array::from_fn(|k| mirrored(first + k as i64, size));
+        (texels, shares)
+    });
     let mut sum = [0.0; 3];
-    for (row, wy) in (first_row..).zip(wy) {
-        for (column, wx) in (first_column..).zip(wx) {
-            let [row, column] = held([row, column].map(|index| mirrored(index, size)), size);
-            for (c, sum) in sum.iter_mut().enumerate() {
-                *sum += wy * wx * f64::from(table[[row, column, c]]);
-            }
+    for (row, wy) in rows.into_iter().zip(wy) {
+        let mut line = [0.0; 3];
+        for (column, wx) in columns.into_iter().zip(wx) {
+            let [row, column] = held([row, column], size);
+            line.iter_mut().enumerate().for_each(|(c, sum)| *sum += wx * f64::from(table[[row, column, c]]));
         }
+        sum.iter_mut().zip(line).for_each(|(sum, value)| *sum += wy * value);
     }
     sum
 }
 
+/// Texels along each axis that count in a spline through values.
+const TAPS: usize = 2 * REACH as usize;
+
 /// First texel, and what each counts in the spline through values: a coefficient is `√3 Σ POLE^|k| value_k`.
-fn cardinal(at: f64) -> (i64, [f64; 2 * REACH as usize]) {
+fn cardinal(at: f64) -> (i64, [f64; TAPS]) {
     let (whole, spline) = (at.floor() as i64, weights(at - at.floor()));
     let first = whole + 1 - REACH;
+    // No texel is further from one of the four coefficients.
+    let mut powers = [3f64.sqrt(); REACH as usize + 2];
+    (1..powers.len()).for_each(|k| powers[k] = POLE * powers[k - 1]);
     let shares = std::array::from_fn(|index| {
-        let of = |(k, weight): (i64, f64)| {
-            weight * POLE.powi((first + index as i64 - (whole - 1 + k)).unsigned_abs() as i32)
-        };
-        3f64.sqrt() * (0..).zip(spline).map(of).sum::<f64>()
+        let of = |(k, weight): (i64, f64)| weight * powers[(index as i64 + 2 - REACH - k).unsigned_abs() as usize];
+        (0..).zip(spline).map(of).sum::<f64>()
     });
     (first, shares)
 }

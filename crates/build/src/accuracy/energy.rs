@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::power_sums::{ALBEDO_MAX, DirectionalAlbedo, Fineness, luminous_parts};
+use super::power_sums::{ALBEDO_MAX, DirectionalAlbedo, Fineness, Summand};
 use crate::tables::model::TableSet;
 use diffraction_brdf::direction::{Vec3, from_angles_deg};
 use diffraction_brdf::energy::EnergyLimit;
@@ -25,37 +25,38 @@ pub fn energy_limit(set: &TableSet, albedo: &[DirectionalAlbedo]) -> Option<Ener
     if set.restriction.is_some() {
         return None;
     }
+    let summand = Summand::new(set);
     let (thetas, steps) = PROBED;
     let probes = thetas.into_iter().flat_map(|theta| (1..steps).map(move |step| (theta, step)));
     let is_above = |at: f64| at > ALBEDO_MAX;
     let is_excess = albedo.iter().any(|at| is_above(at.albedo))
         || probes.into_iter().any(|(theta, step)| {
-            is_above(of_direction(set, from_angles_deg(theta, step as f64 * 360.0 / steps as f64)))
+            is_above(of_direction(&summand, from_angles_deg(theta, step as f64 * 360.0 / steps as f64)))
         });
     if !is_excess {
         return None;
     }
     let cos_theta: Vec<f64> = (1..=NODES).map(|node| (node as f64 / NODES as f64).powi(2)).collect();
-    let albedo = cos_theta.iter().map(|cos| brightest(set, *cos)).collect();
+    let albedo = cos_theta.iter().map(|cos| brightest(&summand, *cos)).collect();
     // What is not finite is no limit, and said elsewhere.
     EnergyLimit::new(cos_theta, albedo).ok()
 }
 
 /// The largest albedo over azimuths at a cosine, with what sums may miss.
-fn brightest(set: &TableSet, cos_theta: f64) -> f64 {
+fn brightest(summand: &Summand, cos_theta: f64) -> f64 {
     // The same from every side where light falls straight on.
     let count = if cos_theta < 1.0 { AZIMUTHS } else { 1 };
     let at = |index: usize| {
         // No azimuth lies on an axis of a grating alone.
         let degrees = index as f64 * 360.0 / count as f64;
-        of_direction(set, from_angles_deg(cos_theta.acos().to_degrees(), degrees))
+        of_direction(summand, from_angles_deg(cos_theta.acos().to_degrees(), degrees))
     };
     let all: Vec<f64> = (0..count).into_par_iter().map(at).collect();
     (1.0 + MISSED_SHARE) * all.into_iter().fold(0.0, f64::max)
 }
 
-fn of_direction(set: &TableSet, wi: Vec3) -> f64 {
-    let [diffuse, lobe] = luminous_parts(set, wi, Fineness::Coarse);
+fn of_direction(summand: &Summand, wi: Vec3) -> f64 {
+    let [diffuse, lobe] = summand.parts(wi, Fineness::Coarse);
     diffuse[0] + lobe[0]
 }
 
@@ -66,7 +67,6 @@ mod tests {
     use super::*;
     use crate::accuracy::power_sums::reflected;
     use crate::accuracy::power_sums::tests::{bundled, tables};
-    use crate::accuracy::power_sums::weighed_parts;
     use crate::height::HeightField;
     use crate::height::prepare::Level;
     use diffraction_brdf::material::Material;
@@ -75,7 +75,7 @@ mod tests {
     fn limited(set: &TableSet, limit: &EnergyLimit, theta_i_deg: f64, phi_i_deg: f64) -> f64 {
         let wi = from_angles_deg(theta_i_deg, phi_i_deg);
         let factor = |wo: Vec3| limit.factor(wi, wo);
-        let [diffuse, lobe] = weighed_parts(set, wi, Fineness::Full, &factor);
+        let [diffuse, lobe] = Summand::new(set).weighed_parts(wi, Fineness::Full, &factor);
         diffuse[0] + lobe[0]
     }
 
@@ -97,7 +97,7 @@ mod tests {
                 let wi = from_angles_deg(89.5, phi);
                 1.0 / (limit.albedo_at(wi[2]) * limit.albedo_at(wo[2])).sqrt().max(1.0)
             };
-            let [diffuse, lobe] = weighed_parts(&set, from_angles_deg(89.5, phi), Fineness::Full, &mean);
+            let [diffuse, lobe] = Summand::new(&set).weighed_parts(from_angles_deg(89.5, phi), Fineness::Full, &mean);
             worst[1] = worst[1].max(diffuse[0] + lobe[0]);
         }
         assert!(worst[0] <= 1.01 && worst[1] > 1.1, "{worst:?}");

@@ -2,6 +2,7 @@
 
 pub mod directions;
 pub mod energy;
+mod luminance;
 pub mod power_sums;
 pub mod reference;
 pub mod rows;

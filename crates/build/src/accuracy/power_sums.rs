@@ -6,11 +6,12 @@ use std::ops::Range;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use super::luminance::LuminanceTables;
 use crate::ground::null_for_nan;
 use crate::tables::model::TableSet;
 use diffraction_brdf::direction::{Vec3, from_angles_deg, wave_vector_change};
 use diffraction_brdf::energy::EnergyLimit;
-use diffraction_brdf::evaluate::{Interpolation, coherent_lobe, cross_window_power, diffuse_window_power};
+use diffraction_brdf::evaluate::{Interpolation, coherent_lobe, cross_window_power};
 use diffraction_brdf::front_factor::FrontFactor;
 use diffraction_brdf::material::Material;
 
@@ -60,8 +61,9 @@ pub fn reflected(set: &TableSet) -> Reflected {
     if set.restriction.is_some() {
         return found;
     }
+    let summand = Summand::new(set);
     for theta_i_deg in THETAS_I_DEG {
-        let [diffuse, lobe] = luminous_parts(set, from_angles_deg(theta_i_deg, 0.0), Fineness::Full);
+        let [diffuse, lobe] = summand.parts(from_angles_deg(theta_i_deg, 0.0), Fineness::Full);
         let [own, unit] = [0, 1].map(|which| diffuse[which] + lobe[which]);
         found.albedo.push(DirectionalAlbedo { theta_i_deg, albedo: own });
         if SUMMED_DEG.contains(&theta_i_deg) {
@@ -113,41 +115,54 @@ pub(super) enum Fineness {
     Coarse,
 }
 
-/// Luminous power of the diffuse part and of the lobe with its cross term, each for the set's own material and for unit
-/// reflectance, relative to what arrives from `wi`.
-pub(super) fn luminous_parts(set: &TableSet, wi: Vec3, fineness: Fineness) -> [[f64; 2]; 2] {
-    weighed_parts(set, wi, fineness, &|_| 1.0)
+/// What is summed over the viewer's hemisphere: tables for every direction, made ready.
+pub(super) struct Summand<'a> {
+    set: &'a TableSet,
+    luminance: LuminanceTables,
 }
 
-/// The same with a weight for each direction to the viewer.
-pub(super) fn weighed_parts(
-    set: &TableSet,
-    wi: Vec3,
-    fineness: Fineness,
-    weight: &(dyn Fn(Vec3) -> f64 + Sync),
-) -> [[f64; 2]; 2] {
-    let own = set.front_factor;
-    let unit = FrontFactor { material: Material::Ideal, ..own };
-    let fronts = |wo: Vec3| [own.diffuse(wi, wo), unit.diffuse(wi, wo)];
-    // A step per texel at most, or narrow orders fall between them.
-    let (texels, rings, lobe_steps) = match fineness {
-        Fineness::Full => (1.0, 128.0, LOBE_STEPS),
-        Fineness::Coarse => (2.0, 64.0, LOBE_STEPS / 4),
-    };
-    let step = (texels * 4.0 / set.size() as f64).min(FRAC_PI_2 / rings);
-    let diffuse = integrate(0.0..FRAC_PI_2, 0.0..TAU, Steps::Size(step), |wo| {
-        let power = diffuse_window_power(set, Interpolation::Bilinear, wave_vector_change(wi, wo))[1];
-        fronts(wo).map(|front| front * power * weight(wo))
-    });
-    let Some(lobe) = &set.lobe else { return [diffuse, [0.0; 2]] };
-    let (theta, phi) = patch(wi, SQRT_2 * lobe.radius_max);
-    let coherent = integrate(theta, phi, Steps::Count(lobe_steps), |wo| {
-        let power = coherent_lobe(set, lobe, Interpolation::Bilinear, wi, wo)[1];
-        let cross = cross_window_power(lobe, Interpolation::Bilinear, wave_vector_change(wi, wo))[1];
-        let (fronts, mirrors) = (fronts(wo), [own, unit].map(|front| front.coherent(wi, wo)));
-        [0, 1].map(|which| (mirrors[which] * power + fronts[which] * cross) * weight(wo))
-    });
-    [diffuse, coherent]
+impl<'a> Summand<'a> {
+    pub(super) fn new(set: &'a TableSet) -> Self {
+        Self { set, luminance: LuminanceTables::new(set) }
+    }
+
+    /// Luminous power of the diffuse part and of the lobe with its cross term, each for the set's own material and for unit
+    /// reflectance, relative to what arrives from `wi`.
+    pub(super) fn parts(&self, wi: Vec3, fineness: Fineness) -> [[f64; 2]; 2] {
+        self.weighed_parts(wi, fineness, &|_| 1.0)
+    }
+
+    /// The same with a weight for each direction to the viewer.
+    pub(super) fn weighed_parts(
+        &self,
+        wi: Vec3,
+        fineness: Fineness,
+        weight: &(dyn Fn(Vec3) -> f64 + Sync),
+    ) -> [[f64; 2]; 2] {
+        let set = self.set;
+        let own = set.front_factor;
+        let unit = FrontFactor { material: Material::Ideal, ..own };
+        let fronts = |wo: Vec3| [own.diffuse(wi, wo), unit.diffuse(wi, wo)];
+        // A step per texel at most, or narrow orders fall between them.
+        let (texels, rings, lobe_steps) = match fineness {
+            Fineness::Full => (1.0, 128.0, LOBE_STEPS),
+            Fineness::Coarse => (2.0, 64.0, LOBE_STEPS / 4),
+        };
+        let step = (texels * 4.0 / set.size() as f64).min(FRAC_PI_2 / rings);
+        let diffuse = integrate(0.0..FRAC_PI_2, 0.0..TAU, Steps::Size(step), |wo| {
+            let power = self.luminance.power(wave_vector_change(wi, wo));
+            fronts(wo).map(|front| front * power * weight(wo))
+        });
+        let Some(lobe) = &set.lobe else { return [diffuse, [0.0; 2]] };
+        let (theta, phi) = patch(wi, SQRT_2 * lobe.radius_max);
+        let coherent = integrate(theta, phi, Steps::Count(lobe_steps), |wo| {
+            let power = coherent_lobe(set, lobe, Interpolation::Bilinear, wi, wo)[1];
+            let cross = cross_window_power(lobe, Interpolation::Bilinear, wave_vector_change(wi, wo))[1];
+            let (fronts, mirrors) = (fronts(wo), [own, unit].map(|front| front.coherent(wi, wo)));
+            [0, 1].map(|which| (mirrors[which] * power + fronts[which] * cross) * weight(wo))
+        });
+        [diffuse, coherent]
+    }
 }
 
 /// Steps along each side of the lobe's patch: nine to a standard deviation of the narrowest lobe.

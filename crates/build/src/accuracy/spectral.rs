@@ -165,7 +165,7 @@ pub fn rows(
     let [exact, interpolated] = [0, 1].map(|i| seen(&reference.diffuse[i], &front));
     let [on_grid, rounded] = [built, stored].map(|tables| {
         let value = |place: &Place| tables.diffuse(Interpolation::Spline, place.wi, place.wo, place.wavelength_nm);
-        seen(&grey(all.iter().map(value)), &front)
+        seen(&grey(all.par_iter().map(value).collect::<Vec<f64>>()), &front)
     });
     let mut start = 0;
     let mut rows = Vec::new();

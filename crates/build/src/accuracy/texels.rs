@@ -30,7 +30,7 @@ pub fn wanted(spline_error: f64, tolerance: f64, size: usize) -> usize {
     LookUp::Spline.size_for(SHARE * tolerance, size, ROOM * spline_error)
 }
 
-/// Room that the law of the fourth power is given where texels are coarse.
+/// Room for an error that is told from two look-ups, and not measured.
 const ROOM: f64 = 1.5;
 
 /// What spline look-ups in tables for every direction err by in 95 of 100 lit directions, the largest of the regions; 0 where
