@@ -3,8 +3,8 @@
     python3 examples/mitsuba/check.py out/atlas/bundled
 
 For every specimen: its check values, of X, Y, Z and of single wavelengths; the samples' density and the power they return, at grazing angles too where
-that is limited; a ball rendered by Mitsuba against the atlas's own picture of it, and its derivative with respect to the light's direction against
-differences. Then every check is made once more with a mistake put in, which it has to find.
+that is limited; a ball under a white sky without fireflies; a ball rendered by Mitsuba against the atlas's own picture of it, and its derivative with
+respect to the light's direction against differences. Then every check is made once more with a mistake put in, which it has to find.
 Exit status 0 if all is well. Wants Python 3.11, mitsuba and the package `diffraction-atlas`; two minutes on two cores.
 """
 
@@ -42,6 +42,9 @@ STEP_RADIANS, GRADIENT_TOLERANCE = 1e-3, 0.02
 POWER_TOLERANCE, POWER_SIGMAS = 2e-3, 5
 # What the energy limit may miss between its angles.
 LIMIT_TOLERANCE = 0.01
+# The brightest pixel of a ball under a white sky in so many samples, over the mean of the ball: a viewer sees nothing brighter than the sky times albedo,
+# and what is beyond is noise of the sampling.
+FIREFLY_SAMPLES, FIREFLY_TIMES = 64, 20
 # Points of a light's disc against its whole: norm.
 FILTERED_TOLERANCE = 5e-3
 # Pictures: both sides look through the centre of each pixel at the same points of the lamp. Normals in single precision
@@ -145,6 +148,16 @@ def power_error(bsdf, power_sums):
     optics.n, optics.k = index
     return worst
 
+def firefly_error(bsdf):
+    """The brightest pixel of a ball under a white sky over the mean of the ball."""
+    size_px = 64
+    sky = {"type": "constant", "radiance": {"type": "rgb", "value": [1.0] * 3}}
+    image = np.array(mi.render(ball(bsdf, sky, size_px), spp=FIREFLY_SAMPLES, seed=1))[..., 1].astype(np.float64)
+    across = (2 * np.arange(size_px) + 1) / size_px - 1
+    # Pixels at the rim see the sky itself.
+    on_ball = np.hypot(*np.meshgrid(across, across)) < BALL_RADIUS - 4 / size_px
+    return image[on_ball].max() / image[on_ball].mean() / FIREFLY_TIMES
+
 def picture_error(bsdf, scene, expected):
     rendered = sum(render_ball(bsdf, *light, expected.shape[0]) for light in light_samples(scene))
     error, bright = np.abs(rendered - expected).max(axis=2), np.maximum(rendered, expected).max(axis=2)
@@ -174,7 +187,7 @@ def gradient_error(bsdf, factor=1.0):
     size_px = 64
 
     def picture(angle):
-        scene = ball(bsdf, [0.0, 0.0, 1.0], 1.0, size_px)
+        scene = ball(bsdf, directional([0.0, 0.0, 1.0], 1.0), size_px)
         parameters = mi.traverse(scene)
         turn = mi.Transform4f().rotate(mi.Vector3f(1, 1, 0), dr.rad2deg(0.5 + angle))
         parameters["light.to_world"] = turn @ mi.Transform4f().look_at([0, 0, 0], [0, 0, -1], [0, 1, 0])
@@ -254,10 +267,18 @@ def light_samples(scene):
 
 def render_ball(bsdf, light, irradiance, size_px):
     """The picture of such a ball."""
-    return np.array(mi.render(ball(bsdf, light, irradiance, size_px), spp=1)).astype(np.float64)
+    return np.array(mi.render(ball(bsdf, directional(light, irradiance), size_px), spp=1)).astype(np.float64)
 
-def ball(bsdf, light, irradiance, size_px):
-    """The atlas's scene "sphere" under one directional light, through the centres of the pixels."""
+def directional(light, irradiance):
+    """A light from one direction."""
+    return {
+        "type": "directional",
+        "direction": [-float(x) for x in light],
+        "irradiance": {"type": "rgb", "value": [float(irradiance)] * 3},
+    }
+
+def ball(bsdf, light, size_px):
+    """The atlas's scene "sphere" under a light, through the centres of the pixels."""
     transform = mi.ScalarTransform4f()
     return mi.load_dict(
         {
@@ -275,11 +296,7 @@ def ball(bsdf, light, irradiance, size_px):
                     "component_format": "float32",
                 },
             },
-            "light": {
-                "type": "directional",
-                "direction": [-float(x) for x in light],
-                "irradiance": {"type": "rgb", "value": [float(irradiance)] * 3},
-            },
+            "light": light,
             # Mitsuba's spheres have their poles on the z axis, the atlas's on the y axis.
             "ball": {"type": "sphere", "radius": BALL_RADIUS, "to_world": transform.rotate([1, 0, 0], -90), "bsdf": bsdf},
         }
@@ -307,6 +324,12 @@ def half_a_texel(bsdf):
     bsdf.brdf.first = column + 0.5, row
     return bsdf
 
+def evenly_sampled(bsdf):
+    """Leaves lobe and tables to the chance that even samples have of meeting them."""
+    sampler = bsdf.sampler
+    sampler.shares = mi.Float([1, 0, 0] * (dr.width(sampler.shares) // 3))
+    return bsdf
+
 def more_of(bsdf, lobe, tables):
     """States more of the lobe's or the tables' density than is drawn."""
     shares = bsdf.sampler.shares
@@ -332,6 +355,7 @@ def right(version, name, about, power_sums, scene, picture, has_densities):
             yield f"density at {theta_deg} deg", density_error(bsdf, bsdf, theta_deg)
         if has_densities:
             yield "power", power_error(bsdf, power_sums)
+        yield "fireflies", firefly_error(load(version, name, energy_limit=True))
     if about.get("energy_limit"):
         yield "limit", limit_error(load(version, name, energy_limit=True))
     if picture is not None:
@@ -362,6 +386,7 @@ def mistakes(version, name, about, power_sums, scene, picture, _):
     for what, theta_deg, lobe, tables in (("tables", 35, 1, 1.1), ("lobe", 89, 1.1, 1)):
         wrong = more_of(load(version, name), lobe, tables)
         yield f"a tenth more of the {what} at {theta_deg} deg: density", density_error(load(version, name), wrong, theta_deg)
+    yield "even samples: fireflies", firefly_error(evenly_sampled(load(version, name, energy_limit=True)))
     yield "factor of 1.02: power", power_error(load(version, name, scale=1.02), power_sums)
     if about.get("energy_limit"):
         yield "energy limit left off: limit", limit_error(load(version, name))

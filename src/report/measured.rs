@@ -37,7 +37,7 @@ pub(crate) fn in_short(measured: &MeasuredResult) -> String {
         let shifts = [(true, "peaks of spectra"), (false, "peaks over the angle")]
             .map(|(spectra, what)| (shift(column, spectra), what))
             .into_iter()
-            .filter(|(shift, _)| shift != numbers::MISSING)
+            .filter(|(shift, _)| !shift.starts_with(numbers::MISSING))
             .map(|(shift, what)| format!(", {what} {shift} off"))
             .collect::<String>();
         format!("{}: correlation {}{shifts}", kind_text(column.kind), numbers::number(column.correlation, 3))

@@ -3,8 +3,9 @@
 //! What a surface does is blurred by the coherence window: the sharpest thing in tables is a line of the window's own width, a
 //! Gaussian of the deviation `w` in (u, v). Between texels `Δ` apart a linear look-up errs at its peak by `Δ²/8` times the second
 //! derivative, `1/w²`, a cubic through four texels by `3/128 Δ⁴` times the fourth, `3/w⁴`, a cubic B-spline through all of them by
-//! `Δ⁴/384` times it; the two axes add. At the wavelength that
-//! the eye sees best that is what 95 % of lit directions keep, by a factor of about two: `docs/accuracy.md` has it measured.
+//! `Δ⁴/384` times it, and by `-Δ⁶/1536` times the sixth, `-15/w⁶`, which counts on the coarse grids that splines need; the two
+//! axes add. At the wavelength that the eye sees best that is what 95 % of lit directions keep, by a factor of about two:
+//! `docs/accuracy.md` has it measured.
 
 use serde::Serialize;
 
@@ -46,18 +47,33 @@ impl LookUp {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Spline, Self::Linear, Self::Cubic];
 
-    /// Order of the error in the distance of texels over the line's deviation, and the error at a ratio of 1.
-    fn law(self) -> (i32, f64) {
+    /// Relative error at the peak of a line, given the distance of texels over the line's deviation.
+    fn error_at(self, ratio: f64) -> f64 {
+        let squared = ratio * ratio;
         match self {
-            Self::Linear => (2, 1.0 / 8.0),
-            Self::Cubic => (4, 9.0 / 128.0),
-            Self::Spline => (4, 1.0 / 128.0),
+            Self::Linear => squared / 8.0,
+            Self::Cubic => squared.powi(2) * 9.0 / 128.0,
+            Self::Spline => squared.powi(2) * (1.0 + 1.25 * squared) / 128.0,
+        }
+    }
+
+    /// The distance of texels over the line's deviation at which that is the error.
+    fn ratio_for(self, error: f64) -> f64 {
+        match self {
+            Self::Linear => (8.0 * error).sqrt(),
+            Self::Cubic => (error * 128.0 / 9.0).powf(0.25),
+            Self::Spline => {
+                // x² (1 + 5/4 x) = c, of x the ratio's square: Newton's rule from above, where the left side is convex.
+                let c = 128.0 * error;
+                let step = |x: f64| x - (x * x * (1.0 + 1.25 * x) - c) / (x * (2.0 + 3.75 * x)).max(f64::MIN_POSITIVE);
+                (0..20).fold(c.sqrt(), |x, _| step(x)).max(0.0).sqrt()
+            }
         }
     }
 
     /// Texels a side that keep a tolerance, given how far tables of another size are off.
     pub fn size_for(self, tolerance: f64, size: usize, error: f64) -> usize {
-        let texels = (size - 1) as f64 * (error / tolerance).powf(1.0 / f64::from(self.law().0));
+        let texels = (size - 1) as f64 * self.ratio_for(error) / self.ratio_for(tolerance);
         2 * (0.5 * texels).ceil().min(SIZE_MAX) as usize + 1
     }
 }
@@ -79,8 +95,7 @@ pub fn tried_first(optics: &OpticsConfig, tables: &TablesConfig) -> Option<usize
     if tables.size.is_some() || tables.basis != Basis::Chebyshev {
         return None;
     }
-    let (order, at_one) = LookUp::Spline.law();
-    let texel = brightest_blur(optics) * (tables.tolerance / (ROOM * at_one)).powf(1.0 / f64::from(order));
+    let texel = brightest_blur(optics) * LookUp::Spline.ratio_for(tables.tolerance / ROOM);
     // Wider texels would hold means.
     let size = 2 * (2.0 / texel.min(narrowest_blur(optics))).ceil().min(SIZE_MAX) as usize + 1;
     (size < automatic_size(optics, tables.tolerance)).then_some(size)
@@ -90,8 +105,7 @@ pub fn tried_first(optics: &OpticsConfig, tables: &TablesConfig) -> Option<usize
 pub(super) fn look_up_forecasts(optics: &OpticsConfig, size: usize, tolerance: f64) -> [LookUpForecast; 3] {
     let ratio = 4.0 / (size - 1) as f64 / brightest_blur(optics);
     LookUp::ALL.map(|look_up| {
-        let (order, at_one) = look_up.law();
-        let error = at_one * ratio.powi(order);
+        let error = look_up.error_at(ratio);
         // Where texels miss the line, all of it.
         LookUpForecast { look_up, error: error.min(1.0), size_needed: look_up.size_for(tolerance, size, error) }
     })
@@ -152,10 +166,19 @@ mod tests {
                 // Tables of the size that is named keep the tolerance, those a tenth smaller do not.
                 let [enough, less] = [1.02, 0.9]
                     .map(|share| self::measured(found.look_up, (share * found.size_needed as f64) as usize | 1, w));
-                // The law is that of fine tables; of the coarse ones that splines need it is short by up to a half.
-                let bound = if found.look_up == LookUp::Spline { 1.5e-3 } else { 1e-3 };
-                assert!(enough <= bound && less > 1e-3, "{size} {found:?}: {enough:e} {less:e}");
+                assert!(enough <= 1e-3 && less > 1e-3, "{size} {found:?}: {enough:e} {less:e}");
             }
+        }
+    }
+
+    #[test]
+    fn ratios_and_errors_are_inverse() {
+        for look_up in LookUp::ALL {
+            for error in [1e-9, 1e-4, 1e-3, 0.05, 0.9] {
+                let found = look_up.error_at(look_up.ratio_for(error));
+                assert!((found / error - 1.0).abs() < 1e-9, "{look_up:?} {error:e}: {found:e}");
+            }
+            assert_eq!(look_up.ratio_for(0.0), 0.0);
         }
     }
 }

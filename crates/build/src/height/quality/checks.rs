@@ -33,15 +33,19 @@ pub fn findings(read: &HeightField, prepared: &HeightField) -> Vec<Finding> {
         return found;
     }
     let prepared = Prepared { field: prepared, spectrum: Spectrum::new(&levelled), levelled, rms_nm };
-    let bow = shape::bow(&prepared);
-    found.extend(shape::tilt(read, prepared.field));
-    found.extend(bow);
-    found.extend(lines::check(&prepared));
     // Where lines are lost, their end is a step, and what was filled in looks like a scar.
-    if !lost.iter().any(|lost| *lost) {
-        found.extend(scars::check(&prepared));
-        found.extend(steps::check(&prepared));
+    let has_lost = lost.iter().any(|lost| *lost);
+    let step = if has_lost { None } else { steps::check(&prepared) };
+    found.extend(shape::tilt(read, prepared.field));
+    // Two levels bend the surface through them.
+    if step.is_none() {
+        found.extend(shape::bow(&prepared));
     }
+    found.extend(lines::check(&prepared));
+    if !has_lost {
+        found.extend(scars::check(&prepared));
+    }
+    found.extend(step);
     found.extend(hum::check(&prepared));
     found
 }
