@@ -32,6 +32,7 @@ pub(crate) fn of_surface(specimen: &SpecimenResult) -> Vec<Fact> {
     if let Some(found) = &specimen.statistics {
         facts.push(fact("Heights", heights(found)));
         facts.push(fact("Slopes", slopes(found)));
+        facts.extend(found.surface.map(|surface| fact("ISO 25178", surface.to_string())));
         if !found.dominant_periods.is_empty() {
             facts.push(fact("Periods", periods(&found.dominant_periods)));
         }

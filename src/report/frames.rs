@@ -283,7 +283,13 @@ mod tests {
     #[test]
     fn frames_are_well_formed_and_without_nan_whatever_the_numbers() {
         for value in [0.0, -1.0, 1e-9, 1e12, f64::NAN, f64::INFINITY] {
-            let heights = HeightMapFile { png: "h.png".into(), scale_bar_um: value, low_nm: value, high_nm: 3.0 };
+            let heights = HeightMapFile {
+                png: "h.png".into(),
+                scale_bar_um: value,
+                low_nm: value,
+                high_nm: 3.0,
+                replaced_samples: 0,
+            };
             let mut file = spectrum();
             file.half_range_per_um = value;
             file.low_db = value;

@@ -13,6 +13,9 @@ pub(crate) const SCALE_BAR_MARGIN: f64 = 0.03;
 /// Longer side of a height map in pixels, whatever the scan: keeps the file small and the bar crisp.
 const HEIGHT_MAP_PX: f64 = 600.0;
 
+/// Colour of samples that were replaced: none of the map's.
+const REPLACED_RGB: [u8; 3] = [230, 50, 50];
+
 /// A height map and what its colours mean.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeightPicture {
@@ -27,10 +30,10 @@ pub struct HeightPicture {
 }
 
 /// Draws the heights. Colours span the middle 99.8 % of the heights, so that a grain of dust does
-/// not flatten the rest.
+/// not flatten the rest. Samples that were `replaced`, of the field's shape, are marked in red.
 ///
 /// Fails on a field without samples or without an area.
-pub fn height_map(field: &HeightField) -> Result<HeightPicture> {
+pub fn height_map(field: &HeightField, replaced: Option<&Array2<bool>>) -> Result<HeightPicture> {
     require_area(field)?;
     let [low_nm, high_nm] = quantiles(field, [0.001, 0.999]);
     let [width, height] = picture_size(field.extent_nm());
@@ -41,6 +44,12 @@ pub fn height_map(field: &HeightField) -> Result<HeightPicture> {
         // A flat field has no span: it is drawn in the middle colour. Missing heights stay NaN.
         let position = if span > 0.0 || value.is_nan() { (value - low_nm) / span } else { 0.5 };
         put(&mut rgb, row, column, colour(&VIRIDIS, position));
+    }
+    if let Some(replaced) = replaced {
+        // Of a pixel over many samples one is enough, or single outliers would not be seen.
+        let shares = area_average(&replaced.mapv(|is_replaced| f64::from(u8::from(is_replaced))), height, width);
+        let marked = shares.indexed_iter().filter(|(_, share)| **share > 0.0);
+        marked.for_each(|((row, column), _)| put(&mut rgb, row, column, REPLACED_RGB));
     }
     let scale_bar_um = draw_scale_bar(&mut rgb, field.extent_nm()[0] * 1e-3);
     Ok(HeightPicture { rgb, scale_bar_um, low_nm, high_nm })
@@ -144,6 +153,10 @@ pub(super) fn put(rgb: &mut Array3<u8>, row: usize, column: usize, value: [u8; 3
 mod tests {
     use super::*;
 
+    fn map_of(field: &HeightField) -> Result<HeightPicture> {
+        height_map(field, None)
+    }
+
     fn field(rows: usize, columns: usize, pitch_nm: [f64; 2], height: impl Fn(usize, usize) -> f64) -> HeightField {
         HeightField {
             heights_nm: Array2::from_shape_fn((rows, columns), |(row, column)| height(row, column)),
@@ -158,7 +171,7 @@ mod tests {
     #[test]
     fn proportions_follow_the_extent_and_row_0_is_on_top() {
         // 20 µm wide, 5 µm high, in pixels that are twice as wide as high.
-        let map = height_map(&field(100, 200, [100.0, 50.0], |row, _| 99.0 - row as f64)).unwrap();
+        let map = map_of(&field(100, 200, [100.0, 50.0], |row, _| 99.0 - row as f64)).unwrap();
         assert_eq!(map.rgb.dim(), (150, 600, 3));
         assert_eq!(pixel(&map, 0, 300), VIRIDIS[15]);
         assert_eq!(pixel(&map, 149, 590), VIRIDIS[0]);
@@ -167,7 +180,7 @@ mod tests {
 
     #[test]
     fn the_bar_is_as_long_as_it_says() {
-        let map = height_map(&field(256, 256, [125.0, 125.0], |row, column| (row + column) as f64)).unwrap();
+        let map = map_of(&field(256, 256, [125.0, 125.0], |row, column| (row + column) as f64)).unwrap();
         assert_eq!(map.scale_bar_um, 5.0);
         let row = 600 - 18 - 3;
         let white = (0..300).filter(|&column| pixel(&map, row, column) == [255; 3]).count();
@@ -185,8 +198,20 @@ mod tests {
                 if (row, column) == (40, 40) { 1e4 } else { (column % 10) as f64 }
             },
         );
-        let map = height_map(&dusty).unwrap();
+        let map = map_of(&dusty).unwrap();
         assert_eq!([map.low_nm, map.high_nm], [0.0, 9.0]);
+    }
+
+    #[test]
+    fn replaced_samples_are_marked() {
+        let slope = field(1200, 1200, [10.0; 2], |row, column| (row + column) as f64);
+        let mut replaced = Array2::from_elem((1200, 1200), false);
+        replaced[[101, 401]] = true;
+        let marked = height_map(&slope, Some(&replaced)).unwrap();
+        assert_eq!(pixel(&marked, 50, 200), REPLACED_RGB);
+        let (plain, mut expected) = (map_of(&slope).unwrap(), marked.clone());
+        put(&mut expected.rgb, 50, 200, pixel(&plain, 50, 200));
+        assert_eq!(plain, expected, "nothing else is marked");
     }
 
     #[test]
@@ -201,14 +226,14 @@ mod tests {
 
     #[test]
     fn flat_missing_and_thin_fields() {
-        let flat = height_map(&field(8, 8, [50.0, 50.0], |_, _| 3.0)).unwrap();
+        let flat = map_of(&field(8, 8, [50.0, 50.0], |_, _| 3.0)).unwrap();
         assert_eq!(pixel(&flat, 0, 0), colour(&VIRIDIS, 0.5));
-        let missing = height_map(&field(8, 8, [50.0, 50.0], |_, _| f64::NAN)).unwrap();
+        let missing = map_of(&field(8, 8, [50.0, 50.0], |_, _| f64::NAN)).unwrap();
         assert_eq!(pixel(&missing, 0, 0), [128; 3]);
         assert_eq!(missing.low_nm, 0.0);
-        let thin = height_map(&field(1, 2000, [50.0, 50.0], |_, column| column as f64)).unwrap();
+        let thin = map_of(&field(1, 2000, [50.0, 50.0], |_, column| column as f64)).unwrap();
         assert_eq!((thin.rgb.dim(), thin.scale_bar_um), ((1, 600, 3), 0.0));
-        assert!(height_map(&field(0, 8, [50.0, 50.0], |_, _| 0.0)).is_err());
-        assert!(height_map(&field(8, 8, [f64::NAN, 50.0], |_, _| 0.0)).is_err());
+        assert!(map_of(&field(0, 8, [50.0, 50.0], |_, _| 0.0)).is_err());
+        assert!(map_of(&field(8, 8, [f64::NAN, 50.0], |_, _| 0.0)).is_err());
     }
 }

@@ -31,6 +31,7 @@ pub(crate) fn specimen_section(
         })),
         None => None,
     };
+    let replaced = specimen.height_map.as_ref().map(|file| file.replaced_samples).filter(|samples| *samples > 0);
     let spectrum = match &specimen.spectrum {
         Some(file) => Some(Value::from_safe_string(match album.picture(&file.png)? {
             Some(picture) => {
@@ -69,6 +70,7 @@ pub(crate) fn specimen_section(
             0 | 1 => String::new(),
             count => format!(" of the first of {count} scans"),
         },
+        replaced => replaced.map(|samples| numbers::count(samples as u64)),
         spectrum => spectrum,
         marks => facts::period_marks(periods),
         scenes => scenes,

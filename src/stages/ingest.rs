@@ -2,10 +2,12 @@
 
 use std::path::Path;
 
+use ndarray::Array2;
+
 use super::config::SpecimenConfig;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::height::HeightField;
-use diffraction_build::height::prepare::{PrepareRecord, prepare};
+use diffraction_build::height::prepare::{PrepareRecord, prepare, replaced};
 use diffraction_build::height::quality::{Finding, findings};
 use diffraction_build::height::read::{Provenance, read_scan};
 use diffraction_build::height::statistics::{Statistics, statistics};
@@ -22,6 +24,8 @@ pub struct Scans {
     pub provenance: Vec<Provenance>,
     /// What preparing did to each.
     pub preparation: Vec<PrepareRecord>,
+    /// Samples of the first that `despike` replaced; `None` where it did not act.
+    pub replaced: Option<Array2<bool>>,
     /// Statistics of each prepared field.
     pub statistics: Vec<Statistics>,
     /// What is wrong with each, as it was read and after preparing.
@@ -39,6 +43,7 @@ pub fn ingest(specimen: &SpecimenConfig) -> Result<Scans> {
         optics: specimen.optics.clone(),
         provenance: Vec::new(),
         preparation: Vec::new(),
+        replaced: None,
         statistics: Vec::new(),
         findings: Vec::new(),
     };
@@ -47,6 +52,9 @@ pub fn ingest(specimen: &SpecimenConfig) -> Result<Scans> {
         let scan = read_scan(path, &specimen.read)?;
         refuse_other_angle(path, &scan.provenance, &scans.provenance)?;
         let (field, record) = prepare(&scan.field, &specimen.prepare)?;
+        if scans.fields.is_empty() {
+            scans.replaced = replaced(&scan.field, &specimen.prepare)?;
+        }
         scans.findings.push(findings(&scan.field, &field));
         scans.statistics.push(statistics(&field, shortest_nm));
         scans.fields.push(field);

@@ -304,6 +304,9 @@ pub struct HeightMapFile {
     pub low_nm: f64,
     /// Height of the brightest colour in nm.
     pub high_nm: f64,
+    /// Samples that `despike` replaced, which are marked in the picture.
+    #[serde(default)]
+    pub replaced_samples: usize,
 }
 
 /// A picture of the power spectrum and what its axes and colours mean.

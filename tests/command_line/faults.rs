@@ -6,11 +6,10 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use diffraction_atlas::manifest::{self, convert::run_config};
-use diffraction_atlas::stages::results::{HeightMapFile, SpectrumFile, Statistics};
-use diffraction_atlas::stages::run::pipeline::{self, Helpers};
+use diffraction_atlas::stages::results::{HeightMapFile, SpectrumFile};
+use diffraction_atlas::stages::run::pipeline::{self, Heights, Helpers};
 use diffraction_brdf::error::Error;
 use diffraction_build::ground::progress::Silent;
-use diffraction_build::height::HeightField;
 
 use crate::place::{HEAD, LASERS, Place, ROUGH, SCENES, WAVE, contents, usual};
 
@@ -87,8 +86,7 @@ fn where_every_specimen_fails_nothing_is_published() {
 
 /// Pictures of heights on a disk that is full when the second specimen's turn comes.
 fn illustrate_until_full(
-    _: &HeightField,
-    _: &Statistics,
+    _: &Heights,
     folder: &Path,
     _: &str,
 ) -> diffraction_brdf::error::Result<(HeightMapFile, SpectrumFile)> {
@@ -97,7 +95,7 @@ fn illustrate_until_full(
     }
     let png = String::new();
     Ok((
-        HeightMapFile { png: png.clone(), scale_bar_um: 1.0, low_nm: 0.0, high_nm: 1.0 },
+        HeightMapFile { png: png.clone(), scale_bar_um: 1.0, low_nm: 0.0, high_nm: 1.0, replaced_samples: 0 },
         SpectrumFile { png, half_range_per_um: 1.0, low_db: -60.0 },
     ))
 }
@@ -126,16 +124,15 @@ fn a_full_disk_ends_the_run_and_publishes_nothing() {
 
 /// A disk that is full once.
 fn illustrate_after_a_full_disk(
-    field: &HeightField,
-    statistics: &Statistics,
+    heights: &Heights,
     folder: &Path,
     name: &str,
 ) -> diffraction_brdf::error::Result<(HeightMapFile, SpectrumFile)> {
     static WAS_FULL: AtomicBool = AtomicBool::new(false);
     if folder.ends_with("wave") && WAS_FULL.swap(true, Ordering::Relaxed) {
-        return illustrate_until_full(field, statistics, Path::new("other"), name);
+        return illustrate_until_full(heights, Path::new("other"), name);
     }
-    illustrate_until_full(field, statistics, folder, name)
+    illustrate_until_full(heights, folder, name)
 }
 
 #[test]

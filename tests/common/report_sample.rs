@@ -376,10 +376,16 @@ fn scene(name: &str, period: &Period, pictures: &mut BTreeMap<String, Vec<u8>>) 
 }
 
 fn height_file(name: &str, field: &HeightField, pictures: &mut BTreeMap<String, Vec<u8>>) -> HeightMapFile {
-    let picture = height_map(field).unwrap();
+    let picture = height_map(field, None).unwrap();
     let png = format!("{name}/heights.png");
     pictures.insert(png.clone(), encode_png(&picture.rgb).unwrap());
-    HeightMapFile { png, scale_bar_um: picture.scale_bar_um, low_nm: picture.low_nm, high_nm: picture.high_nm }
+    HeightMapFile {
+        png,
+        scale_bar_um: picture.scale_bar_um,
+        low_nm: picture.low_nm,
+        high_nm: picture.high_nm,
+        replaced_samples: 0,
+    }
 }
 
 fn spectrum_file(

@@ -17,8 +17,8 @@ use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
 use diffraction_build::height::quality::{Advice, Finding, Remedy, Verdict, advise, scan_verdict};
 use diffraction_build::height::read::{CallerWords, HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
 use diffraction_build::height::statistics::{
-    PsdRing, STEEP_SLOPE, Statistics, SurfaceParameters, WAVES_MIN, is_whole_grating, least_uv_radius, radial_psd,
-    seam_warning, statistics,
+    PsdRing, STEEP_SLOPE, Statistics, WAVES_MIN, is_whole_grating, least_uv_radius, radial_psd, seam_warning,
+    statistics,
 };
 use diffraction_build::height::write::write_scan_tiff;
 use diffraction_build::optics::config::{Factor, Material, TILE_SIGMAS, smallest_side_nm};
@@ -251,7 +251,7 @@ impl ScanReport {
             ),
         ];
         if let Some(surface) = &s.surface {
-            lines.push(surface_line(surface));
+            lines.push(format!("ISO 25178     {surface}"));
         }
         for period in &s.dominant_periods {
             lines.push(format!(
@@ -265,22 +265,6 @@ impl ScanReport {
         lines.push(format!("verdict       {}", self.verdict.sentence));
         lines.join("\n") + "\n"
     }
-}
-
-/// The parameters of ISO 25178 on one line; what a scan is too small to tell is left out.
-fn surface_line(surface: &SurfaceParameters) -> String {
-    let SurfaceParameters { sa_nm, sq_nm, ssk, sku, sz_nm, sdq, sdr, sal_nm, str_ratio } = *surface;
-    let mut line = format!(
-        "ISO 25178     Sa {sa_nm:.2} nm, Sq {sq_nm:.2} nm, Sz {sz_nm:.1} nm, Ssk {ssk:.2}, Sku {sku:.2}, Sdq {sdq:.3}, Sdr {:.2} %",
-        100.0 * sdr
-    );
-    if !sal_nm.is_nan() {
-        line += &format!(", Sal {sal_nm:.0} nm");
-    }
-    if !str_ratio.is_nan() {
-        line += &format!(", Str {str_ratio:.2}");
-    }
-    line
 }
 
 fn inspect_atlas(args: &InspectArgs) -> Result<Outcome> {

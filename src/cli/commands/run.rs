@@ -17,13 +17,12 @@ use crate::report::spectrum_picture::{spectrum_half_range_per_um, spectrum_pictu
 use crate::report::{self, facts, pictures};
 use crate::stages::archive::publish::Published;
 use crate::stages::config::RunConfig;
-use crate::stages::results::{Failure, Grade, HeightMapFile, SpecimenResult, SpectrumFile, Statistics};
+use crate::stages::results::{Failure, Grade, HeightMapFile, SpecimenResult, SpectrumFile};
 use crate::stages::run::outlook::{Outlook, outlook};
-use crate::stages::run::pipeline::{self, Finished, Helpers, Origin, RunOutcome, UnitsOutcome};
+use crate::stages::run::pipeline::{self, Finished, Heights, Helpers, Origin, RunOutcome, UnitsOutcome};
 use diffraction_brdf::error::Error;
 use diffraction_brdf::files;
 use diffraction_build::ground::progress::Progress;
-use diffraction_build::height::HeightField;
 use diffraction_render::render::png_image::write_png;
 
 /// Arguments of `run`; those of the program called without a command are the defaults.
@@ -372,12 +371,12 @@ fn failure_line(failure: &Failure) -> String {
 
 /// Draws heights and spectrum for the report.
 fn illustrate(
-    field: &HeightField,
-    statistics: &Statistics,
+    heights: &Heights,
     folder: &Path,
     prefix: &str,
 ) -> diffraction_brdf::Result<(HeightMapFile, SpectrumFile)> {
-    let map = pictures::height_map(field)?;
+    let Heights { field, replaced, statistics } = *heights;
+    let map = pictures::height_map(field, replaced)?;
     write_png(&folder.join("heights.png"), &map.rgb)?;
     let periods_nm: Vec<f64> = statistics.dominant_periods.iter().map(|period| period.period_nm).collect();
     let spectrum = spectrum_picture(field, spectrum_half_range_per_um(field, &periods_nm))?;
@@ -387,6 +386,7 @@ fn illustrate(
         scale_bar_um: map.scale_bar_um,
         low_nm: map.low_nm,
         high_nm: map.high_nm,
+        replaced_samples: replaced.map_or(0, |replaced| replaced.iter().filter(|is_replaced| **is_replaced).count()),
     };
     let spectrum = SpectrumFile {
         png: format!("{prefix}/spectrum.png"),

@@ -76,7 +76,7 @@ pub fn include(source: ShaderSource, language: ShaderLanguage, config: &IncludeC
 /// The uniform block as a description in JSON and as a struct in C with its offsets asserted.
 ///
 /// # Errors
-/// As [`include`].
+/// As [`include()`].
 pub fn block(source: ShaderSource, config: &IncludeConfig) -> Result<(serde_json::Value, String)> {
     check_prefix(&config.prefix)?;
     let (module, _) = parsed(&source.wgsl())?;

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::build::{Ingested, Planned, Stored};
 use super::check_values::check_values;
 use super::clock::{Clock, Step};
-use super::job::Job;
+use super::job::{Heights, Job};
 use super::measure::Measured;
 use super::spectral::Spectral;
 use super::verdict::{Outcome, failed_verdict, verdict};
@@ -148,7 +148,10 @@ fn write_pictures(job: &Job, ingested: &Ingested, surface: Surface, scenes: Vec<
     };
     let heights = match ingested.scans.statistics.first() {
         None => None,
-        Some(statistics) => Some((job.illustrate)(&ingested.scans.fields[0], statistics, folder, name)?),
+        Some(statistics) => {
+            let (field, replaced) = (&ingested.scans.fields[0], ingested.scans.replaced.as_ref());
+            Some((job.illustrate)(&Heights { field, replaced, statistics }, folder, name)?)
+        }
     };
     Ok(Pictures { scenes, preview_png, coverage_png, heights })
 }

@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use ndarray::Array2;
+
 use super::memory::Memory;
 use crate::stages::cache::store::Cache;
 use crate::stages::config::{RunConfig, SpecimenConfig};
@@ -9,9 +11,19 @@ use crate::stages::results::{HeightMapFile, SpectrumFile, Statistics};
 use diffraction_brdf::error::Result;
 use diffraction_build::height::HeightField;
 
+/// What is drawn of a scan.
+#[derive(Debug, Clone, Copy)]
+pub struct Heights<'a> {
+    /// The prepared field.
+    pub field: &'a HeightField,
+    /// Samples that `despike` replaced, of the field's shape; `None` where it did not act.
+    pub replaced: Option<&'a Array2<bool>>,
+    /// Statistics of the field.
+    pub statistics: &'a Statistics,
+}
+
 /// Draws a specimen's heights and their spectrum into its folder; given by the floor that knows how.
-pub(crate) type Illustrate<'a> =
-    &'a (dyn Fn(&HeightField, &Statistics, &Path, &str) -> Result<(HeightMapFile, SpectrumFile)> + Sync);
+pub(crate) type Illustrate<'a> = &'a (dyn Fn(&Heights, &Path, &str) -> Result<(HeightMapFile, SpectrumFile)> + Sync);
 
 /// One specimen of a run.
 pub(super) struct Job<'a> {

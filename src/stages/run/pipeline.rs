@@ -10,6 +10,7 @@ use serde_json::Value;
 
 use super::choose::{Choice, Found, choose};
 use super::clock::Failed;
+pub use super::job::Heights;
 use super::make::{Computed, Workshop};
 use super::memory::Memory;
 use super::side_by_side::side_by_side;

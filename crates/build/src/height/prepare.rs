@@ -9,6 +9,7 @@ pub(crate) mod repair;
 pub(crate) mod robust;
 pub(crate) mod scars;
 
+use ndarray::{Array2, Zip};
 use serde::{Deserialize, Serialize};
 
 use crate::height::HeightField;
@@ -81,9 +82,7 @@ pub struct PrepareRecord {
 /// [`Error::Limit`] if the field is empty or not finite, or a setting does not suit its size.
 pub fn prepare(field: &HeightField, config: &PrepareConfig) -> Result<(HeightField, PrepareRecord)> {
     check(field, config)?;
-    let mut prepared = field.clone();
-    let spikes = config.despike.map_or(0, |despike| despike::despike(&mut prepared.heights_nm, despike.threshold_rms));
-    let repaired = config.despike.map_or_else(Repaired::default, |_| repair::repair(&mut prepared));
+    let (mut prepared, spikes, repaired) = cleaned(field, config);
     let removed = match config.level {
         Level::None => level::Surface::default(),
         Level::Plane | Level::Rows => level::subtract_surface(&mut prepared, level::Order::Plane),
@@ -108,6 +107,28 @@ pub fn prepare(field: &HeightField, config: &PrepareConfig) -> Result<(HeightFie
         centring_nm,
     };
     Ok((prepared, record))
+}
+
+/// Samples that `despike` replaces in a field, `[rows, columns]`; `None` where it does not act.
+///
+/// # Errors
+/// As [`prepare`].
+pub fn replaced(field: &HeightField, config: &PrepareConfig) -> Result<Option<Array2<bool>>> {
+    check(field, config)?;
+    if config.despike.is_none() {
+        return Ok(None);
+    }
+    let (after, ..) = cleaned(field, config);
+    Ok(Some(Zip::from(&after.heights_nm).and(&field.heights_nm).map_collect(|after, before| after != before)))
+}
+
+/// The field without what is no surface, the number of outliers, and what else was filled in.
+fn cleaned(field: &HeightField, config: &PrepareConfig) -> (HeightField, usize, Repaired) {
+    let mut cleaned = field.clone();
+    let Some(Despike { threshold_rms }) = config.despike else { return (cleaned, 0, Repaired::default()) };
+    let spikes = despike::despike(&mut cleaned.heights_nm, threshold_rms);
+    let repaired = repair::repair(&mut cleaned);
+    (cleaned, spikes, repaired)
 }
 
 /// Puts 0 midway between the highest and the lowest sample; returns what was added.

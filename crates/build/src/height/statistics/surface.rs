@@ -35,6 +35,22 @@ pub struct SurfaceParameters {
     pub str_ratio: f64,
 }
 
+impl std::fmt::Display for SurfaceParameters {
+    /// On one line; what a scan is too small to tell is left out.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { sa_nm, sq_nm, ssk, sku, sz_nm, sdq, sdr, sal_nm, str_ratio } = *self;
+        write!(f, "Sa {sa_nm:.2} nm, Sq {sq_nm:.2} nm, Sz {sz_nm:.1} nm, Ssk {ssk:.2}, Sku {sku:.2}, Sdq {sdq:.3}")?;
+        write!(f, ", Sdr {:.2} %", 100.0 * sdr)?;
+        if !sal_nm.is_nan() {
+            write!(f, ", Sal {sal_nm:.0} nm")?;
+        }
+        if !str_ratio.is_nan() {
+            write!(f, ", Str {str_ratio:.2}")?;
+        }
+        Ok(())
+    }
+}
+
 /// The parameters of heights about their mean plane, of which `decay` is the autocorrelation's fall to 0.2.
 pub(super) fn parameters(levelled: &HeightField, decay: Decay) -> SurfaceParameters {
     let heights = &levelled.heights_nm;
