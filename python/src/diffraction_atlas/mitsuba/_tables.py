@@ -100,24 +100,38 @@ class Disc:
         self.sine = float(np.sin(np.radians(light_deg) / 2))
         ring, k = np.divmod(np.arange(RINGS * POINTS_PER_RING), POINTS_PER_RING)
         radius, angle = np.sqrt((ring + 0.5) / RINGS), (k + 0.618 * ring) / POINTS_PER_RING * 2 * np.pi
-        self.points = np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1).tolist()
+        self.points = [mi.Float((radius * of(angle)).astype(np.float32)) for of in (np.cos, np.sin)]
 
-    def mean(self, wi, u, v, w, value):
+    def over_points(self, value, zero, width):
+        """Mean of `value(p, s)` over the points, from `zero` of its type: in a loop, since kernels that hold all of them one after the other take
+        minutes to compile."""
+        count = dr.width(self.points[0])
+
+        def step(k, total):
+            p, s = (dr.gather(mi.Float, part, k) for part in self.points)
+            return k + 1, total + value(p, s)
+
+        start = dr.zeros(mi.UInt32, width), zero
+        _, total = dr.while_loop(start, lambda k, _: k < count, step, mode="symbolic", max_iterations=count, label="points of a light")
+        return total / count
+
+    def mean(self, wi, u, v, w, value, zero):
         """Mean of `value(u, v, |w|)` over the disc around `wi`, at the centre's t."""
         t = normalised(u * u + v * v, w)
         # The disc is an ellipse in (u, v): its axis along the plane of incidence is shorter by the cosine.
         length = safe_length(wi.x, wi.y)
         along = dr.select(length > 0, wi.x / dr.select(length > 0, length, 1), 1), dr.select(length > 0, wi.y / dr.select(length > 0, length, 1), 0)
-        total = 0
-        for p, s in self.points:
+
+        def at(p, s):
             p, s = p * self.sine * wi.z, s * self.sine
             x, y = u + along[0] * p - along[1] * s, v + along[1] * p + along[0] * s
             inwards = dr.minimum(1, 1.999999 * dr.rsqrt(dr.maximum(x * x + y * y, 1e-12)))
             x, y = x * inwards, y * inwards
-            total = total + value(x, y, t * dr.safe_sqrt(4 - x * x - y * y))
-        return total / len(self.points)
+            return value(x, y, t * dr.safe_sqrt(4 - x * x - y * y))
 
-    def mean_of_image(self, wi, wo, value):
+        return self.over_points(at, zero, dr.width(u, v, w))
+
+    def mean_of_image(self, wi, wo, value, zero):
         """Mean of `value(radius^2)` over the ellipse around the lobe's image in the horizon; see `_means.LobeEllipses.image`."""
         x, y = wo.x - wi.x, wo.y - wi.y
         length = safe_length(x, y)
@@ -127,11 +141,12 @@ class Disc:
         across = dr.safe_sqrt(image_radius2(wi, wo) - along * along)
         lateral = wi.x * x + wi.y * y, wi.y * x - wi.x * y
         semi = [self.sine * dr.safe_sqrt(1 - part * part) for part in lateral]
-        total = 0
-        for p, s in self.points:
+
+        def at(p, s):
             a, b = across + semi[0] * p, along + semi[1] * s
-            total = total + value(a * a + b * b)
-        return total / len(self.points)
+            return value(a * a + b * b)
+
+        return self.over_points(at, zero, dr.width(along, across))
 
 
 class Colours:
@@ -165,7 +180,7 @@ class Colours:
             return front * self.diffuse(q.x, q.y, -q.z, active) + coherent * self.lobe(wi, wo, active)
         # The light is the direction that Mitsuba gives as `wo`.
         return front * self.disc.mean(
-            wo, q.x, q.y, -q.z, lambda u, v, w: self.diffuse(u, v, w, active)
+            wo, q.x, q.y, -q.z, lambda u, v, w: self.diffuse(u, v, w, active), mi.Color3f(0)
         ) + coherent * self.lobe_mean(wi, wo, active)
 
     def answers(self, wi, wo, active):
@@ -232,10 +247,10 @@ class Colours:
             return mi.Color3f(0)
         u, v, w = -(wi.x + wo.x), -(wi.y + wo.y), wi.z + wo.z
         t = normalised(u * u + v * v, w)
-        value = self.disc.mean(wo, u, v, w, lambda u, v, w: self.lobe_at(safe_length(u, v), w, active, t))
+        value = self.disc.mean(wo, u, v, w, lambda u, v, w: self.lobe_at(safe_length(u, v), w, active, t), mi.Color3f(0))
         if self.optics.vector:
             t = normalised(image_radius2(wi, wo), w)
-            value += self.disc.mean_of_image(wo, wi, lambda radius2: self.lobe_at(dr.safe_sqrt(radius2), w, active, t))
+            value += self.disc.mean_of_image(wo, wi, lambda radius2: self.lobe_at(dr.safe_sqrt(radius2), w, active, t), mi.Color3f(0))
         return value
 
 
@@ -289,7 +304,7 @@ class Spectral:
                 diffuse = self.diffuse(u, v, w, active)
             else:
                 diffuse = self.disc.mean(
-                    wo, q.x, q.y, -q.z, lambda x, y, z: self.diffuse(r * x, r * y, r * z, active)
+                    wo, q.x, q.y, -q.z, lambda x, y, z: self.diffuse(r * x, r * y, r * z, active), mi.Float(0)
                 )
             part = r * r * r * r * front * diffuse
             if self.power is not None:
@@ -309,9 +324,9 @@ class Spectral:
         if self.disc is None:
             form = dr.exp(-width2 * (q.x * q.x + q.y * q.y))
             return form + dr.exp(-width2 * image2) if self.optics.vector else form
-        form = self.disc.mean(wo, q.x, q.y, -q.z, lambda u, v, w: dr.exp(-width2 * (u * u + v * v)))
+        form = self.disc.mean(wo, q.x, q.y, -q.z, lambda u, v, w: dr.exp(-width2 * (u * u + v * v)), mi.Float(0))
         if self.optics.vector:
-            form += self.disc.mean_of_image(wo, wi, lambda radius2: dr.exp(-width2 * radius2))
+            form += self.disc.mean_of_image(wo, wi, lambda radius2: dr.exp(-width2 * radius2), mi.Float(0))
         return form
 
     def power_at(self, w, active):
