@@ -224,7 +224,7 @@ fn tables_meet_the_direct_sum_on_random_surfaces() {
 #[test]
 #[ignore = "slow: as the one above on more surfaces"]
 fn tables_meet_the_direct_sum_on_many_random_surfaces() {
-    check_random_surfaces(8);
+    check_random_surfaces(4);
 }
 
 fn check_random_surfaces(cases: u32) {
