@@ -51,6 +51,8 @@ FILTERED_TOLERANCE = 5e-3
 # are off by some 1e-7, which grazing directions (1 / cos) and steep lobes raise. Norm, and share of the pixels, brighter than
 # a ten-thousandth of the mean, that may differ more.
 PICTURE_TOLERANCE, PICTURE_OUTLIERS = 1e-3, 0.01
+# Samples of a light in pictures that are compared with a reference.
+COMPARED_SAMPLES = 2
 # src/scene/light.rs: points of a lamp's disc, and src/scene/sphere.rs: the ball.
 GOLDEN_TURNS = 0.381966011250105
 BALL_RADIUS = 0.95
@@ -159,7 +161,9 @@ def firefly_error(bsdf):
     return image[on_ball].max() / image[on_ball].mean() / FIREFLY_TIMES
 
 def picture_error(bsdf, scene, expected):
-    rendered = sum(render_ball(bsdf, *light, expected.shape[0]) for light in light_samples(scene))
+    size_px = scene.get("size_px", 512)
+    stride = -(-size_px // expected.shape[0])
+    rendered = sum(render_ball(bsdf, *light, size_px) for light in light_samples(scene))[::stride, ::stride]
     error, bright = np.abs(rendered - expected).max(axis=2), np.maximum(rendered, expected).max(axis=2)
     compared = bright > 1e-4 * bright.mean()
     outliers = (error > PICTURE_TOLERANCE * bright)[compared].mean()
@@ -254,7 +258,7 @@ def light_samples(scene):
     for light in lights if isinstance(lights, list) else [lights]:
         x, y, z = axis = np.array(light["direction"]) / np.linalg.norm(light["direction"])
         diameter = math.radians(light.get("angular_diameter_deg", 0.53))
-        count = scene.get("light_samples", 16) if diameter > 0 else 1
+        count = min(scene.get("light_samples", 16), COMPARED_SAMPLES) if diameter > 0 else 1
         index = np.arange(count)
         versine = (index + 0.5) / count * 2 * math.sin(diameter / 4) ** 2
         sine, angle = np.sqrt(versine * (2 - versine)), 2 * np.pi * (GOLDEN_TURNS * index % 1)
@@ -310,6 +314,15 @@ def ball_scene(report, name):
             return scene
     return None
 
+def compared_look_up(about):
+    """The look-up that pictures are made with: the one that FORMAT.md tells."""
+    tables = about["tables"]
+    return "linear" if tables.get("restriction") or tables["basis"] == "taylor" else "spline"
+
+def compared_picture(folder, scene):
+    """What the tables show where a scene is compared with its reference: that, and the difference."""
+    return sum(np.array(mi.Bitmap(str(folder / f"{scene}.{part}.exr"))).astype(np.float64) for part in ("reference", "difference"))
+
 # Mistakes
 
 def with_layers(bsdf, change):
@@ -359,7 +372,7 @@ def right(version, name, about, power_sums, scene, picture, has_densities):
     if about.get("energy_limit"):
         yield "limit", limit_error(load(version, name, energy_limit=True))
     if picture is not None:
-        yield "picture", picture_error(bsdf, scene, picture)
+        yield "picture", picture_error(load(version, name, look_up=compared_look_up(about)), scene, picture)
         yield "mirrored coordinates", mirror_error(load(version, name, mirror_with="v"), bsdf)
         # Kernels of cubic look-ups with derivatives take a minute to compile for eight tables.
         if has_densities:
@@ -369,11 +382,11 @@ def right(version, name, about, power_sums, scene, picture, has_densities):
 def mistakes(version, name, about, power_sums, scene, picture, _):
     """What was done wrong, and how much of what is allowed the check takes that is to find it."""
 
-    def swapped():
-        return with_layers(load(version, name), lambda texels: texels[::-1, ::-1].transpose(1, 0, 2, 3))
+    def swapped(**more):
+        return with_layers(load(version, name, **more), lambda texels: texels[::-1, ::-1].transpose(1, 0, 2, 3))
 
-    def upside_down():
-        return with_layers(load(version, name), lambda texels: texels[::-1])
+    def upside_down(**more):
+        return with_layers(load(version, name, **more), lambda texels: texels[::-1])
 
     checks = about["check_values"]
     scales = [entry["scale"] for entry in about["tables"]["tables"]]
@@ -393,9 +406,12 @@ def mistakes(version, name, about, power_sums, scene, picture, _):
     if about.get("energy_limit"):
         yield "energy limit left off: limit", limit_error(load(version, name))
     if picture is not None:
-        yield "u and v exchanged: picture", picture_error(swapped(), scene, picture)
-        yield "y downwards: picture", picture_error(upside_down(), scene, picture)
-        yield "turned by a degree: picture", picture_error(load(version, name, turn_deg=1), scene, picture)
+        look_up = {"look_up": compared_look_up(about)}
+        yield "u and v exchanged: picture", picture_error(swapped(**look_up), scene, picture)
+        yield "y downwards: picture", picture_error(upside_down(**look_up), scene, picture)
+        yield "turned by a degree: picture", picture_error(load(version, name, turn_deg=1, **look_up), scene, picture)
+        if look_up != {"look_up": "linear"}:
+            yield "linear look-ups: picture", picture_error(load(version, name), scene, picture)
         yield "mirrored coordinates left alone: mirror", mirror_error(bsdf := load(version, name), bsdf)
         yield "differences too large by a twentieth: derivative", gradient_error(load(version, name, look_up="cubic"), 1.05)
         yield "half as large a light: light's size", filtered_error(version, name, 2.0, 1.0)
@@ -406,7 +422,7 @@ def material(version, report, entry):
     name = entry["name"]
     about = json.loads((version / name / "specimen.json").read_text())
     scene = ball_scene(report, name)
-    picture = np.array(mi.Bitmap(str(version / name / "scenes" / f"{scene['name']}.exr"))) if scene else None
+    picture = compared_picture(version / name / "scenes", scene["name"]) if scene else None
     return version, name, about, entry["power_sums"], scene, picture, has_densities
 
 def tell(what, errors, passes, otherwise):

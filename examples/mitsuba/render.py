@@ -48,7 +48,7 @@ def options():
     parser.add_argument("--lamp-deg", type=float, default=0.53, help="angular diameter of the lamps, 0 for points")
     parser.add_argument("--sky", type=float, default=0.0, help="radiance from everywhere; a lamp has irradiance 1")
     parser.add_argument("--sky-image", help="an environment map, relative to the illuminant of the tables; grey is best")
-    parser.add_argument("--look-up", default="linear", choices=("linear", "cubic"))
+    parser.add_argument("--look-up", default="linear", choices=("linear", "cubic", "spline"))
     parser.add_argument("--size", type=int, default=400, help="side of the picture in pixels")
     parser.add_argument("--spp", type=int, default=64, help="samples per pixel")
     parser.add_argument("--exposure", type=float, help="factor to display values; automatic if left out")

@@ -112,6 +112,7 @@ pub const SCENE: Keys = Keys {
         "specimen",
         "light",
         "environment",
+        "look_ups",
         "light_samples",
         "pixel_samples",
         "size_px",

@@ -17,7 +17,7 @@ use diffraction_render::scene::limits::{
     SAMPLES_MAX, SIZE_MAX_PX, TILT_MAX_DEG, TURN_MAX_DEG,
 };
 use diffraction_render::scene::model::{
-    Animation, Exposure, Light, Moving, Scene, Shape, check_row_samples, check_turn,
+    Animation, Exposure, Light, LookUps, Moving, Scene, Shape, check_row_samples, check_turn,
 };
 use diffraction_render::scene::turn::{Axis, Turn};
 
@@ -60,8 +60,18 @@ const MESH: Kind =
     Kind { word: "a mesh", own_keys: &["light", "environment", "camera", "materials"], lights_max: LIGHTS_MAX };
 
 /// Keys that every shape takes.
-const COMMON_KEYS: &[&str] =
-    &["name", "shape", "specimen", "size_px", "exposure", "tolerance", "animate", "light_samples", "pixel_samples"];
+const COMMON_KEYS: &[&str] = &[
+    "name",
+    "shape",
+    "specimen",
+    "size_px",
+    "exposure",
+    "tolerance",
+    "animate",
+    "look_ups",
+    "light_samples",
+    "pixel_samples",
+];
 
 /// Reads every scene; `specimens` are the names that `specimen` may give.
 pub(crate) fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<Vec<Scene>> {
@@ -139,6 +149,9 @@ fn read(section: &Section, name: String, specimens: &[&str], base: &Path) -> Res
         exposure: section.get("exposure").map_or(Ok(Exposure::Auto), |item| exposure(&item))?,
         environment: section.get("environment").map(|item| environment(&item, base)).transpose()?,
         tolerance: section.get("tolerance").map(|item| tables::tolerance(&item)).transpose()?,
+        look_ups: section.get("look_ups").map_or(Ok(LookUps::default()), |item| {
+            item.choice(&[("filtered", LookUps::Filtered), ("points", LookUps::Points)])
+        })?,
         light_samples,
         pixel_samples,
         specimen: section.get("specimen").map(|item| one_of(&item, specimens)).transpose()?,

@@ -120,6 +120,7 @@ fn comparison(row: &GpuRow, first: bool) -> Value {
     let verdict = match (row.passed(), reference.is_none_or(|reference| reference.accurate)) {
         (true, true) => ("green", "within"),
         (true, false) => ("amber", "within, tables coarse"),
+        (false, _) if row.picture.as_ref().is_some_and(|picture| !picture.passed) => ("red", "picture differs"),
         (false, _) if cpu.passed && reference.is_none_or(|reference| reference.passed) => ("red", "tables off"),
         (false, _) => ("red", "beyond"),
     };
@@ -132,6 +133,7 @@ fn comparison(row: &GpuRow, first: bool) -> Value {
             cpu.worst,
             cpu.tolerance,
             cpu.worst_of_tolerance,
+            row.picture.as_ref().map_or(f64::NAN, |picture| picture.relative_l2),
             of_reference(|reference| reference.mean),
             of_reference(|reference| reference.worst),
             of_reference(|reference| reference.look_up_mean),
@@ -210,7 +212,7 @@ mod tests {
         let cpu = compare(&by_cpu, &by_gpu, &image(0.01), 1.0);
         let pictures = CpuPictures { linear: &by_cpu, cubic: &by_cpu };
         let reference = compare_with_reference(&image(1.0), pictures, &by_gpu, &image(0.01), 1.0, 0.02);
-        GpuRow { specimen: "a".into(), cpu, reference: Some(reference), promised, difference_png: None }
+        GpuRow { specimen: "a".into(), cpu, picture: None, reference: Some(reference), promised, difference_png: None }
     }
 
     #[test]

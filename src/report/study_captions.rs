@@ -26,6 +26,13 @@ pub(crate) fn of_specimen(key: &str, study: &SpecimenStudy) -> String {
             "What was asked for against what was measured: on or below the line “asked for” it is kept. Linear look-ups \
                         keep least; where they matter choose more texels, not a smaller tolerance."
         }
+        "lights" => {
+            "What a light with a size costs: choose filtered look-ups, of which one is as good as dozens of points; of a snake, whose scales have edges \
+             within pixels, it is worth fewer."
+        }
+        "wide-lights" => {
+            "The same under lamps too wide for one look-up: sixteen filtered ones, each of a part of the light, keep what a few hundred points would."
+        }
         "basis" => {
             "What the number of tables adds by itself: choose the first that lies below your tolerance; more only cost."
         }

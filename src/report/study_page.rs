@@ -8,14 +8,15 @@ use minijinja::{Environment, Value, context};
 use super::embed::data_uri;
 use super::study_captions;
 use super::study_plots::{
-    Figure, cost_figure, cost_figure_on_texels, knob_figure, stability_figures, svg, tables_figure, tolerance_figure,
+    Figure, cost_figure, cost_figure_on_texels, knob_figure, lights_figure, stability_figures, svg, tables_figure,
+    tolerance_figure,
 };
 use super::style::STYLE;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::files::{create_folder, replace};
 use diffraction_render::render::png_image::encode_png;
 use diffraction_study::stability::{Stability, StabilityCase, Verdict};
-use diffraction_study::study::{PURPOSES, SpecimenStudy, Study};
+use diffraction_study::study::{DIAMETERS_DEG, PURPOSES, SpecimenStudy, Study};
 
 /// Knobs whose settings are numbers: file key, rows drawn together, axis.
 const KNOB_PLOTS: [(&str, &[&str], &str); 5] = [
@@ -97,6 +98,10 @@ fn figures(specimen: &SpecimenStudy) -> Vec<(&'static str, Figure)> {
         ("tables", tables_figure(specimen)),
     ];
     figures.extend(tolerance_figure(specimen).map(|figure| ("tolerance", figure)));
+    let (narrow, wide) = DIAMETERS_DEG.split_at(2);
+    for (key, diameters_deg) in [("lights", narrow), ("wide-lights", wide)] {
+        figures.extend(lights_figure(specimen, diameters_deg).map(|figure| (key, figure)));
+    }
     figures
         .extend(KNOB_PLOTS.iter().filter_map(|(key, knobs, axis)| Some((*key, knob_figure(specimen, knobs, axis)?))));
     figures

@@ -173,6 +173,30 @@ pub(crate) fn tolerance_figure(study: &SpecimenStudy) -> Option<Figure> {
     })
 }
 
+/// Error of pictures against look-ups of a light, under lights of these diameters; `None` where none were measured.
+pub(crate) fn lights_figure(study: &SpecimenStudy, diameters_deg: &[f64]) -> Option<Figure> {
+    let panel = |diameter_deg: f64| {
+        let mut series: Vec<Series> = Vec::new();
+        for row in study.lights.rows.iter().filter(|row| row.diameter_deg == diameter_deg) {
+            let name = format!("{}, {}", row.shape, if row.is_filtered { "filtered" } else { "points" });
+            let point = (row.look_ups as f64, row.errors[1]);
+            match series.iter_mut().find(|line| line.name == name) {
+                Some(line) => line.points.push(point),
+                None => series.push(Series { name, points: vec![point] }),
+            }
+        }
+        Panel {
+            x_label: format!("look-ups of a light {diameter_deg}° wide, per pixel"),
+            y_label: "95th percentile of |ΔY| / Y".into(),
+            series,
+        }
+    };
+    (!study.lights.rows.is_empty()).then(|| Figure {
+        title: format!("{}: lights with a size", study.name),
+        panels: diameters_deg.iter().copied().map(panel).collect(),
+    })
+}
+
 /// Relief, the published series in each number format, and grazing directions.
 pub(crate) fn stability_figures(stability: &Stability) -> Vec<(&'static str, Figure)> {
     vec![

@@ -3,6 +3,7 @@
 use crate::common::surfaces::{laser, random, tables_config};
 use assert_cmd::Command;
 use diffraction_atlas::stages::pictures::scenes::{reference_samples, render_tables};
+use diffraction_atlas::stages::pictures::shading::Shading;
 use diffraction_atlas::stages::run::reference_forecast::{ReferenceForecast, reference_forecast};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::{Edge, OpticsConfig, Windows};
@@ -36,8 +37,8 @@ fn forecast(optics: &OpticsConfig, scenes: &[Scene], threads: usize) -> Referenc
 fn pairs_are_those_that_a_run_evaluates() {
     let optics = laser(&[450.0, 633.0], 900.0, Edge::Tile, Windows::Grid);
     let tables = build(&BuildInput::new(&[surface()], &optics, &tables_config(1e-2, Some(65))), &|_| ()).unwrap().0;
-    let evaluated =
-        |scene: &Scene| render_tables(scene, Surface::without_pigment(&tables)).unwrap().pairs().count() as u64;
+    let shading = Shading::new(Surface::without_pigment(&tables), 1e-2);
+    let evaluated = |scene: &Scene| render_tables(scene, &shading, None).unwrap().pairs().count() as u64;
     let expected: u64 = scenes().iter().map(evaluated).sum();
     let found = forecast(&optics, &scenes(), 1).picture_pairs;
     assert!(expected > 2_000 && found == expected, "{found} {expected}");

@@ -522,6 +522,7 @@ fn gpu_row((specimen, added, difference): (&str, f32, Option<&str>)) -> GpuRow {
     GpuRow {
         specimen: specimen.into(),
         cpu,
+        picture: None,
         reference: Some(reference),
         promised: true,
         difference_png: difference.map(String::from),

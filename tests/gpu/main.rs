@@ -12,7 +12,6 @@ mod agreement;
 mod corruption;
 mod exported;
 mod filtered;
-mod filtered_time;
 mod frame;
 mod published;
 mod sets;

@@ -10,12 +10,12 @@ use diffraction_atlas::stages::config::RunConfig;
 use diffraction_atlas::stages::gpu::device::GpuDevice;
 use diffraction_atlas::stages::gpu::published::check_files;
 use diffraction_atlas::stages::gpu::results::GpuRow;
-use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_atlas::stages::pictures::shading::Shading;
 use diffraction_brdf::exr_image::{Precision, read_rgb, write_rgb};
 use diffraction_build::height::HeightField;
 use diffraction_build::height::synthesize::{Structure, synthesize};
 use diffraction_build::height::write::write_scan_tiff;
-use diffraction_render::render::cpu;
+use diffraction_build::optics::pigment::Surface;
 use diffraction_render::render::gpu::Gpu;
 use diffraction_render::scene::model::Scene;
 use serde_json::json;
@@ -101,9 +101,10 @@ fn rows_after(test: &str, tamper: impl FnOnce(&Path)) -> Option<(Vec<GpuRow>, te
     for row in &rows {
         let reference = row.reference.as_ref().unwrap();
         println!(
-            "{test}, {}: share {:.3}, of the reference {:.3}; mean {:.1e}, look-up {:.1e}, left {:.1e} of {:.1e}; {:?}",
+            "{test}, {}: share {:.3}, picture {:.1e}, of the reference {:.3}; mean {:.1e}, look-up {:.1e}, left {:.1e} of {:.1e}; {:?}",
             row.cpu.scene,
             row.cpu.worst_of_tolerance,
+            row.picture.as_ref().unwrap().relative_l2,
             reference.worst_of_tolerance,
             reference.mean,
             reference.look_up_mean,
@@ -125,8 +126,9 @@ fn change_table(folder: &Path, number: usize, change: impl Fn(f32) -> f32) {
 /// Draws the CPU's pictures anew, as if the tables had always been like that.
 fn draw_again(folder: &Path) {
     let (_, set) = specimen_file::load(folder).unwrap();
+    let shading = Shading::new(Surface::without_pigment(&set), published().config.tables.tolerance);
     for scene in &published().config.scenes {
-        let image = cpu::render(scene, &|wi, wo| brdf_xyz(&set, Interpolation::Bilinear, wi, wo)).unwrap();
+        let image = shading.render(scene).unwrap();
         write_rgb(&folder.join(format!("scenes/{}.exr", scene.name)), &image, Precision::Float, &json!({})).unwrap();
     }
 }
@@ -137,6 +139,8 @@ fn what_was_published_passes() {
     assert_eq!(rows.len(), 2);
     for row in &rows {
         assert!(row.promised && row.passed() && row.complaint().is_none() && row.difference_png.is_none(), "{row:?}");
+        let picture = row.picture.as_ref().unwrap();
+        assert!(picture.pixels >= 75 * 75 && picture.relative_l2 > 0.0 && picture.relative_l2 < 1e-2, "{row:?}");
         let reference = row.reference.as_ref().unwrap();
         assert!(reference.accurate && reference.mean > 0.0, "{row:?}");
         assert!(row.cpu.pixels >= 75 * 75 && reference.pixels > 1000, "{row:?}");
@@ -152,7 +156,14 @@ fn a_damaged_file_is_noticed_and_shown() {
     ] {
         let Some((rows, folder)) = rows_after(what, |folder| change_table(folder, number, change)) else { return };
         for row in &rows {
-            assert!(!row.cpu.passed && row.complaint().unwrap().contains("differs from the CPU"), "{what}: {row:?}");
+            assert!(row.cpu.passed, "CPU and GPU look the same tables up: {row:?}");
+            let picture = row.picture.as_ref().unwrap();
+            let said = row.complaint().unwrap();
+            if number == 0 && change(1.0) != 0.0 {
+                assert!(picture.passed && said.contains("the tables are wrong"), "{what}: {row:?}");
+                continue;
+            }
+            assert!(!picture.passed && said.contains("published picture"), "{what}: {row:?}");
             let shown = row.difference_png.as_ref().unwrap().strip_prefix("wave/").unwrap();
             assert!(std::fs::read(folder.path().join(shown)).unwrap().starts_with(b"\x89PNG"));
         }

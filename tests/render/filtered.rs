@@ -127,3 +127,34 @@ fn pixels_of_a_small_ball_are_filtered() {
     );
     assert!(after[0] < 0.5 * before[0] && after[2] < before[2], "{before:?} {after:?}");
 }
+
+/// Maps of the BRDF and screens: one look-up where light and beam are narrow, parts of them where not.
+#[test]
+fn a_map_and_a_screen_are_filtered() {
+    let screen = |beam_diameter_mm| Shape::Screen {
+        distance_mm: 100.0,
+        width_mm: 200.0,
+        beam_diameter_mm,
+        hole_diameter_mm: None,
+        incidence_deg: 20.0,
+    };
+    for (what, shape, diameter_deg, tolerance, per_pixel) in [
+        ("map, sun", Shape::Hemisphere, 0.53, 1e-3, 1),
+        ("map, lamp of 2 degrees", Shape::Hemisphere, 2.0, 1e-2, 1),
+        ("screen, narrow beam", screen(1.0), 0.0, 1e-3, 1),
+        ("screen, beam that diverges", screen(1.0), 0.53, 1e-3, 1),
+        ("screen, wide beam", screen(4.0), 0.0, 1e-3, 16),
+        ("screen, beam that diverges much", screen(1.0), 2.0, 1e-3, 16),
+    ] {
+        let scene = lit(shape, diameter_deg, 48);
+        let samples = filtered_samples_of(&scene, tolerance, 0..48, 1).unwrap().samples;
+        let most = samples.first.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap();
+        let truth = sampled(&scene, 1024, 1024);
+        let [found, few] = [filtered(&scene, tolerance), sampled(&scene, 16, 16)].map(|image| errors(&image, &truth));
+        println!("{what}: {most} filtered {}; 16 samples {}", shown(found), shown(few));
+        assert_eq!(most, per_pixel, "{what}");
+        // The truth's own samples of light and pixel leave a thousandth; parts of a beam overlap and leave gaps.
+        let (most, share) = if per_pixel == 1 { (4e-3, 0.5) } else { (8e-3, 0.75) };
+        assert!(found[0] < most && found[0] < share * few[0] && found[2] < 0.7 * few[2], "{what}: {found:?} {few:?}");
+    }
+}

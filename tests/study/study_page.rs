@@ -151,7 +151,7 @@ fn measuring_snake_scans_at_equal_error() {
         field.heights_nm -= 0.5 * (low + high);
         let optics = crate::common::reference_optics(16_250.0, Edge::Tile);
         let optics = OpticsConfig { windows: Windows::Grid, ..optics };
-        let specimen = StudySpecimen { name: name.into(), fields: vec![field], optics, scenes: vec![] };
+        let specimen = StudySpecimen { name: name.into(), fields: vec![field], optics, scenes: vec![], lights: vec![] };
         let study = run_study(&[specimen], &config, gpu, &Silent);
         assert!(study.failures.is_empty(), "{:?}", study.failures);
         for row in &study.specimens[0].equal {

@@ -14,7 +14,13 @@ fn specimens(manifest: &str) -> Vec<StudySpecimen> {
     let sections = load(&Path::new(env!("CARGO_MANIFEST_DIR")).join(manifest)).unwrap().0.specimens;
     let specimen = |section: &_| {
         let fields = ingest(section).unwrap().fields;
-        StudySpecimen { name: section.name.clone(), fields, optics: section.optics.clone(), scenes: Vec::new() }
+        StudySpecimen {
+            name: section.name.clone(),
+            fields,
+            optics: section.optics.clone(),
+            scenes: Vec::new(),
+            lights: Vec::new(),
+        }
     };
     sections.iter().map(specimen).collect()
 }

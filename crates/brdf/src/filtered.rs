@@ -16,10 +16,15 @@ use crate::front_factor::Factor;
 use crate::lobe_mean::LobeEllipse;
 use crate::pyramid::{Beyond, Ellipse, Pyramid};
 use crate::spectral::{Pair, SpectralTables, TABLES_PER_IMAGE};
+use crate::splines::Splines;
 use crate::table_set::{Basis, Lobe, TableSet};
 
 /// Rings and points per ring at which tables are looked up that are not averaged texel by texel.
 const POINTS: [usize; 2] = [4, 16];
+
+/// Semi-axis in texels up to which seven points do, weighed so that polynomials of degree five have their mean over the ellipse:
+/// within it a look-up is a few cubics that join smoothly.
+const SEVEN_POINTS_MAX: f64 = 1.5;
 
 /// Semi-axis in texels from which cubic look-ups give way to linear ones, until twice that: means over many texels are alike.
 const CUBIC_MAX: f64 = 4.0;
@@ -57,6 +62,18 @@ pub fn brdf_xyz_filtered(
     brdf_xyz_filtered_by(set, pyramids, LookUp::Values(interpolation), directions, footprint)
 }
 
+/// [`brdf_xyz_filtered`] by [`Interpolation::Spline`] with the coefficients made before. Those of another set give numbers without
+/// meaning.
+pub fn brdf_xyz_filtered_by_splines(
+    set: &TableSet,
+    pyramids: &Pyramids,
+    splines: &Splines,
+    directions: [Vec3; 2],
+    footprint: Footprint,
+) -> Xyz {
+    brdf_xyz_filtered_by(set, pyramids, LookUp::Splines(splines), directions, footprint)
+}
+
 pub(crate) fn brdf_xyz_filtered_by(
     set: &TableSet,
     pyramids: &Pyramids,
@@ -83,11 +100,11 @@ pub(crate) fn brdf_xyz_filtered_by(
 
 /// Mean of the tables' part, without what stands in front of it; not a number where they have no answer for a part of it.
 fn diffuse_mean(set: &TableSet, pyramids: &Pyramids, look_up: LookUp, q: Vec3, footprint: Footprint) -> Xyz {
-    let at_points = || mean_of_points(q, footprint, |q| diffuse_window_power_by(set, look_up, q));
+    let texels_per_unit = (set.size() as f64 - 1.0) / 4.0;
+    let at_points = || mean_of_points(q, footprint, texels_per_unit, |q| diffuse_window_power_by(set, look_up, q));
     if set.restriction.is_some() {
         return at_points();
     }
-    let texels_per_unit = (set.size() as f64 - 1.0) / 4.0;
     let by_texels = || {
         let basis = match set.basis {
             Basis::Chebyshev => chebyshev::shifted_values(set.tables.len(), normalised_abs_w(q)),
@@ -123,10 +140,15 @@ fn as_interpolated<const N: usize>(
 }
 
 /// Mean over points of the ellipse at the centre's `t`; not a number where one of them has no answer.
-fn mean_of_points<const N: usize>(q: Vec3, footprint: Footprint, value: impl Fn(Vec3) -> [f64; N]) -> [f64; N] {
+fn mean_of_points<const N: usize>(
+    q: Vec3,
+    footprint: Footprint,
+    texels_per_unit: f64,
+    value: impl Fn(Vec3) -> [f64; N],
+) -> [f64; N] {
     let t = normalised_abs_w(q);
     let mut sum = [0.0; N];
-    for [x, y] in points_of(footprint) {
+    let mut add = |[x, y]: [f64; 2], share: f64| {
         let [mut u, mut v] = [q[0] + x, q[1] + y];
         let radius = length([u, v]);
         // No two directions reach further.
@@ -134,23 +156,31 @@ fn mean_of_points<const N: usize>(q: Vec3, footprint: Footprint, value: impl Fn(
             [u, v] = [u, v].map(|part| part * (2.0 - 1e-9) / radius);
         }
         let value = value([u, v, -t * max_abs_w(length([u, v]))]);
-        sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += value);
-    }
-    sum.map(|sum| sum / (POINTS[0] * POINTS[1]) as f64)
-}
-
-/// Points that fill a footprint's ellipse evenly.
-fn points_of(footprint: Footprint) -> impl Iterator<Item = [f64; 2]> {
-    // Rings of equal areas.
+        sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += share * value);
+    };
     let (variances, [x, y]) = footprint.axes();
     let [major, minor] = variances.map(|variance| 2.0 * variance.sqrt());
-    (0..POINTS[0] * POINTS[1]).map(move |n| {
-        let [ring, k] = [n / POINTS[1], n % POINTS[1]];
-        let radius = ((ring as f64 + 0.5) / POINTS[0] as f64).sqrt();
-        let (sin, cos) = ((k as f64 + 0.618 * ring as f64) / POINTS[1] as f64 * TAU).sin_cos();
+    let place = |radius: f64, turns: f64| {
+        let (sin, cos) = (turns * TAU).sin_cos();
         let [along, across] = [major * radius * cos, minor * radius * sin];
         [along * x - across * y, along * y + across * x]
-    })
+    };
+    if major == 0.0 {
+        return value(q);
+    }
+    if major * texels_per_unit < SEVEN_POINTS_MAX {
+        add([0.0, 0.0], 0.25);
+        (0..6).for_each(|k| add(place((2.0f64 / 3.0).sqrt(), k as f64 / 6.0), 0.125));
+        return sum;
+    }
+    // Rings of equal areas.
+    for n in 0..POINTS[0] * POINTS[1] {
+        let [ring, k] = [n / POINTS[1], n % POINTS[1]];
+        let radius = ((ring as f64 + 0.5) / POINTS[0] as f64).sqrt();
+        let turns = (k as f64 + 0.618 * ring as f64) / POINTS[1] as f64;
+        add(place(radius, turns), 1.0 / (POINTS[0] * POINTS[1]) as f64);
+    }
+    sum
 }
 
 /// `Σ basis_n mean(table_n)` over an ellipse.
@@ -172,7 +202,7 @@ fn cross_mean(lobe: &Lobe, pyramids: &Pyramids, interpolation: Interpolation, q:
             Ellipse::new([q[1], -q[0]].map(|x| (lobe.radius_max - x) * texels_per_unit), footprint, texels_per_unit);
         expansion_mean(&lobe.cross, &pyramids.cross, &basis, ellipse, Beyond::Zero).map(|value| value / q[2].abs())
     };
-    let at_points = || mean_of_points(q, footprint, |q| cross_window_power(lobe, interpolation, q));
+    let at_points = || mean_of_points(q, footprint, texels_per_unit, |q| cross_window_power(lobe, interpolation, q));
     as_interpolated(interpolation, footprint, texels_per_unit, at_points, by_texels)
 }
 
@@ -286,7 +316,7 @@ fn spectral_diffuse_mean(
         let ellipse = Ellipse::new([2.0 - q[1], q[0] + 2.0].map(|x| x * texels_per_unit), footprint, texels_per_unit);
         [packed_mean(&tables.images, tables.count, &pyramids.tables, ellipse, Beyond::Edge, q)]
     };
-    let at_points = || mean_of_points(q, footprint, |q| [tables.diffuse_at(look_up, q)]);
+    let at_points = || mean_of_points(q, footprint, texels_per_unit, |q| [tables.diffuse_at(look_up, q)]);
     let [diffuse] = as_interpolated(interpolation, footprint, texels_per_unit, at_points, by_texels);
     let Some(cross) = tables.lobe.as_ref().and_then(|lobe| lobe.cross.as_ref()) else { return diffuse };
     let texels_per_unit = (cross.images[0].dim().0 as f64 - 1.0) / (2.0 * cross.radius_max);
@@ -295,7 +325,7 @@ fn spectral_diffuse_mean(
         let ellipse = Ellipse::new(at, footprint, texels_per_unit);
         [packed_mean(&cross.images, cross.count, &pyramids.cross, ellipse, Beyond::Zero, q) / q[2].abs()]
     };
-    let at_points = || mean_of_points(q, footprint, |q| [cross.value(interpolation, q)]);
+    let at_points = || mean_of_points(q, footprint, texels_per_unit, |q| [cross.value(interpolation, q)]);
     diffuse + as_interpolated(interpolation, footprint, texels_per_unit, at_points, by_texels)[0]
 }
 

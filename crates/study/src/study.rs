@@ -8,6 +8,7 @@ mod config;
 mod equal;
 mod knobs;
 mod lent;
+mod lights;
 mod methods;
 mod pictures;
 mod rows;
@@ -20,7 +21,8 @@ mod wave_methods;
 pub use batch::stored;
 pub use config::{StudyConfig, StudySpecimen, TOLERANCES};
 pub use equal::{Contender, EqualError, Filed, Measure};
-pub use lent::{GpuClock, SceneSamples};
+pub use lent::{FrameOfLight, GpuClock, LightPicture, LightScene, LookUps, SceneSamples};
+pub use lights::{DIAMETERS_DEG, LightFrames, LightRow, Lights};
 pub use methods::PURPOSES;
 pub use rows::{KnobRow, MethodRow, Picture, Refusal, RegionErrors, SceneColour};
 pub use sample::pair_of;
@@ -87,6 +89,8 @@ pub struct SpecimenStudy {
     pub equal: Vec<EqualError>,
     /// What automatic settings make of a tolerance, under the manifest's own light.
     pub tolerances: Vec<ToleranceRow>,
+    /// Pictures and frames under lights with a size, under the manifest's own light.
+    pub lights: Lights,
     /// Settings that were refused.
     pub refusals: Vec<Refusal>,
 }
@@ -160,6 +164,8 @@ fn study_specimen(
     let knobs = knobs::rows(&context)?;
     stage("tolerances", config.tolerances.len() as u64);
     let tolerances = tolerance::rows(specimen, config, &|| progress.advance(1))?;
+    stage("lights", lights::count(specimen));
+    let lights = lights::lights(specimen, config, gpu, &mut rows.refusals, &|| progress.advance(1))?;
     Ok(SpecimenStudy {
         name: specimen.name.clone(),
         samples: fields.first().map_or([0; 2], HeightField::size),
@@ -173,6 +179,7 @@ fn study_specimen(
         knobs,
         equal,
         tolerances,
+        lights,
         refusals: rows.refusals,
     })
 }

@@ -142,7 +142,8 @@ fn measuring_deeper_structures_at_equal_error() {
     for times in [1.0, 1.5, 2.0, 2.5, 3.0] {
         let optics = OpticsConfig { sigma_nm: 4_000.0, ..specimen(1.0).optics };
         let field = HeightField { heights_nm: &snake.heights_nm * times, pitch_nm };
-        let specimen = StudySpecimen { name: "deeper".into(), fields: vec![field], optics, scenes: vec![] };
+        let specimen =
+            StudySpecimen { name: "deeper".into(), fields: vec![field], optics, scenes: vec![], lights: vec![] };
         let study = run_study(&[specimen], &config, NO_GPU, &Silent);
         assert!(study.failures.is_empty(), "{:?}", study.failures);
         for row in &study.specimens[0].equal {

@@ -20,6 +20,8 @@ from ._tables import Tables
 
 #: Rings and points per ring at which tables are looked up that are not averaged texel by texel.
 RINGS, POINTS_PER_RING = 4, 16
+#: Semi-axis in texels up to which seven points do.
+SEVEN_POINTS_MAX = 1.5
 #: Semi-axis in texels from which cubic look-ups give way to linear ones, until twice that.
 CUBIC_MAX = 4.0
 
@@ -64,13 +66,11 @@ class FilteredTables:
         return diffuse_factor[:, None] * value + coherent_factor[:, None] * coherent
 
     def _diffuse(self, u: NDArray, v: NDArray, w: NDArray, axes: Axes, lookup: str) -> NDArray:
-        tables = self.tables
-        by_points = lambda those: mean_of_points(
-            u[those], v[those], w[those], _some(axes, those), lambda u, v, w: tables.diffuse(u, v, w, lookup)
-        )
+        tables, per_unit = self.tables, (self.tables.size - 1) / 4
+        table = lambda u, v, w: tables.diffuse(u, v, w, lookup)
+        by_points = lambda those: mean_of_points(u[those], v[those], w[those], _some(axes, those), per_unit, table)
         if self.pyramid is None:
             return by_points(np.arange(len(u)))
-        per_unit = (tables.size - 1) / 4
 
         def by_texels(those: NDArray) -> NDArray:
             x, y, z = u[those], v[those], w[those]
@@ -151,7 +151,7 @@ class FilteredSpectral:
             return tables.layers.look_up(chebyshev(t, tables.layers.count), (u + 2) * per_unit, (2 - v) * per_unit, lookup)
 
         def by_points(those: NDArray) -> NDArray:
-            return mean_of_points(u[those], v[those], w[those], _some(axes, those), table)
+            return mean_of_points(u[those], v[those], w[those], _some(axes, those), per_unit, table)
 
         def by_texels(those: NDArray) -> NDArray:
             x, y, z = u[those], v[those], w[those]
@@ -177,7 +177,7 @@ def cross_mean(
     per_unit = (patches.columns - 1) / (2 * radius_max)
 
     def by_points(those: NDArray) -> NDArray:
-        return mean_of_points(u[those], v[those], w[those], _some(axes, those), value)
+        return mean_of_points(u[those], v[those], w[those], _some(axes, those), per_unit, value)
 
     def by_texels(those: NDArray) -> NDArray:
         x, y, z = u[those], v[those], w[those]
@@ -215,25 +215,52 @@ def as_interpolated(
 
 
 def mean_of_points(
-    u: NDArray, v: NDArray, w: NDArray, axes: Axes, value: Callable[[NDArray, NDArray, NDArray], NDArray]
+    u: NDArray, v: NDArray, w: NDArray, axes: Axes, per_unit: float, value: Callable[[NDArray, NDArray, NDArray], NDArray]
 ) -> NDArray:
     """(position, channel): means over points of the ellipses, at the centre's `t`."""
-    t = normalised_abs_w(u * u + v * v, w)
+    few = 2 * np.sqrt(axes.major) * per_unit < SEVEN_POINTS_MAX
+    out = None
+    for is_part, (x, y, share) in ((few, _seven_points()), (~few, _rings())):
+        (those,) = np.nonzero(is_part)
+        if not len(those):
+            continue
+        means = _mean_of(u[those], v[those], w[those], _some(axes, those), (x, y, share), value)
+        if out is None:
+            out = np.zeros((len(u), means.shape[1]))
+        out[those] = means
+    return np.zeros((0, 0)) if out is None else out
+
+
+def _seven_points() -> tuple[NDArray, NDArray, NDArray]:
+    """Places of the unit disc and their shares: polynomials of degree five have their mean."""
+    angle = np.arange(6) / 6 * 2 * np.pi
+    x, y = np.sqrt(2 / 3) * np.cos(angle), np.sqrt(2 / 3) * np.sin(angle)
+    return np.append(0, x), np.append(0, y), np.append(0.25, np.full(6, 0.125))
+
+
+def _rings() -> tuple[NDArray, NDArray, NDArray]:
+    """Places of the unit disc on rings of equal areas, and their shares."""
     count = RINGS * POINTS_PER_RING
     ring, k = np.divmod(np.arange(count), POINTS_PER_RING)
-    # Rings of equal areas.
     radius, angle = np.sqrt((ring + 0.5) / RINGS), (k + 0.618 * ring) / POINTS_PER_RING * 2 * np.pi
-    along = 2 * np.sqrt(axes.major)[:, None] * radius * np.cos(angle)
-    across = 2 * np.sqrt(axes.minor)[:, None] * radius * np.sin(angle)
+    return radius * np.cos(angle), radius * np.sin(angle), np.full(count, 1 / count)
+
+
+def _mean_of(
+    u: NDArray, v: NDArray, w: NDArray, axes: Axes, places: tuple[NDArray, NDArray, NDArray],
+    value: Callable[[NDArray, NDArray, NDArray], NDArray],
+) -> NDArray:
+    along = 2 * np.sqrt(axes.major)[:, None] * places[0]
+    across = 2 * np.sqrt(axes.minor)[:, None] * places[1]
     x = u[:, None] + along * axes.x[:, None] - across * axes.y[:, None]
     y = v[:, None] + along * axes.y[:, None] + across * axes.x[:, None]
     # No two directions reach further than 2.
     distance, most = np.hypot(x, y), 2 - 1e-9
     inwards = np.where(distance > most, most / np.maximum(distance, most), 1)
     x, y = (x * inwards).ravel(), (y * inwards).ravel()
-    abs_w = np.repeat(t, count) * np.sqrt(np.maximum(4 - x * x - y * y, 0))
+    abs_w = np.repeat(normalised_abs_w(u * u + v * v, w), len(places[0])) * np.sqrt(np.maximum(4 - x * x - y * y, 0))
     values = value(x, y, abs_w)
-    return values.reshape(len(u), count, -1).mean(axis=1)
+    return np.einsum("pkc,k->pc", values.reshape(len(u), len(places[0]), -1), places[2])
 
 
 def _some(axes: Axes, those: NDArray) -> Axes:

@@ -1,31 +1,33 @@
-//! A specimen's published files drawn on the GPU and compared with the CPU's pictures and the reference's.
+//! A specimen's published files drawn on the GPU and compared with the CPU, and with the published pictures and the reference's.
 //!
-//! All that the GPU is given comes from files: tables, the CPU's pictures and the reference pictures of a specimen's folder.
+//! All comes from files of a specimen's folder: tables, pictures, reference pictures.
 
 use std::path::Path;
 use std::sync::Arc;
 
 use ndarray::Array3;
 
-use super::check::{Shade, check_picture, check_reference, reference_limit};
+use super::check::{Shade, bands, check_picture, check_reference, compare_pictures, reference_limit};
 use super::device::GpuDevice;
-use super::results::{GpuRow, ReferenceCheck};
+use super::results::{GpuRow, PictureCheck, ReferenceCheck};
 use crate::stages::archive::specimen_file::{self, SpecimenFile};
 use crate::stages::pictures::scenes::reference_stride;
 use diffraction_brdf::atlas::DIFFERENCE_SUFFIX;
 use diffraction_brdf::error::Error;
 use diffraction_brdf::evaluate::Interpolation;
 use diffraction_brdf::exr_image::read_rgb;
-use diffraction_brdf::shader::{LAYERS_MAX, SIDE_MAX, table_image};
+use diffraction_brdf::shader::{LAYERS_MAX, SIDE_MAX, promised_image, table_image};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::optics::pigment::Surface;
 use diffraction_build::tables::model::{Basis, Storage, TableSet, TablesConfig};
 use diffraction_build::tables::resolution::narrowest_blur;
 use diffraction_render::error::Result;
-use diffraction_render::render::gpu_tables::{shade, upload};
+use diffraction_render::render::gpu_filtered::shade_filtered;
+use diffraction_render::render::gpu_tables::{shade as shade_points, upload};
 use diffraction_render::render::png_image::write_png;
-use diffraction_render::scene::model::Scene;
-use diffraction_render::scene::samples::ShadingSamples;
+use diffraction_render::scene::filtered::{FilteredSamples, filtered_per_pixel, filtered_samples_of};
+use diffraction_render::scene::model::{LookUps, Scene, exposure_factor};
+use diffraction_render::scene::samples::{ShadingSamples, samples_of, samples_per_pixel};
 
 /// Most pixels compared along each side on a software driver, which takes seconds beyond: every which pixel then.
 /// Hardware draws whole pictures.
@@ -49,20 +51,47 @@ pub fn check_files(
     let pigment = file.pigment;
     let surface = Surface { tables: &set, pigment: pigment.as_ref() };
     let image = table_image(&set, pigment.map(|pigment| pigment.xyz_per_sr))?;
-    let tables = Arc::new(thread.run("upload the tables", move |gpu| upload(gpu, &image))?);
+    let promised = promised_image(&set, pigment.map(|pigment| pigment.xyz_per_sr))?;
+    let uploaded = thread.run("upload the tables", move |gpu| Ok([upload(gpu, &image)?, upload(gpu, &promised)?]))?;
+    let [tables, promised] = uploaded.map(Arc::new);
     let shade = |samples: &Arc<ShadingSamples>| {
         let (tables, samples) = (tables.clone(), samples.clone());
-        thread.run("shade samples", move |gpu| shade(gpu, &tables, &samples))
+        thread.run("shade samples", move |gpu| shade_points(gpu, &tables, &samples))
+    };
+    let by_promised = |samples: Looked| {
+        let tables = promised.clone();
+        thread.run("shade a picture", move |gpu| match samples {
+            Looked::Points(samples) => shade_points(gpu, &tables, &Arc::new(samples)),
+            Looked::Filtered(samples) => shade_filtered(gpu, &tables, &samples),
+        })
     };
     let storage = file.tables.storage;
-    let job = Job { shade: &shade, surface, optics: &file.optics, storage, folder, specimen, config, reference };
+    let job = Job {
+        shade: &shade,
+        by_promised: &by_promised,
+        surface,
+        optics: &file.optics,
+        storage,
+        folder,
+        specimen,
+        config,
+        reference,
+    };
     let side_max = if device.info().is_software() { SOFTWARE_SIDE_MAX_PX } else { usize::MAX };
     scenes.iter().map(|scene| job.check(scene, scene.size_px.div_ceil(side_max))).collect()
+}
+
+/// The samples of a published picture.
+enum Looked {
+    Points(ShadingSamples),
+    Filtered(FilteredSamples),
 }
 
 /// What the scenes of a specimen have in common.
 struct Job<'a> {
     shade: Shade<'a>,
+    /// Shades with the look-ups that pictures are made with.
+    by_promised: &'a dyn Fn(Looked) -> Result<Array3<f32>>,
     surface: Surface<'a>,
     optics: &'a OpticsConfig,
     storage: Storage,
@@ -74,24 +103,46 @@ struct Job<'a> {
 
 impl Job<'_> {
     fn check(&self, scene: &Scene, stride: usize) -> Result<GpuRow> {
-        let by_cpu = self.picture(scene, ".exr", scene.size_px)?;
-        let mut cpu = check_picture(self.shade, self.surface, scene, &by_cpu, stride)?;
+        let mut cpu = check_picture(self.shade, self.surface, scene, stride)?;
+        let mut picture = self.against_picture(scene, stride)?;
         let mut reference = match self.reference {
             false => None,
-            true => Some(self.against_reference(scene, &by_cpu)?),
+            true => Some(self.against_reference(scene)?),
         };
         let of_reference = reference.as_mut().and_then(|check| check.difference.take());
-        let difference = cpu.difference.take().or(of_reference);
+        let difference = cpu.difference.take().or_else(|| picture.difference.take()).or(of_reference);
         let difference_png = difference.map(|picture| self.write_difference(&picture, &scene.name)).transpose()?;
         let promised = tolerance_holds(self.surface.tables, self.optics, self.config);
-        Ok(GpuRow { specimen: self.specimen.to_owned(), cpu, reference, promised, difference_png })
+        let picture = Some(picture);
+        Ok(GpuRow { specimen: self.specimen.to_owned(), cpu, picture, reference, promised, difference_png })
     }
 
-    fn against_reference(&self, scene: &Scene, by_cpu: &Array3<f32>) -> Result<ReferenceCheck> {
+    fn against_reference(&self, scene: &Scene) -> Result<ReferenceCheck> {
         let side = scene.size_px.div_ceil(reference_stride(scene));
         let reference = self.picture(scene, ".reference.exr", side)?;
         let limit = reference_limit(self.config.tolerance, self.storage);
-        check_reference(self.shade, self.surface, scene, by_cpu, &reference, limit)
+        check_reference(self.shade, self.surface, scene, &reference, limit)
+    }
+
+    /// Every `stride`-th pixel of the published picture.
+    fn against_picture(&self, scene: &Scene, stride: usize) -> Result<PictureCheck> {
+        let published = self.picture(scene, ".exr", scene.size_px)?;
+        let is_filtered = scene.look_ups == LookUps::Filtered && self.surface.tables.restriction.is_none();
+        let (per_pixel, tolerance) = match is_filtered {
+            true => (filtered_per_pixel(scene), scene.tolerance.unwrap_or(self.config.tolerance)),
+            false => (samples_per_pixel(scene), 0.0),
+        };
+        let parts = bands(scene, per_pixel, stride).into_iter().map(|rows| {
+            (self.by_promised)(match is_filtered {
+                true => Looked::Filtered(filtered_samples_of(scene, tolerance, rows, stride)?),
+                false => Looked::Points(samples_of(scene, rows, stride)?),
+            })
+        });
+        let parts = parts.collect::<Result<Vec<_>>>()?;
+        let views: Vec<_> = parts.iter().map(|part| part.view()).collect();
+        let by_gpu = ndarray::concatenate(ndarray::Axis(0), &views).expect("bands of one picture are as wide");
+        let white = 1.0 / f64::from(exposure_factor(scene.exposure, &published));
+        Ok(compare_pictures(&every(&published, stride), &by_gpu, white))
     }
 
     fn picture(&self, scene: &Scene, ending: &str, side: usize) -> Result<Array3<f32>> {
@@ -110,6 +161,14 @@ impl Job<'_> {
         write_png(&self.folder.join(&file), picture)?;
         Ok(format!("{}/{file}", self.specimen))
     }
+}
+
+/// Every `stride`-th pixel of an image.
+fn every(image: &Array3<f32>, stride: usize) -> Array3<f32> {
+    let (rows, columns, channels) = image.dim();
+    Array3::from_shape_fn((rows.div_ceil(stride), columns.div_ceil(stride), channels), |(row, column, channel)| {
+        image[[row * stride, column * stride, channel]]
+    })
 }
 
 /// Whether tables must be as good as the tolerance says: number and steps were left to it, texels hold point values of a

@@ -110,13 +110,34 @@ pub struct ReferenceCheck {
     pub difference: Option<Array3<u8>>,
 }
 
+/// How a published picture compares with the same by the GPU, with the look-ups that it was made with.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PictureCheck {
+    /// Pixels compared.
+    pub pixels: usize,
+    /// Root of the summed squared differences over the root of the summed squares.
+    pub relative_l2: f64,
+    /// What that may be.
+    pub limit: f64,
+    /// Colour differences between the two pictures.
+    pub ciede2000: ColourDifference,
+    /// Whether it is within its limit.
+    pub passed: bool,
+    /// Picture of the differences where it is not: grey up to the limit's share of the brightest value, red beyond.
+    #[serde(skip)]
+    pub difference: Option<Array3<u8>>,
+}
+
 /// One scene of one specimen on the GPU.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GpuRow {
     /// The specimen.
     pub specimen: String,
-    /// Against the CPU's published picture.
+    /// Against the CPU, at the same points and by the same linear look-ups.
     pub cpu: GpuSceneCheck,
+    /// Against the published picture.
+    #[serde(default)]
+    pub picture: Option<PictureCheck>,
     /// Against the published reference picture, where there is one.
     pub reference: Option<ReferenceCheck>,
     /// Whether the manifest leaves number of tables and steps to the tolerance; only then must the tables meet it.
@@ -129,7 +150,9 @@ impl GpuRow {
     /// Whether nothing is wrong.
     pub fn passed(&self) -> bool {
         let meets = |reference: &ReferenceCheck| reference.passed && (reference.accurate || !self.promised);
-        self.cpu.passed && self.reference.as_ref().is_none_or(meets)
+        self.cpu.passed
+            && self.picture.as_ref().is_none_or(|picture| picture.passed)
+            && self.reference.as_ref().is_none_or(meets)
     }
 
     /// What is wrong, in words.
@@ -143,6 +166,13 @@ impl GpuRow {
                 times(self.cpu.worst_of_tolerance),
                 self.cpu.worst,
                 self.cpu.not_finite
+            ));
+        }
+        if let Some(picture) = self.picture.as_ref().filter(|picture| !picture.passed) {
+            return Some(format!(
+                "scene \"{scene}\": the published picture differs from the same by the GPU by {:.1e} of its light, more than {:.0e}: it was not \
+                 made from these tables, or the GPU is wrong",
+                picture.relative_l2, picture.limit
             ));
         }
         let reference = self.reference.as_ref()?;

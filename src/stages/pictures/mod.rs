@@ -3,5 +3,6 @@
 pub(crate) mod covered;
 pub(crate) mod preview;
 pub mod scenes;
+pub mod shading;
 pub(crate) mod shared_scenes;
 pub(crate) mod sharing;

@@ -6,19 +6,19 @@ use std::time::Instant;
 use ndarray::{Array2, Array3};
 use serde_json::json;
 
+use super::shading::Shading;
 use crate::stages::config::RunConfig;
 use crate::stages::results::{SceneError, SceneResult};
 use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::direction::{Vec3, Xyz, angles_deg, normalise};
 use diffraction_brdf::error::{Error, Result};
-use diffraction_brdf::evaluate::Interpolation;
 use diffraction_brdf::exr_image::{Precision, write_rgb};
 use diffraction_brdf::files;
 use diffraction_build::accuracy::directions::{Candidates, DRAWN};
 use diffraction_build::ground::colour::to_srgb8;
 use diffraction_build::ground::metrics;
 use diffraction_build::optics::config::OpticsConfig;
-use diffraction_build::optics::pigment::{Pigment, Surface, pigment_xyz};
+use diffraction_build::optics::pigment::{Pigment, pigment_xyz};
 use diffraction_build::tables::model::TableSet;
 use diffraction_build::tables::resolution::lobe_width;
 use diffraction_render::render::cpu;
@@ -68,16 +68,16 @@ pub struct SceneWork {
 ///
 /// # Errors
 /// A scene that cannot be rendered.
-pub fn render_tables(scene: &Scene, surface: Surface) -> Result<SceneWork> {
+pub fn render_tables(scene: &Scene, shading: &Shading, pigment: Option<&Pigment>) -> Result<SceneWork> {
     let started = Instant::now();
-    let image = cpu::render(scene, &|wi, wo| surface.xyz(Interpolation::Bilinear, wi, wo))?;
+    let image = shading.render(scene)?;
     let seconds = started.elapsed().as_secs_f64();
     let uncovered = image.rows().into_iter().filter(|xyz| xyz.iter().any(|value| value.is_nan())).count();
     let stride = reference_stride(scene);
     let subset = reference_samples(scene)?;
-    let compared = cpu::shade(&subset, &|wi, wo| surface.xyz(Interpolation::Bilinear, wi, wo));
+    let compared = cpu::shade(&subset, &|wi, wo| shading.xyz(wi, wo));
     let exposure = exposure_factor(scene.exposure, &image);
-    let pigment = surface.pigment.copied();
+    let pigment = pigment.copied();
     Ok(SceneWork { scene: scene.clone(), image, exposure, seconds, uncovered, stride, subset, compared, pigment })
 }
 
@@ -143,13 +143,13 @@ impl SceneWork {
     ///
     /// # Errors
     /// The disk's; `Error::Limit` for a frame that asks for directions that the tables do not cover.
-    pub fn animate(&self, surface: Surface, folder: &Path) -> Result<()> {
+    pub fn animate(&self, shading: &Shading, folder: &Path) -> Result<()> {
         let Some(animation) = &self.scene.animation else {
             return Ok(());
         };
         let picture = |index: usize| -> Result<Array3<u8>> {
             let scene = animation::frame(&self.scene, animation, index);
-            let image = cpu::render(&scene, &|wi, wo| surface.xyz(Interpolation::Bilinear, wi, wo))?;
+            let image = shading.render(&scene)?;
             if image.iter().any(|value| value.is_nan()) {
                 return Err(Error::limit(
                     format!(
@@ -378,14 +378,6 @@ fn gather(samples: &ShadingSamples, brdf: &[Xyz]) -> Array3<f32> {
     Array3::from_shape_fn((samples.rows, samples.columns, 3), |(row, column, channel)| {
         let range = diffraction_render::scene::samples::pixel_range(samples, row, column);
         range.map(|index| f64::from(samples.weight[index]) * brdf[index][channel]).sum::<f64>() as f32
-    })
-}
-
-/// Every `stride`-th pixel of an image.
-pub fn every(image: &Array3<f32>, stride: usize) -> Array3<f32> {
-    let (rows, columns, _) = image.dim();
-    Array3::from_shape_fn((rows.div_ceil(stride), columns.div_ceil(stride), 3), |(row, column, channel)| {
-        image[[row * stride, column * stride, channel]]
     })
 }
 

@@ -7,6 +7,7 @@ use crate::stages::cache::known::Known;
 use crate::stages::ingest::Scans;
 use crate::stages::measured::{self, MeasuredResult};
 use crate::stages::pictures::scenes::{SceneWork, candidates_of, render_tables};
+use crate::stages::pictures::shading::Shading;
 use crate::stages::stage::Stage;
 use diffraction_brdf::SpectralTables;
 use diffraction_brdf::direction::{Vec3, Xyz};
@@ -106,13 +107,18 @@ fn sampling(job: &Job, ingested: &Ingested, planned: &Planned, reference: &Refer
 
 /// The scenes from the tables, and the files of animations.
 fn render(job: &Job, ingested: &Ingested, stored: &Stored, clock: &mut Clock) -> Step<Vec<SceneWork>> {
-    let surface = stored.surface();
-    let works = clock.stage(Stage::RenderScenes, || {
-        ingested.scenes.iter().map(|scene| render_tables(scene, surface)).collect::<Result<Vec<_>>>()
+    if ingested.scenes.is_empty() {
+        return Ok(Vec::new());
+    }
+    let (surface, tolerance) = (stored.surface(), job.config.tables.tolerance);
+    let (works, shading) = clock.stage(Stage::RenderScenes, || {
+        let shading = Shading::new(surface, tolerance);
+        let of_scene = |scene| render_tables(scene, &shading, surface.pigment);
+        Ok((ingested.scenes.iter().map(of_scene).collect::<Result<Vec<_>>>()?, shading))
     })?;
     if works.iter().any(SceneWork::is_animated) {
         clock
-            .stage(Stage::RenderAnimations, || works.iter().try_for_each(|work| work.animate(surface, &job.folder)))?;
+            .stage(Stage::RenderAnimations, || works.iter().try_for_each(|work| work.animate(&shading, &job.folder)))?;
     }
     Ok(works)
 }

@@ -1,9 +1,11 @@
 //! Shading on the CPU, in parallel over rows; the same bytes on any number of threads.
 
+use std::ops::Range;
+
 use ndarray::{Array3, Axis};
 use rayon::prelude::*;
 
-use crate::scene::filtered::{FilteredSamples, filtered_samples_of};
+use crate::scene::filtered::{FilteredSamples, filtered_per_pixel, filtered_samples_of};
 use crate::scene::model::{Scene, check};
 use crate::scene::samples::{ShadingSamples, pixel_range, samples_of, samples_per_pixel};
 use diffraction_brdf::Footprint;
@@ -12,7 +14,7 @@ use diffraction_brdf::error::Result;
 
 use super::Brdf;
 
-/// Samples gathered at a time by [`render`]: 29 MB.
+/// Samples gathered at a time: 29 MB, twice that of filtered look-ups.
 const BAND_SAMPLES: usize = 1 << 20;
 
 /// XYZ image `[rows, columns, 3]` of gathered samples: `Σ weight f(wi, wo)` in each pixel, summed
@@ -65,26 +67,35 @@ pub fn shade_filtered(filtered: &FilteredSamples, mean: &MeanBrdf) -> Array3<f32
 }
 
 /// Picture of a scene with one look-up for each light that is small enough for it to keep the tolerance, and for each pixel
-/// that shows one smooth piece of surface; larger lights and surroundings are sampled.
+/// that shows one smooth piece of surface; larger lights and surroundings are sampled. Gathered and shaded band by band.
 ///
 /// # Errors
 /// Those of [`filtered_samples_of`].
 pub fn render_filtered(scene: &Scene, tolerance: f64, mean: &MeanBrdf) -> Result<Array3<f32>> {
-    Ok(shade_filtered(&filtered_samples_of(scene, tolerance, 0..scene.size_px, 1)?, mean))
+    check(scene)?;
+    in_bands(scene.size_px, filtered_per_pixel(scene), |rows| {
+        Ok(shade_filtered(&filtered_samples_of(scene, tolerance, rows, 1)?, mean))
+    })
 }
 
 /// Picture of a scene, gathered and shaded band by band, so that memory stays bounded however
 /// many samples a pixel has. The same values as [`shade`] of all samples.
 pub fn render(scene: &Scene, brdf: &Brdf) -> Result<Array3<f32>> {
     check(scene)?;
-    let side = scene.size_px;
-    let band_rows = (BAND_SAMPLES / (samples_per_pixel(scene) * side)).clamp(1, side);
+    in_bands(scene.size_px, samples_per_pixel(scene), |rows| Ok(shade(&samples_of(scene, rows, 1)?, brdf)))
+}
+
+/// A square picture put together of bands of rows that hold about [`BAND_SAMPLES`] samples.
+fn in_bands(
+    side: usize,
+    samples_per_pixel: usize,
+    shade: impl Fn(Range<usize>) -> Result<Array3<f32>>,
+) -> Result<Array3<f32>> {
+    let band_rows = (BAND_SAMPLES / (samples_per_pixel * side)).clamp(1, side);
     let mut image = Array3::zeros((side, side, 3));
-    let bands = image.axis_chunks_iter_mut(Axis(0), band_rows);
-    for (index, mut band) in bands.enumerate() {
+    for (index, mut band) in image.axis_chunks_iter_mut(Axis(0), band_rows).enumerate() {
         let start = index * band_rows;
-        let end = side.min(start + band_rows);
-        band.assign(&shade(&samples_of(scene, start..end, 1)?, brdf));
+        band.assign(&shade(start..side.min(start + band_rows))?);
     }
     Ok(image)
 }

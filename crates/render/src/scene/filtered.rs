@@ -3,7 +3,8 @@
 //! Lights that are small enough take one look-up a pixel. Of larger ones each sample stands for the directions that are its share;
 //! surroundings are sampled point by point, for means over their samples' shares were measured to add noise. A pixel that shows one smooth piece of surface is one look-up too, over
 //! the (u, v) that it covers: their covariance at the four points of Gauss's rule, whatever turns there: the normal,
-//! the structure's axes, the direction to the viewer. Pixels at an edge are sampled.
+//! the structure's axes, the direction to the viewer. Pixels at an edge are sampled. A map of the BRDF over the hemisphere takes
+//! the light's disc and the pixel's square; a screen the beam's spot and divergence, whole or in parts, and the pixel's square.
 
 use std::ops::Range;
 
@@ -11,13 +12,14 @@ use rayon::prelude::*;
 
 use diffraction_brdf::Footprint;
 use diffraction_brdf::direction::{Vec3, dot, normalise, wave_vector_change};
-use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::error::Result;
 
 use super::frame::to_local;
 use super::hit::LitHit;
 use super::light::{direction_to, environment_count, sunflower};
-use super::model::{Light, Scene, check};
+use super::model::{Light, Scene, Shape, check};
 use super::samples::{ShadingSamples, pixel_centre, pixel_width, position};
+use super::screen::{self, BeamPiece, ScreenSetup};
 use super::surface::{self, Surface};
 use super::surroundings;
 
@@ -52,12 +54,16 @@ struct Sample {
     footprint: Footprint,
 }
 
+/// Most samples that a pixel can have.
+pub fn filtered_per_pixel(scene: &Scene) -> usize {
+    scene.lights.len().max(1) * scene.light_samples.max(EDGE_PLACES * EDGE_PLACES) + environment_count(scene)
+}
+
 /// The samples of every `stride`-th pixel in both directions. Lights up to [`diameter_max_deg`] take one look-up, larger ones and
 /// surroundings `light_samples`; `pixel_samples` are not asked for.
 ///
 /// # Errors
-/// `Error::Call` for a scene that cannot be rendered, or whose specimen no camera sees: of a hemisphere and a screen the pixels are
-/// directions.
+/// `Error::Call` for a scene that cannot be rendered.
 pub fn filtered_samples_of(
     scene: &Scene,
     tolerance: f64,
@@ -65,20 +71,21 @@ pub fn filtered_samples_of(
     stride: usize,
 ) -> Result<FilteredSamples> {
     check(scene)?;
-    let Some(surface) = surface::surface(scene) else {
-        return Err(Error::Call(format!(
-            "scene \"{}\": no camera sees the specimen itself; filtered pictures are of \"sphere\", \"snake\", \"patch\" or a mesh",
-            scene.name
-        )));
-    };
     let stride = stride.max(1);
     let columns: Vec<usize> = (0..scene.size_px).step_by(stride).collect();
-    let lights = pieces(scene, tolerance);
+    let lights: Vec<Vec<Piece>> = scene.lights.iter().map(|light| pieces(scene, tolerance, light)).collect();
     let rows: Vec<usize> = rows.step_by(stride).collect();
-    let gathered: Vec<Vec<Vec<Sample>>> = rows
-        .par_iter()
-        .map(|&row| columns.iter().map(|&column| pixel(scene, &surface, &lights, [row, column])).collect())
-        .collect();
+    let of_pixel: Box<dyn Fn([usize; 2]) -> Vec<Sample> + Sync> = match (surface::surface(scene), &scene.shape) {
+        (Some(surface), _) => Box::new(move |at| pixel(scene, &surface, &lights, at)),
+        (None, Shape::Screen { .. }) => {
+            let setup = screen::setup(scene);
+            let beam = screen::beam_pieces(scene, &setup, diameter_max_deg(tolerance));
+            Box::new(move |at| of_screen(scene, &setup, &beam, at))
+        }
+        (None, _) => Box::new(move |at| of_hemisphere(scene, &lights[0], at)),
+    };
+    let of_row = |row: &usize| columns.iter().map(|&column| of_pixel([*row, column])).collect();
+    let gathered: Vec<Vec<Vec<Sample>>> = rows.par_iter().map(of_row).collect();
     let mut out = FilteredSamples::default();
     out.samples.rows = rows.len();
     out.samples.columns = columns.len();
@@ -103,22 +110,46 @@ struct Piece {
     radius: f64,
 }
 
-/// Lights as one piece each, or as many even ones.
-fn pieces(scene: &Scene, tolerance: f64) -> Vec<Piece> {
-    let of_light = |light: &Light| {
-        let whole = light.angular_diameter_deg <= diameter_max_deg(tolerance);
-        let count = if whole { 1 } else { scene.light_samples };
-        let directions: Vec<Vec3> = (0..count).map(|index| direction_to(light, sunflower(index, count))).collect();
-        let axis = normalise(light.direction);
-        let facing: f64 = directions.iter().map(|direction| dot(*direction, axis)).sum();
-        let radius = (0.5 * light.angular_diameter_deg).to_radians() / (count as f64).sqrt();
-        let piece = move |direction| Piece { direction, irradiance: light.irradiance / facing, radius };
-        directions.into_iter().map(piece).collect::<Vec<_>>()
-    };
-    scene.lights.iter().flat_map(of_light).collect()
+/// A light as one piece, or as many even ones.
+fn pieces(scene: &Scene, tolerance: f64, light: &Light) -> Vec<Piece> {
+    let whole = light.angular_diameter_deg <= diameter_max_deg(tolerance);
+    let count = if whole { 1 } else { scene.light_samples };
+    let directions: Vec<Vec3> = (0..count).map(|index| direction_to(light, sunflower(index, count))).collect();
+    let axis = normalise(light.direction);
+    let facing: f64 = directions.iter().map(|direction| dot(*direction, axis)).sum();
+    let radius = (0.5 * light.angular_diameter_deg).to_radians() / (count as f64).sqrt();
+    let piece = move |direction| Piece { direction, irradiance: light.irradiance / facing, radius };
+    directions.into_iter().map(piece).collect()
 }
 
-fn pixel(scene: &Scene, surface: &Surface, lights: &[Piece], [row, column]: [usize; 2]) -> Vec<Sample> {
+/// A pixel of the map of the BRDF: the viewing directions of its square.
+fn of_hemisphere(scene: &Scene, light: &[Piece], [row, column]: [usize; 2]) -> Vec<Sample> {
+    let [x, y] = pixel_centre(scene, row, column);
+    let cos_squared = 1.0 - x * x - y * y;
+    if cos_squared <= 0.0 {
+        return Vec::new();
+    }
+    // A square of side 1 has the variance 1/12 along each side.
+    let variance = pixel_width(scene).powi(2) / 12.0;
+    let square = Footprint::new(variance, 0.0, variance).unwrap_or_default();
+    let of_piece = |piece: &Piece| {
+        let (wi, weight) = (piece.direction, 1.0 / light.len() as f64);
+        sample(wi, [x, y, cos_squared.sqrt()], weight, piece.radius, square)
+    };
+    light.iter().filter_map(of_piece).collect()
+}
+
+/// A pixel of a screen.
+fn of_screen(scene: &Scene, setup: &ScreenSetup, beam: &[BeamPiece], [row, column]: [usize; 2]) -> Vec<Sample> {
+    let (at, width) = (pixel_centre(scene, row, column), pixel_width(scene));
+    let of_piece = |piece: &BeamPiece| {
+        let (wi, wo, weight, [uu, uv, vv]) = screen::seen_of_piece(setup, piece, width, at)?;
+        sample(wi, wo, weight, piece.divergence, Footprint::new(uu, uv, vv).unwrap_or_default())
+    };
+    beam.iter().filter_map(of_piece).collect()
+}
+
+fn pixel(scene: &Scene, surface: &Surface, lights: &[Vec<Piece>], [row, column]: [usize; 2]) -> Vec<Sample> {
     let (middle, width) = (pixel_centre(scene, row, column), pixel_width(scene));
     let at = |offset: [f64; 2]| surface::hit(surface, position(middle, offset, width));
     let mut out = Vec::new();
@@ -134,7 +165,7 @@ fn pixel(scene: &Scene, surface: &Surface, lights: &[Piece], [row, column]: [usi
         let apart = |node: &LitHit| dot(node.hit.frame.normal, centre.hit.frame.normal);
         if nodes.iter().map(apart).all(|cosine| cosine > COSINE_MIN) {
             let mut add = |piece: Piece| smooth(surface, &centre, &nodes, piece, &mut out);
-            lights.iter().copied().for_each(&mut add);
+            lights.iter().flatten().copied().for_each(&mut add);
             let count = environment_count(scene);
             (0..count).filter_map(|index| around(&centre, index, count)).for_each(add);
             return out;
@@ -144,18 +175,22 @@ fn pixel(scene: &Scene, surface: &Surface, lights: &[Piece], [row, column]: [usi
     for index in 0..places {
         let offset = [index % EDGE_PLACES, index / EDGE_PLACES].map(|k| (k as f64 + 0.5) / EDGE_PLACES as f64 - 0.5);
         let Some(hit) = at(offset) else { continue };
-        let mut add = |piece: Piece| {
+        let mut add = |piece: Piece, share: f64| {
             if let Some((wi, wo)) = lit(surface, &hit, piece.direction) {
-                let weight = piece.irradiance * wi[2] / places as f64;
+                let weight = share * piece.irradiance * wi[2];
                 out.extend(sample(wi, wo, weight, piece.radius, Footprint::POINT));
             }
         };
-        lights.iter().copied().for_each(&mut add);
-        // Places share the directions.
-        let count = environment_count(scene);
-        for piece in (index..count).step_by(places).filter_map(|index| around(&hit, index, count)) {
-            add(Piece { irradiance: piece.irradiance * places as f64, ..piece });
+        // Places share out pieces and directions, or those the places.
+        for pieces in lights {
+            for k in (index..pieces.len().max(places)).step_by(places) {
+                let piece = k % pieces.len();
+                let uses = if pieces.len() < places { (places - piece).div_ceil(pieces.len()) } else { 1 };
+                add(pieces[piece], 1.0 / uses as f64);
+            }
         }
+        let count = environment_count(scene);
+        (index..count).step_by(places).filter_map(|index| around(&hit, index, count)).for_each(|piece| add(piece, 1.0));
     }
     out
 }

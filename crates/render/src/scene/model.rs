@@ -94,6 +94,17 @@ pub enum Exposure {
     Ev(f64),
 }
 
+/// What a pixel is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum LookUps {
+    /// Means over lights' discs and pixels, one look-up each where that keeps the tolerance: see `filtered`.
+    #[default]
+    Filtered,
+    /// Values at `light_samples` and `pixel_samples` points.
+    Points,
+}
+
 /// What moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -156,11 +167,16 @@ pub struct Scene {
     /// tables where absent.
     #[serde(default)]
     pub tolerance: Option<f64>,
-    /// Samples of each light that has an angular diameter, and of the screen's beam.
+    /// What a pixel is made of.
+    #[serde(default)]
+    pub look_ups: LookUps,
+    /// Samples of each light that has an angular diameter, and of the screen's beam; of filtered look-ups, of each light that is too
+    /// large for one.
     #[serde(default = "default_light_samples")]
     pub light_samples: usize,
     /// Positions within each pixel, against jagged edges and lobes narrower than a pixel; 1 is the
-    /// pixel's centre. Light and pixel are sampled together: the larger count is used for both.
+    /// pixel's centre. Light and pixel are sampled together: the larger count is used for both. Filtered look-ups have
+    /// the mean over the pixel without them.
     #[serde(default = "one_sample")]
     pub pixel_samples: usize,
 }
@@ -180,6 +196,7 @@ impl Scene {
             exposure: Exposure::Auto,
             specimen: None,
             tolerance: None,
+            look_ups: LookUps::default(),
             light_samples: 1,
             pixel_samples: 1,
         }

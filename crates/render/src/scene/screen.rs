@@ -98,16 +98,97 @@ fn beam_samples(scene: &Scene, sample: &Frame, radius_mm: f64) -> Vec<BeamSample
 pub(crate) fn gather_pixel(setup: &ScreenSetup, pixel_width: f64, [x, y]: [f64; 2], out: &mut RowSamples) {
     for ray in &setup.beam {
         let [dx, dy] = ray.pixel_offset;
-        let x_mm = (x + dx * pixel_width) * setup.half_width_mm;
-        let y_mm = (y + dy * pixel_width) * setup.half_width_mm;
-        if x_mm.hypot(y_mm) < setup.hole_radius_mm {
-            continue;
+        if let Some((wo, geometry)) = setup.seen([x + dx * pixel_width, y + dy * pixel_width], ray.point_mm) {
+            push(out, ray.wi, wo, ray.power_mm2 * geometry);
         }
-        let path = [x_mm - ray.point_mm[0], y_mm - ray.point_mm[1], setup.distance_mm - ray.point_mm[2]];
+    }
+}
+
+impl ScreenSetup {
+    /// Local direction from a point of the sample to a picture point, and `cos_o cos_s / r²` in 1/mm²; `None` in the hole.
+    fn seen(&self, at: [f64; 2], point_mm: Vec3) -> Option<(Vec3, f64)> {
+        let [x_mm, y_mm] = at.map(|c| c * self.half_width_mm);
+        if x_mm.hypot(y_mm) < self.hole_radius_mm {
+            return None;
+        }
+        let path = [x_mm - point_mm[0], y_mm - point_mm[1], self.distance_mm - point_mm[2]];
         let r_squared = dot(path, path);
         let to_screen = path.map(|c| c / r_squared.sqrt());
-        let wo = to_local(&setup.sample, to_screen);
+        let wo = to_local(&self.sample, to_screen);
         // cos_s is the z component: the screen faces -z.
-        push(out, ray.wi, wo, ray.power_mm2 * wo[2] * to_screen[2] / r_squared);
+        Some((wo, wo[2] * to_screen[2] / r_squared))
+    }
+}
+
+/// A part of the beam that one look-up stands for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BeamPiece {
+    ray: BeamSample,
+    /// Radius of its cross-section.
+    radius_mm: f64,
+    /// Angular radius of the directions that it brings.
+    pub divergence: f64,
+}
+
+/// The beam as one piece where neither its spot nor its divergence is wider than `diameter_max_deg`, the spot as seen from the
+/// screen's middle; else as `light_samples` even ones.
+pub(crate) fn beam_pieces(scene: &Scene, setup: &ScreenSetup, diameter_max_deg: f64) -> Vec<BeamPiece> {
+    let Shape::Screen { distance_mm, beam_diameter_mm, .. } = scene.shape else { return Vec::new() };
+    let diverging_deg = scene.lights.first().map_or(0.0, |light| light.angular_diameter_deg);
+    let is_narrow = (beam_diameter_mm / distance_mm).to_degrees() <= diameter_max_deg;
+    let count = if is_narrow && diverging_deg <= diameter_max_deg { 1 } else { scene.light_samples };
+    // Where the whole divergence is too wide, the rays of `setup` bring a direction each, and each stands for its share.
+    let is_shared = diverging_deg > diameter_max_deg;
+    let share = |diameter: f64| 0.5 * diameter / (count as f64).sqrt();
+    let divergence = if is_shared { share(diverging_deg.to_radians()) } else { 0.5 * diverging_deg.to_radians() };
+    let axis = to_local(&setup.sample, [0.0, 0.0, 1.0]);
+    let of = Scene { light_samples: count, pixel_samples: 1, ..scene.clone() };
+    beam_samples(&of, &setup.sample, 0.5 * beam_diameter_mm)
+        .into_iter()
+        .map(|ray| BeamPiece {
+            ray: if is_shared {
+                ray
+            } else {
+                BeamSample { wi: axis, power_mm2: ray.power_mm2 / ray.wi[2] * axis[2], ..ray }
+            },
+            radius_mm: share(beam_diameter_mm),
+            divergence,
+        })
+        .collect()
+}
+
+/// Directions, weight and the covariance `[uu, uv, vv]` of (u, v) over a piece's spot and a pixel's square, at picture point `(x, y)`.
+pub(crate) fn seen_of_piece(
+    setup: &ScreenSetup,
+    piece: &BeamPiece,
+    pixel_width: f64,
+    [x, y]: [f64; 2],
+) -> Option<(Vec3, Vec3, f64, [f64; 3])> {
+    let ray = &piece.ray;
+    let (wo, geometry) = setup.seen([x, y], ray.point_mm)?;
+    // Of first order: half the difference between two places that lie a standard deviation to either side.
+    let on_screen = pixel_width / 12f64.sqrt();
+    let by_pixel = [[on_screen, 0.0], [0.0, on_screen]].map(|[dx, dy]| {
+        let ends = [1.0, -1.0].map(|side| setup.seen([x + side * dx, y + side * dy], ray.point_mm));
+        half_apart(ends)
+    });
+    let in_beam = 0.5 * piece.radius_mm;
+    let tilt = setup.sample.normal[0] / setup.sample.normal[2];
+    let by_spot = [[in_beam, 0.0, -in_beam * tilt], [0.0, in_beam, 0.0]].map(|step| {
+        let ends =
+            [1.0, -1.0].map(|side| setup.seen([x, y], std::array::from_fn(|k| ray.point_mm[k] + side * step[k])));
+        half_apart(ends)
+    });
+    let changes = [by_pixel, by_spot].concat();
+    let sum = |of: fn(&[f64; 2]) -> f64| changes.iter().map(of).sum();
+    let covariance = [sum(|c| c[0] * c[0]), sum(|c| c[0] * c[1]), sum(|c| c[1] * c[1])];
+    Some((ray.wi, wo, ray.power_mm2 * geometry, covariance))
+}
+
+/// Half the lateral difference of two directions; none at the rim of the hole.
+fn half_apart(ends: [Option<(Vec3, f64)>; 2]) -> [f64; 2] {
+    match ends {
+        [Some((a, _)), Some((b, _))] => [0, 1].map(|k| 0.5 * (a[k] - b[k])),
+        _ => [0.0; 2],
     }
 }

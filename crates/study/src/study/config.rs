@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::lent::SceneSamples;
+use super::lent::{LightScene, SceneSamples};
 use diffraction_build::height::HeightField;
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::tables::plan::AUTOMATIC_SIZE_MAX;
@@ -21,6 +21,8 @@ pub struct StudySpecimen {
     pub optics: OpticsConfig,
     /// The pictures that methods are compared in.
     pub scenes: Vec<Box<dyn SceneSamples>>,
+    /// Shapes that are seen under lights with a size; none leaves that out.
+    pub lights: Vec<Box<dyn LightScene>>,
 }
 
 /// How much is measured.
@@ -54,6 +56,10 @@ pub struct StudyConfig {
     pub size_max: usize,
     /// Samples of a scene that are compared.
     pub picture_samples: usize,
+    /// Pixels along a side that are compared of pictures under lights with a size.
+    pub light_pixels: usize,
+    /// Points of the light that their truth takes.
+    pub light_points: usize,
     /// Whether evaluation is timed on a GPU, where there is one.
     pub gpu: bool,
     /// Working memory of a build in MiB.
@@ -78,6 +84,8 @@ impl StudyConfig {
             tolerances: TOLERANCES.to_vec(),
             size_max: AUTOMATIC_SIZE_MAX,
             picture_samples: 6_000,
+            light_pixels: 15,
+            light_points: 1_024,
             gpu: true,
             memory_mib: 2048,
         }
@@ -100,6 +108,8 @@ impl StudyConfig {
             tolerances: TOLERANCES.to_vec(),
             size_max: 2001,
             picture_samples: 20_000,
+            light_pixels: 30,
+            light_points: 4_096,
             gpu: true,
             memory_mib: 8192,
         }

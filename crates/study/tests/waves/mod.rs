@@ -25,6 +25,7 @@ pub fn specimen(height_nm: f64, scenes: Vec<Box<dyn SceneSamples>>) -> StudySpec
         fields: vec![HeightField { heights_nm, pitch_nm: [90.0, 90.0] }],
         optics: OpticsConfig::ideal(Illuminant::D65, 900.0, Edge::Tile, Windows::Grid),
         scenes,
+        lights: Vec::new(),
     }
 }
 
@@ -45,6 +46,8 @@ pub fn config() -> StudyConfig {
         tolerances: vec![1e-2],
         size_max: 201,
         picture_samples: 1_000,
+        light_pixels: 6,
+        light_points: 64,
         gpu: false,
         memory_mib: 512,
     }

@@ -16,7 +16,8 @@ Parameters:
   is mirrored where the coordinates are, as in the program's own pictures of meshes. "flipped_v" is the same for shapes whose v Mitsuba turns over: .obj
   files unless `flip_tex_coords` is false, and spheres.
 - `scale`: a factor on the BRDF, a number or a texture, 1 by default.
-- `look_up`: "linear" (default) between texels as graphics hardware, or "cubic", slower and more accurate.
+- `look_up`: "linear" (default) between texels as graphics hardware; "cubic", slower and more accurate; or "spline", as slow, which keeps the tolerance that
+  the tables were made with (what `mi.traverse` then shows as `tables` are the splines' coefficients).
 - `light_deg`: 0 by default; else the BRDF is the mean over round lights of this angular diameter, up to about 2 degrees, which stand in the scene as points
   or as directions: the sun is 0.53. Not for lights that have their size in the scene already.
 - `energy_limit`: true by default; keeps every direction from reflecting more than arrives, which ideal reflectors and the

@@ -17,9 +17,9 @@ class Diffraction(mi.BSDF):
         self.given = given = Parameters(props)
         specimen, self.scale, self.turn_deg = given.specimen, given.scale, given.turn_deg
         if mi.is_spectral:
-            self.brdf = _tables.Spectral(specimen, given.cubic, given.light_deg)
+            self.brdf = _tables.Spectral(specimen, given.look_up, given.light_deg)
         else:
-            self.brdf = _tables.Colours(specimen, given.cubic, given.light_deg)
+            self.brdf = _tables.Colours(specimen, given.look_up, given.light_deg)
         self.limit = _tables.Limit(specimen) if given.limited and specimen.has_energy_limit else None
         self.is_restricted = specimen._tables.range is not None
         self.sampler = Sampler(specimen._sampler)

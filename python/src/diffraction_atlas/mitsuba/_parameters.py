@@ -29,7 +29,7 @@ class Parameters:
             )
         self.scale, self.turn_deg = props.get_texture("scale", 1.0), props.get_texture("turn_deg", 0.0)
         self.mirror = {"none": 0, "v": 1, "flipped_v": -1}[choice(props, "mirror_with", ("none", "v", "flipped_v"))]
-        self.cubic = choice(props, "look_up", ("linear", "cubic")) == "cubic"
+        self.look_up = choice(props, "look_up", ("linear", "cubic", "spline"))
         self.light_deg = float(props.get("light_deg", 0.0))
         if not 0 <= self.light_deg <= 10:
             raise ValueError(f"diffraction: light_deg = {self.light_deg}; it may be between 0 and 10")

@@ -17,7 +17,7 @@ class ScalarDiffraction(mi.BSDF):
         self.given = Parameters(props)
         self.m_components = [FLAGS]
         self.m_flags = FLAGS
-        self.lookup = {"lookup": "cubic" if self.given.cubic else "linear"}
+        self.lookup = {"lookup": self.given.look_up}
 
     def traverse(self, cb):
         """What can be changed."""

@@ -152,18 +152,18 @@ class Disc:
 class Colours:
     """The tables of X, Y, Z."""
 
-    def __init__(self, specimen, cubic, light_deg):
+    def __init__(self, specimen, look_up, light_deg):
         tables = specimen._tables
-        self.optics, self.cubic = Optics(tables.optics), cubic
+        self.optics = Optics(tables.optics)
         self.disc = Disc(light_deg) if light_deg else None
         self.basis, self.size, self.first = tables.basis, tables.size, tables.first
-        self.tables = Layers(tables.layers)
-        self.range = Layers(tables.range) if tables.range is not None else None
+        self.tables = Layers(tables.layers, look_up)
+        self.range = Layers(tables.range, look_up) if tables.range is not None else None
         self.coherent = self.cross = None
         if tables.lobe is not None:
             self.radius_max = tables.lobe.radius_max
-            self.coherent = Layers(tables.lobe.coherent)
-            self.cross = Layers(tables.lobe.cross) if tables.lobe.cross is not None else None
+            self.coherent = Layers(tables.lobe.coherent, look_up)
+            self.cross = Layers(tables.lobe.cross, look_up) if tables.lobe.cross is not None else None
 
     def parameters(self):
         """What `mi.traverse` shows."""
@@ -200,19 +200,19 @@ class Colours:
             powers = [1 / w / w]
             while len(powers) < self.tables.count:
                 powers.append(powers[-1] * w)
-            return self.tables.look_up(powers, column, row, self.cubic, active)
+            return self.tables.look_up(powers, column, row, active)
         t = normalised(u * u + v * v, w)
         s, covered = t, True
         if self.range is not None:
             s, covered = self.share_of_range(t, column, row, active)
-        value = self.tables.look_up(chebyshev(2 * s - 1, self.tables.count), column, row, self.cubic, active)
+        value = self.tables.look_up(chebyshev(2 * s - 1, self.tables.count), column, row, active)
         if self.cross is not None:
             value += self.cross_term(u, v, w, t, active)
         return dr.select(covered, value, dr.nan)
 
     def share_of_range(self, t, column, row, active):
         """Where t lies in the range that the texels cover, 0 to 1, and whether there is an answer."""
-        low, high, there = self.range.look_up([1.0], column, row, self.cubic, active)
+        low, high, there = self.range.look_up([1.0], column, row, active)
         s = (t - low) / (high - low)
         inside = (column >= 0) & (column <= self.range.columns - 1) & (row >= 0) & (row <= self.range.rows - 1)
         covered = inside & (dr.abs(there - 1) < 0.002) & (s >= -RANGE_SLACK) & (s <= 1 + RANGE_SLACK)
@@ -222,7 +222,7 @@ class Colours:
         r, half = self.radius_max, (self.cross.columns - 1) / (2 * self.radius_max)
         inside = active & (dr.maximum(dr.abs(u), dr.abs(v)) < r)
         basis = chebyshev(2 * t - 1, self.cross.count)
-        value = self.cross.look_up(basis, (u + r) * half, (r - v) * half, self.cubic, inside) / w
+        value = self.cross.look_up(basis, (u + r) * half, (r - v) * half, inside) / w
         return dr.select(inside, value, 0.0)
 
     def lobe(self, wi, wo, active):
@@ -239,7 +239,7 @@ class Colours:
         inside = active & (radius < self.radius_max)
         t = normalised(radius * radius, w) if t is None else t
         column, row = radius * ((self.coherent.columns - 1) / self.radius_max), t * (self.coherent.rows - 1)
-        return dr.select(inside, self.coherent.look_up([1.0], column, row, self.cubic, inside), 0.0)
+        return dr.select(inside, self.coherent.look_up([1.0], column, row, inside), 0.0)
 
     def lobe_mean(self, wi, wo, active):
         """The same over a light's disc, at the centre's t."""
@@ -257,13 +257,13 @@ class Colours:
 class Spectral:
     """The tables of single wavelengths."""
 
-    def __init__(self, specimen, cubic, light_deg):
+    def __init__(self, specimen, look_up, light_deg):
         tables = specimen._spectral_tables
-        self.optics, self.cubic = Optics(tables.optics), cubic
+        self.optics = Optics(tables.optics)
         self.disc = Disc(light_deg) if light_deg else None
         self.size, self.shortest_nm = tables.size, tables.shortest_nm
-        self.tables = SingleLayers(tables.layers)
-        self.cross = SingleLayers(tables.cross) if tables.cross is not None else None
+        self.tables = SingleLayers(tables.layers, look_up)
+        self.cross = SingleLayers(tables.cross, look_up) if tables.cross is not None else None
         self.cross_radius = tables.cross_radius if tables.cross is not None else 0.0
         self.power = None
         if tables.power is not None:
@@ -335,12 +335,12 @@ class Spectral:
     def diffuse(self, u, v, w, active):
         """Tables and cross term at (u', v', |w'|)."""
         half, x = (self.size - 1) / 4, 2 * normalised(u * u + v * v, w) - 1
-        value = self.tables.look_up(chebyshev(x, self.tables.count), (u + 2) * half, (2 - v) * half, self.cubic, active)
+        value = self.tables.look_up(chebyshev(x, self.tables.count), (u + 2) * half, (2 - v) * half, active)
         if self.cross is not None:
             r = self.cross_radius
             half = (self.cross.columns - 1) / (2 * r)
             inside = active & (dr.maximum(dr.abs(u), dr.abs(v)) < r)
-            patches = self.cross.look_up(chebyshev(x, self.cross.count), (u + r) * half, (r - v) * half, self.cubic, inside)
+            patches = self.cross.look_up(chebyshev(x, self.cross.count), (u + r) * half, (r - v) * half, inside)
             value += dr.select(inside, patches / w, 0.0)
         return value
 

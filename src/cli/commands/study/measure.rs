@@ -10,7 +10,7 @@ use crate::manifest;
 use crate::report::study_page::{PAGE, write_study};
 use crate::stages::config::SpecimenConfig;
 use crate::stages::ingest::{Scans, ingest};
-use crate::stages::study::{FrameClock, drawn};
+use crate::stages::study::{FrameClock, drawn, lit_shapes};
 use diffraction_brdf::error::Error;
 use diffraction_build::optics::config::{Factor, OpticsConfig};
 use diffraction_render::scene::model::Scene;
@@ -73,6 +73,7 @@ fn specimen(given: &SpecimenConfig, scenes: &[Scene], config: &StudyConfig) -> R
         // The published series has no other: its tables hold the lobe with all else.
         optics: OpticsConfig { factor: Factor::Scalar, ..optics },
         scenes: scenes.iter().filter(shows).map(sampled).collect::<Result<_>>()?,
+        lights: lit_shapes(config.light_pixels),
     })
 }
 
