@@ -128,6 +128,36 @@ fn pixels_of_a_small_ball_are_filtered() {
     assert!(after[0] < 0.5 * before[0] && after[2] < before[2], "{before:?} {after:?}");
 }
 
+/// Lamps too wide for one look-up take parts, and pixels with edges of scales in them sixteen places.
+#[test]
+fn wide_lamps_and_edges_take_more() {
+    let size_px = 600;
+    for (what, shape, diameter_deg, tolerance) in
+        [("ball, lamp of 5 degrees", Shape::Sphere, 5.0, 1e-3), ("snake, sun", Shape::Snake, 0.53, 1e-3)]
+    {
+        let scene = lit(shape, diameter_deg, size_px);
+        let stride = 20;
+        let part = filtered_samples_of(&scene, tolerance, 0..size_px, stride).unwrap();
+        let found = diffraction_render::render::cpu::shade_filtered(&part, &|wi, wo, footprint| {
+            snake().eval_filtered(wi, wo, footprint)
+        });
+        let of = |count: usize| {
+            let scene = Scene { light_samples: count, pixel_samples: count, ..scene.clone() };
+            let samples = diffraction_render::scene::samples::samples_of(&scene, 0..size_px, stride).unwrap();
+            diffraction_render::render::cpu::shade(&samples, &|wi, wo| snake().eval(wi, wo))
+        };
+        let truth = of(2048);
+        let (filtered, by_points) = (errors(&found, &truth), [16, 64].map(|count| errors(&of(count), &truth)));
+        let look_ups = part.footprints.len() as f64 / (found.len() / 3) as f64;
+        println!(
+            "{what}: filtered {} with {look_ups:.1} a pixel; 16, 64 points {:?}",
+            shown(filtered),
+            by_points.map(shown)
+        );
+        assert!(filtered[0] < 0.5 * by_points[0][0] && filtered[1] < by_points[0][1], "{filtered:?} {by_points:?}");
+    }
+}
+
 /// Maps of the BRDF and screens: one look-up where light and beam are narrow, parts of them where not.
 #[test]
 fn a_map_and_a_screen_are_filtered() {

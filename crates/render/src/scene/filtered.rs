@@ -16,7 +16,7 @@ use diffraction_brdf::error::Result;
 
 use super::frame::to_local;
 use super::hit::LitHit;
-use super::light::{direction_to, environment_count, sunflower};
+use super::light::{direction_to, disc_parts, environment_count, polar};
 use super::model::{Light, Scene, Shape, check};
 use super::samples::{ShadingSamples, pixel_centre, pixel_width, position};
 use super::screen::{self, BeamPiece, ScreenSetup};
@@ -27,6 +27,10 @@ use super::surroundings;
 const NODE: f64 = 0.288_675_134_594_812_9;
 /// Cosine between the normals at a pixel's centre and at those places, below which the pixel is sampled: 0.35 radians.
 const COSINE_MIN: f64 = 0.94;
+/// How far normal and tangent may be from varying evenly over a pixel, as a share of how far they vary, and the jump that makes no
+/// difference: beyond lies an edge, which is sampled too.
+const UNEVEN_MAX: f64 = 0.15;
+const JUMP_MIN: f64 = 1e-3;
 /// Places in a pixel at an edge, along a side.
 const EDGE_PLACES: usize = 4;
 
@@ -114,7 +118,7 @@ struct Piece {
 fn pieces(scene: &Scene, tolerance: f64, light: &Light) -> Vec<Piece> {
     let whole = light.angular_diameter_deg <= diameter_max_deg(tolerance);
     let count = if whole { 1 } else { scene.light_samples };
-    let directions: Vec<Vec3> = (0..count).map(|index| direction_to(light, sunflower(index, count))).collect();
+    let directions: Vec<Vec3> = disc_parts(count).into_iter().map(|part| direction_to(light, polar(part))).collect();
     let axis = normalise(light.direction);
     let facing: f64 = directions.iter().map(|direction| dot(*direction, axis)).sum();
     let radius = (0.5 * light.angular_diameter_deg).to_radians() / (count as f64).sqrt();
@@ -162,8 +166,7 @@ fn pixel(scene: &Scene, surface: &Surface, lights: &[Vec<Piece>], [row, column]:
     let nodes = [[-NODE, -NODE], [NODE, -NODE], [-NODE, NODE], [NODE, NODE]].map(at);
     if let (Some(centre), [Some(a), Some(b), Some(c), Some(d)]) = (at([0.0, 0.0]), nodes) {
         let nodes = [a, b, c, d];
-        let apart = |node: &LitHit| dot(node.hit.frame.normal, centre.hit.frame.normal);
-        if nodes.iter().map(apart).all(|cosine| cosine > COSINE_MIN) {
+        if is_smooth(&centre, &nodes) {
             let mut add = |piece: Piece| smooth(surface, &centre, &nodes, piece, &mut out);
             lights.iter().flatten().copied().for_each(&mut add);
             let count = environment_count(scene);
@@ -193,6 +196,23 @@ fn pixel(scene: &Scene, surface: &Surface, lights: &[Vec<Piece>], [row, column]:
         (index..count).step_by(places).filter_map(|index| around(&hit, index, count)).for_each(|piece| add(piece, 1.0));
     }
     out
+}
+
+/// Whether a pixel shows one piece of surface that turns evenly: the four nodes, and the centre, lie on a plane of normals and one of tangents.
+fn is_smooth(centre: &LitHit, nodes: &[LitHit; 4]) -> bool {
+    let apart = |node: &LitHit| dot(node.hit.frame.normal, centre.hit.frame.normal);
+    let is_even = |of: fn(&LitHit) -> Vec3| {
+        let [a, b, c, d] = nodes.each_ref().map(of);
+        let middle = of(centre);
+        let norm = |part: &dyn Fn(usize) -> f64| (0..3).map(|k| part(k).powi(2)).sum::<f64>().sqrt();
+        let spread = norm(&|k| a[k] - d[k]).max(norm(&|k| b[k] - c[k]));
+        let off_centre = norm(&|k| 0.25 * (a[k] + b[k] + c[k] + d[k]) - middle[k]);
+        let twist = norm(&|k| 0.5 * (a[k] + d[k] - b[k] - c[k]));
+        off_centre.max(twist) <= UNEVEN_MAX * spread + JUMP_MIN
+    };
+    nodes.iter().map(apart).all(|cosine| cosine > COSINE_MIN)
+        && is_even(|hit| hit.hit.frame.normal)
+        && is_even(|hit| hit.hit.frame.tangent)
 }
 
 /// A pixel that shows one smooth piece: one look-up, or at the edge of a shadow one at each node that is lit.

@@ -46,6 +46,32 @@ pub fn sunflower(index: usize, count: usize) -> [f64; 2] {
     [radius_squared, TAU * (GOLDEN * index as f64).fract()]
 }
 
+/// Centres of `count` parts of the unit disc, each of which stands for a disc of the area that is its share. The parts have the disc's centre and
+/// variance together: points of the spiral, moved to their mean, drawn in by what the parts' own size adds, and made round.
+pub(crate) fn disc_parts(count: usize) -> Vec<[f64; 2]> {
+    let mut parts: Vec<[f64; 2]> = (0..count).map(|index| disc_xy(sunflower(index, count))).collect();
+    // Fewer lie on a line, or are all there is.
+    if count < 3 {
+        return parts;
+    }
+    let n = count as f64;
+    let mean: [f64; 2] = [0, 1].map(|k| parts.iter().map(|part| part[k]).sum::<f64>() / n);
+    parts.iter_mut().for_each(|part| *part = [part[0] - mean[0], part[1] - mean[1]]);
+    let moment = |j: usize, k: usize| parts.iter().map(|part| part[j] * part[k]).sum::<f64>() / n;
+    let [xx, xy, yy] = [moment(0, 0), moment(0, 1), moment(1, 1)];
+    // A disc's variance along an axis is a quarter of its radius squared. The inverse root of a symmetric matrix M with the determinant d²:
+    // (adj M + d) / (d sqrt(tr M + 2 d)).
+    let d = (xx * yy - xy * xy).sqrt();
+    let scale = (0.25 * (1.0 - 1.0 / n)).sqrt() / (d * (xx + yy + 2.0 * d).sqrt());
+    let rounded = |[x, y]: [f64; 2]| [scale * ((yy + d) * x - xy * y), scale * ((xx + d) * y - xy * x)];
+    parts.into_iter().map(rounded).collect()
+}
+
+/// Radius squared and angle of a point of the disc.
+pub(crate) fn polar([x, y]: [f64; 2]) -> [f64; 2] {
+    [x * x + y * y, y.atan2(x)]
+}
+
 /// Cartesian coordinates of a disc point given by radius squared and angle.
 pub(crate) fn disc_xy([radius_squared, angle]: [f64; 2]) -> [f64; 2] {
     let radius = radius_squared.sqrt();
@@ -125,6 +151,26 @@ mod tests {
         assert!((root.powi(5) - root - 1.0).abs() < 1e-13);
         for (power, step) in RECURRENCE.iter().enumerate() {
             assert!((root.powi(-(power as i32) - 1) - step).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn parts_of_a_disc_have_its_centre_and_variance() {
+        for count in [3, 4, 7, 16, 64] {
+            let parts = disc_parts(count);
+            let n = count as f64;
+            let sum = |of: &dyn Fn([f64; 2]) -> f64| parts.iter().map(|part| of(*part)).sum::<f64>() / n;
+            let own = 0.25 / n;
+            for (found, expected) in [
+                (sum(&|[x, _]| x), 0.0),
+                (sum(&|[_, y]| y), 0.0),
+                (sum(&|[x, y]| x * y), 0.0),
+                (sum(&|[x, _]| x * x) + own, 0.25),
+                (sum(&|[_, y]| y * y) + own, 0.25),
+            ] {
+                assert!((found - expected).abs() < 1e-14, "{count}: {found} for {expected}");
+            }
+            assert!(parts.iter().all(|[x, y]| x.hypot(*y) < 1.0));
         }
     }
 

@@ -19,7 +19,7 @@ use std::f64::consts::{PI, TAU};
 use diffraction_brdf::direction::{Vec3, dot};
 
 use super::frame::{Frame, to_local};
-use super::light::{direction_to, disc_xy, pixel_offset, sequence_point, sunflower};
+use super::light::{direction_to, disc_parts, disc_xy, pixel_offset, sequence_point, sunflower};
 use super::model::{Light, Scene, Shape};
 use super::row::{RowSamples, push};
 
@@ -143,18 +143,15 @@ pub(crate) fn beam_pieces(scene: &Scene, setup: &ScreenSetup, diameter_max_deg: 
     let divergence = if is_shared { share(diverging_deg.to_radians()) } else { 0.5 * diverging_deg.to_radians() };
     let axis = to_local(&setup.sample, [0.0, 0.0, 1.0]);
     let of = Scene { light_samples: count, pixel_samples: 1, ..scene.clone() };
-    beam_samples(&of, &setup.sample, 0.5 * beam_diameter_mm)
-        .into_iter()
-        .map(|ray| BeamPiece {
-            ray: if is_shared {
-                ray
-            } else {
-                BeamSample { wi: axis, power_mm2: ray.power_mm2 / ray.wi[2] * axis[2], ..ray }
-            },
-            radius_mm: share(beam_diameter_mm),
-            divergence,
-        })
-        .collect()
+    let rays = beam_samples(&of, &setup.sample, 0.5 * beam_diameter_mm);
+    let tilt = setup.sample.normal[0] / setup.sample.normal[2];
+    let pieces = rays.into_iter().zip(disc_parts(count)).map(|(ray, part)| {
+        let [x, y] = part.map(|c| 0.5 * c * beam_diameter_mm);
+        let ray = BeamSample { point_mm: [x, y, -x * tilt], ..ray };
+        let straight = BeamSample { wi: axis, power_mm2: ray.power_mm2 / ray.wi[2] * axis[2], ..ray };
+        BeamPiece { ray: if is_shared { ray } else { straight }, radius_mm: share(beam_diameter_mm), divergence }
+    });
+    pieces.collect()
 }
 
 /// Directions, weight and the covariance `[uu, uv, vv]` of (u, v) over a piece's spot and a pixel's square, at picture point `(x, y)`.
