@@ -1,14 +1,33 @@
 //! From a manifest to the run it asks for.
 
+use super::collection::Collection;
 use super::model::Manifest;
 use crate::stages::config::RunConfig;
+use diffraction_brdf::atlas::InputRecord;
 use diffraction_brdf::files;
 use diffraction_brdf::json;
 
 /// The run that a manifest asks for; `text` is the manifest, word for word.
 pub fn run_config(manifest: Manifest, text: String) -> RunConfig {
-    let Manifest { atlas, tables, cover, hold, specimens, scenes, scenes_are_given, gpu, report, cache, base, .. } =
-        manifest;
+    let Manifest {
+        atlas,
+        tables,
+        cover,
+        hold,
+        specimens,
+        collection,
+        scenes,
+        scenes_are_given,
+        gpu,
+        report,
+        cache,
+        base,
+        ..
+    } = manifest;
+    let collection = collection.map(|Collection { file, sha256, .. }| InputRecord {
+        path: file.strip_prefix(&base).unwrap_or(&file).display().to_string(),
+        sha256,
+    });
     RunConfig {
         atlas_root: atlas.out.join(&atlas.name),
         atlas_name: atlas.name,
@@ -16,6 +35,7 @@ pub fn run_config(manifest: Manifest, text: String) -> RunConfig {
         cover,
         hold,
         specimens,
+        collection,
         scenes,
         scenes_are_given,
         gpu: gpu.check,

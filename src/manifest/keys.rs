@@ -12,7 +12,7 @@ pub struct Keys {
 /// The top level.
 pub(crate) const TOP: Keys = Keys {
     table: "the top level",
-    names: &["schema", "atlas", "optics", "tables", "specimen", "scene", "gpu", "report", "cache"],
+    names: &["schema", "atlas", "optics", "tables", "specimen", "specimens", "scene", "gpu", "report", "cache"],
 };
 
 /// What the atlas is called and where it goes.
@@ -297,7 +297,7 @@ mod tests {
             ("tolerence", &TABLES, "nearest known key is `tolerance`"),
             ("pitch", &SPECIMEN, "nearest known key is `pitch_nm`"),
             ("Storage", &TABLES, "nearest known key is `storage`"),
-            ("specimens", &TOP, "nearest known key is `specimen`"),
+            ("specimns", &TOP, "nearest known key is `specimens`"),
             ("tolerance", &GPU, "belongs in [tables]"),
             ("zzz", &GPU, "expected one of `check`, `frame_time`"),
         ] {

@@ -4,6 +4,7 @@
 //! every path and pattern is resolved. The first fault found ends it with [`error::Error::Manifest`], which
 //! names file, line, column, the key, and what was expected. docs/manifest.md is the reference.
 
+pub mod collection;
 pub mod convert;
 mod defaults;
 mod files;
@@ -104,14 +105,17 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
         None => defaults::tables(),
     };
     optics.factor = optics::factor(top.get("optics").as_ref(), tables.basis)?;
-    let specimens = top.require("specimen", "[[specimen]]")?;
     let written_nm = optics::written_range(top.get("optics").as_ref())?;
     let is_material_given = match top.get("optics") {
         Some(item) => item.section(&keys::OPTICS, "[optics]")?.has("material"),
         None => false,
     };
     let common = specimen::Common { optics: &optics, written_nm, is_material_given, base };
-    let specimens = specimen::read_all(&specimens, common)?;
+    let (one_by_one, of_file) = (top.get("specimen"), top.get("specimens"));
+    if of_file.is_none() {
+        top.require("specimen", "[[specimen]]")?;
+    }
+    let (specimens, collection) = specimen::read_all(one_by_one.as_ref(), of_file.as_ref(), common)?;
     if let (Some(item), Basis::Taylor) = (top.get("tables"), tables.basis) {
         tables::refuse_sources(&item, &specimens)?;
     }
@@ -161,6 +165,7 @@ pub fn parse(text: &str, file_name: &str) -> Result<Manifest> {
         cover,
         hold,
         specimens,
+        collection,
         scenes,
         scenes_are_given,
         gpu,

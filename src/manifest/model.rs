@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::collection::Collection;
 use crate::stages::cache::store::CacheConfig;
 use crate::stages::config::{Cover, FrameTiming, GpuCheck, Hold, OnFailure, ReportConfig, SpecimenConfig};
 use diffraction_build::optics::config::OpticsConfig;
@@ -25,6 +26,8 @@ pub struct Manifest {
     pub hold: Hold,
     /// The specimens, at least one, in the manifest's order; names are unique.
     pub specimens: Vec<SpecimenConfig>,
+    /// The CSV file that some of them come from.
+    pub collection: Option<Collection>,
     /// The pictures, in the manifest's order; names are unique.
     pub scenes: Vec<Scene>,
     /// Whether the manifest says which pictures it wants; two are assumed otherwise.

@@ -1,7 +1,7 @@
 //! Names of atlases, specimens, and scenes: they become folders and files on any system.
 
 use super::reader::Item;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use diffraction_brdf::files;
 
 /// Longest name.
@@ -76,20 +76,20 @@ fn fault(name: &str) -> Option<String> {
     is_device.then(|| format!("\"{name}\" is a device's name on some systems; choose another"))
 }
 
-/// Refuses a name that is taken, or differs from a taken one in case alone; `of` says whose names they are.
-pub(crate) fn refuse_repetition<'n>(
-    item: &Item,
-    name: &str,
-    mut taken: impl Iterator<Item = &'n str>,
-    of: &str,
-) -> Result<()> {
+/// Refuses a name that is taken, or differs from a taken one in case alone.
+pub(crate) fn refuse_repetition<'n>(item: &Item, name: &str, mut taken: impl Iterator<Item = &'n str>) -> Result<()> {
     match taken.find(|other| other.eq_ignore_ascii_case(name)) {
         None => Ok(()),
-        Some(other) if other == name => Err(item.error(format!("repeats the name \"{name}\"{of}; names must differ"))),
-        Some(other) => Err(item.error(format!(
-            "\"{name}\" differs from \"{other}\" in case alone{of}, which some systems do not tell apart"
-        ))),
+        Some(other) => Err(repetition(item, name, other, "")),
     }
+}
+
+/// Of a name that is another, or differs from it in case alone; `of` says whose names they are.
+pub(crate) fn repetition(item: &Item, name: &str, other: &str, of: &str) -> Error {
+    item.error(match other == name {
+        true => format!("repeats the name \"{name}\"{of}; names must differ"),
+        false => format!("\"{name}\" differs from \"{other}\" in case alone{of}, which some systems do not tell apart"),
+    })
 }
 
 #[cfg(test)]

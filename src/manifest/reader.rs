@@ -34,6 +34,11 @@ impl<'s> Section<'s> {
         Self::checked(source, document.get_ref(), 0..0, String::new(), &keys::TOP)
     }
 
+    /// A table that does not stand in the document's text as one: the row of a CSV file, whose text `source` is.
+    pub(crate) fn row(source: Source<'s>, table: &'s DeTable<'s>, span: Range<usize>, keys: &Keys) -> Result<Self> {
+        Self::checked(source, table, span, String::new(), keys)
+    }
+
     fn checked(
         source: Source<'s>,
         table: &'s DeTable<'s>,

@@ -83,7 +83,7 @@ pub(crate) fn read_all(item: &Item, specimens: &[&str], base: &Path) -> Result<V
         let section = item.section(&keys::SCENE, "[[scene]]")?;
         let name_item = section.require("name", "name = \"sphere\"")?;
         let name = name::read(&name_item)?;
-        name::refuse_repetition(&name_item, &name, scenes.iter().map(|other| other.name.as_str()), "")?;
+        name::refuse_repetition(&name_item, &name, scenes.iter().map(|other| other.name.as_str()))?;
         scenes.push(read(&section, name, specimens, base)?);
     }
     Ok(scenes)

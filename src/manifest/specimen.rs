@@ -1,8 +1,10 @@
 //! The `[[specimen]]` tables.
 
-use std::collections::BTreeSet;
+use std::collections::hash_map::Entry;
+use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 
+use super::collection::{self, Collection};
 use super::defaults;
 use super::files;
 use super::keys;
@@ -10,7 +12,7 @@ use super::measured;
 use super::name;
 use super::optics;
 use super::reader::{Item, Section};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::stages::config::SpecimenConfig;
 use diffraction_build::height::PITCH_NM;
 use diffraction_build::height::prepare::{Despike, Level, PrepareConfig};
@@ -42,37 +44,61 @@ pub(crate) struct Common<'a> {
     pub base: &'a Path,
 }
 
-/// Reads every specimen.
-pub(crate) fn read_all(item: &Item, common: Common) -> Result<Vec<SpecimenConfig>> {
-    if !item.is_list() {
-        return Err(item.error("must be written as [[specimen]], with double brackets"));
-    }
-    let items = item.list()?;
-    if items.is_empty() {
-        return Err(item.error("must hold at least one specimen"));
-    }
-    let mut specimens: Vec<SpecimenConfig> = Vec::with_capacity(items.len());
-    for item in items {
-        let section = item.section(&keys::SPECIMEN, "[[specimen]]")?;
-        let name_item = section.require("name", "name = \"corn_snake\"")?;
-        for one in of_section(&section, &name_item, common)? {
-            refuse_repetition(&name_item, &one, &specimens)?;
-            specimens.push(one);
+/// Reads every specimen: those of `[[specimen]]`, and the rows of a CSV file.
+pub(crate) fn read_all(
+    items: Option<&Item>,
+    collection: Option<&Item>,
+    common: Common,
+) -> Result<(Vec<SpecimenConfig>, Option<Collection>)> {
+    let mut all = Specimens::default();
+    if let Some(item) = items {
+        if !item.is_list() {
+            return Err(item.error("must be written as [[specimen]], with double brackets"));
+        }
+        let items = item.list()?;
+        if items.is_empty() {
+            return Err(item.error("must hold at least one specimen"));
+        }
+        for item in items {
+            let section = item.section(&keys::SPECIMEN, "[[specimen]]")?;
+            all.add(&section, &section.require("name", "name = \"corn_snake\"")?, common)?;
         }
     }
-    Ok(specimens)
+    let collection =
+        collection.map(|item| collection::read(item, common.base, |section, name| all.add(section, name, common)));
+    Ok((all.all, collection.transpose()?))
 }
 
-/// Refuses a name that is taken; where names come from files, says from which.
-fn refuse_repetition(item: &Item, one: &SpecimenConfig, taken: &[SpecimenConfig]) -> Result<()> {
-    let Some(other) = taken.iter().find(|other| other.name.eq_ignore_ascii_case(&one.name)) else { return Ok(()) };
+/// Specimens whose names differ in more than case.
+#[derive(Default)]
+struct Specimens {
+    all: Vec<SpecimenConfig>,
+    /// Places of names in lower case.
+    places: HashMap<String, usize>,
+}
+
+impl Specimens {
+    fn add(&mut self, section: &Section, name: &Item, common: Common) -> Result<()> {
+        for one in of_section(section, name, common)? {
+            match self.places.entry(one.name.to_ascii_lowercase()) {
+                Entry::Occupied(taken) => return Err(repetition(name, &one, &self.all[*taken.get()])),
+                Entry::Vacant(free) => free.insert(self.all.len()),
+            };
+            self.all.push(one);
+        }
+        Ok(())
+    }
+}
+
+/// Of a name that is taken; where names come from files, says from which.
+fn repetition(item: &Item, one: &SpecimenConfig, other: &SpecimenConfig) -> Error {
     let is_pattern =
         item.text().is_ok_and(|text| [FILE_PATTERN, FOLDER_PATTERN].iter().any(|part| text.contains(part)));
     let files = match (is_pattern, &one.scans[..], &other.scans[..]) {
         (true, [one], [other, ..]) => format!(" (of {} and {})", other.display(), one.display()),
         _ => String::new(),
     };
-    name::refuse_repetition(item, &one.name, [other.name.as_str()].into_iter(), &files)
+    name::repetition(item, &one.name, &other.name, &files)
 }
 
 /// What stands in a name for that of the file, without its ending, or of its folder: each file then is a specimen of its own.

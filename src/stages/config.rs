@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::cache::store::CacheConfig;
 use crate::stages::measured::MeasuredConfig;
+use diffraction_brdf::atlas::InputRecord;
 use diffraction_build::height::prepare::PrepareConfig;
 use diffraction_build::height::read::ReadConfig;
 use diffraction_build::optics::config::OpticsConfig;
@@ -25,6 +26,8 @@ pub struct RunConfig {
     pub hold: Hold,
     /// The specimens, in order.
     pub specimens: Vec<SpecimenConfig>,
+    /// The file that some of them are listed in.
+    pub collection: Option<InputRecord>,
     /// The pictures, in order.
     pub scenes: Vec<Scene>,
     /// Whether the manifest asks for them; they are assumed otherwise.

@@ -11,6 +11,7 @@ mod manifest_fixture;
 mod scan_files;
 
 mod cache;
+mod collection_table;
 mod collections;
 mod colours;
 mod damage;

@@ -106,7 +106,9 @@ fn every_key_of_the_example_arrives() {
     assert_eq!((all.tables.wavelength_step_nm, all.tables.memory_mib), (Some(2.5), 512));
     assert_eq!(all.tables.prefilter, Prefilter::Width(0.0093));
 
-    let [integers, floats, counts, gilt, worn] = &all.specimens[..] else { panic!("five specimens") };
+    let [integers, floats, counts, gilt, worn, row] = &all.specimens[..] else { panic!("six specimens") };
+    assert_eq!((row.name.as_str(), row.read.pitch_nm), ("row", Some([50.0; 2])));
+    assert_eq!(row.optics.material, Material::Dielectric { n: 1.4 });
     assert_eq!(integers.species.as_deref(), Some("Elaphe guttata"));
     assert_eq!(integers.scans, [folder.path().join("snake.tif")]);
     assert_eq!((integers.read.page, integers.read.pitch_nm), (Some(0), Some([48.8; 2])));

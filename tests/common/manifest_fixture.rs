@@ -69,6 +69,7 @@ pub fn folder() -> tempfile::TempDir {
         ("nk.csv", "wavelength_nm,n,k\n300,1.5,2\n550,0.4,2.4\n900,0.2,6\n"),
         ("nk_red.csv", "wavelength_nm,n,k\n500,1.5,2\n800,0.2,6\n"),
         ("nk_worn.csv", "wavelength_nm,n,k\n300,1.5,2\n900,0,6\n"),
+        ("collection.csv", "name,scans,pitch_nm,material.n\nrow,snake2.tif,50,1.4\n"),
         ("body.obj", BODY),
         ("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
     ] {

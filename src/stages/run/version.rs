@@ -73,6 +73,7 @@ pub(super) fn publish(
 fn index(config: &RunConfig, taken: &[Taken]) -> AtlasIndex {
     let units = || taken.iter().filter_map(|taken| Some((taken, taken.unit.as_ref()?)));
     let mut inputs: Vec<_> = units().flat_map(|(_, unit)| unit.inputs.iter().cloned()).collect();
+    inputs.extend(config.collection.clone());
     inputs.extend(scenes::inputs(config));
     inputs.extend(shared_scenes::inputs(&config.scenes, &config.base));
     let entry = |(taken, _): (&Taken, _)| SpecimenEntry {
