@@ -45,6 +45,7 @@ pub fn run_config(manifest: Manifest, text: String) -> RunConfig {
         reuse: true,
         memory_bytes: None,
         on_failure: atlas.on_failure,
+        frozen: None,
         manifest_sha256: values_sha256(&text),
         manifest_text: text,
         base,

@@ -25,6 +25,8 @@ pub(crate) struct Picture {
 /// The pictures of one page, embedded in the order they are asked for.
 pub(crate) struct Album<'a> {
     source: &'a dyn Fn(&str) -> Option<Vec<u8>>,
+    /// The way from the page to the folder that paths start from.
+    up: &'static str,
     room_bytes: usize,
     /// How many pictures found no room and are linked.
     pub linked: usize,
@@ -33,7 +35,12 @@ pub(crate) struct Album<'a> {
 impl<'a> Album<'a> {
     /// An album that asks `source` for the bytes of a path and embeds up to `room_bytes` of them.
     pub fn new(source: &'a dyn Fn(&str) -> Option<Vec<u8>>, room_bytes: usize) -> Self {
-        Self { source, room_bytes, linked: 0 }
+        Self { source, up: "./", room_bytes, linked: 0 }
+    }
+
+    /// An album of a page in a folder below; all its pictures are linked.
+    pub fn of_page_below(source: &'a dyn Fn(&str) -> Option<Vec<u8>>) -> Self {
+        Self { up: "../", ..Self::new(source, 0) }
     }
 
     /// The picture at `path`; `None` where the source has none. Fails on bytes that are no PNG.
@@ -53,7 +60,7 @@ impl<'a> Album<'a> {
             data_uri(&bytes)
         } else {
             self.linked += 1;
-            url_path(path)
+            self.url(path)
         };
         Ok(Some(Picture { href, size_px }))
     }
@@ -74,10 +81,15 @@ impl<'a> Album<'a> {
         })
     }
 
+    /// A path as a URL from the page; it begins with a dot, so that no name can be taken for a scheme.
+    fn url(&self, path: &str) -> String {
+        format!("{}{}", self.up, utf8_percent_encode(path, PLAIN))
+    }
+
     /// [`Self::img`] as a link to the picture's own file, which lies beside the page.
     pub fn linked_img(&mut self, path: &str, alt: &str) -> Result<String> {
         let img = self.img(path, alt)?;
-        Ok(if img.starts_with("<img") { format!(r#"<a href="{}">{img}</a>"#, escape(&url_path(path))) } else { img })
+        Ok(if img.starts_with("<img") { format!(r#"<a href="{}">{img}</a>"#, escape(&self.url(path))) } else { img })
     }
 }
 
@@ -101,11 +113,6 @@ pub(crate) fn data_uri(png: &[u8]) -> String {
 
 /// What stays as it is in the path of a URL.
 const PLAIN: &AsciiSet = &NON_ALPHANUMERIC.remove(b'/').remove(b'.').remove(b'_').remove(b'-').remove(b'~');
-
-/// A relative path as a URL, with a leading `./` so that no name can be taken for a scheme.
-fn url_path(path: &str) -> String {
-    format!("./{}", utf8_percent_encode(path, PLAIN))
-}
 
 #[cfg(test)]
 mod tests {

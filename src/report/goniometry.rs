@@ -17,8 +17,8 @@ use diffraction_build::ground::colour::to_srgb8;
 /// Luminance that patches of colour are shown at, white being 1: spectral colours keep their hue there.
 const PATCH_LUMINANCE: f64 = 0.35;
 
-/// What the template needs; in short, without the set-ups that few ask for, which stay in `report.json`.
-pub(crate) fn view(found: &Goniometry, periods: &[Period], in_short: bool, album: &mut Album) -> Result<Value> {
+/// What the template needs.
+pub(crate) fn view(found: &Goniometry, periods: &[Period], album: &mut Album) -> Result<Value> {
     let maps = found.maps.iter().map(|map| {
         let frame = match album.picture(&map.png)? {
             Some(picture) => map_frame(&picture.href, map, periods),
@@ -37,7 +37,6 @@ pub(crate) fn view(found: &Goniometry, periods: &[Period], in_short: bool, album
     let of = |strips: Vec<&Strip>| strips.into_iter().map(strip_view).collect::<Result<Vec<_>>>();
     let (normal, others): (Vec<&Strip>, Vec<&Strip>) =
         found.strips.iter().partition(|strip| strip.set_up == SetUp::NormalIncidence);
-    let others = if in_short { Vec::new() } else { others };
     Ok(context! {
         sentence => &found.sentence,
         acceptance => numbers::round_number(found.acceptance_deg, 2),

@@ -1,5 +1,7 @@
 //! The report page: results and pictures in, one self-contained HTML file out.
 
+use std::collections::HashMap;
+
 use minijinja::{Environment, UndefinedBehavior, Value, context, escape_formatter};
 
 use crate::report::colour_maps::{INFERNO, css_ramp};
@@ -11,31 +13,66 @@ use crate::report::style::{OVERVIEW_SCRIPT, STYLE};
 use crate::report::svg::printable;
 use crate::report::{gpu_facts, numbers, overview, plots};
 use crate::stages::cache::store::CacheUse;
-use crate::stages::results::{RunResults, StageTime};
+use crate::stages::results::{RunResults, SpecimenResult, StageTime};
 use crate::stages::viewer::page::REPORT_WITHOUT;
+use diffraction_brdf::atlas::page_path;
 use diffraction_brdf::error::{Error, Result};
 
-const TEMPLATE: &str = include_str!("templates/report.html");
+/// The pages and their parts, by name.
+const TEMPLATES: [(&str, &str); 4] = [
+    (REPORT, include_str!("templates/report.html")),
+    (PAGE, include_str!("templates/page.html")),
+    ("specimen.html", include_str!("templates/specimen.html")),
+    ("reading.html", include_str!("templates/reading.html")),
+];
+const REPORT: &str = "report.html";
+const PAGE: &str = "page.html";
 
-/// Most specimens whose sections lie open, with their pictures inside the page; more are folded, and their pictures linked.
-const OPEN_MAX: usize = 20;
-
-/// Bytes of previews inside a page of many specimens.
+/// Bytes of previews inside an overview.
 const PREVIEWS_MAX_BYTES: usize = 3 << 20;
 
 /// The report of a run as one HTML file that requests nothing but linked pictures; a small script sorts its overview.
 ///
 /// `pictures` gives the bytes of the PNG at a path named in the results, or `None`; a missing
-/// picture leaves a visible note. Past 96 MiB of pictures, and past 20 specimens all but the previews are linked by their paths
-/// (said at the top), so the page belongs into the folder that the paths start from.
+/// picture leaves a visible note. Past 96 MiB of pictures they are linked by their paths
+/// (said at the top), so the page belongs into the folder that the paths start from. Of many specimens it is an overview, which links
+/// to [`render_page`] of each.
 /// The same results and pictures give the same bytes. Fails on a picture that is no PNG.
 pub fn render_html(results: &RunResults, pictures: &dyn Fn(&str) -> Option<Vec<u8>>) -> Result<String> {
-    let room_bytes = if is_of_many(results) { 0 } else { EMBEDDED_MAX_BYTES };
-    render_within(results, pictures, room_bytes)
+    render_within(results, pictures, EMBEDDED_MAX_BYTES)
 }
 
-fn is_of_many(results: &RunResults) -> bool {
-    results.specimens.len() > OPEN_MAX
+/// The page of one specimen among many, for the file of [`page_path`]; `stages` are its own.
+///
+/// # Errors
+/// As [`render_html`].
+pub fn render_page(
+    atlas_name: &str,
+    specimen: &SpecimenResult,
+    stages: &[&StageTime],
+    pictures: &dyn Fn(&str) -> Option<Vec<u8>>,
+) -> Result<String> {
+    let section = specimen_section(1, specimen, stages, &mut Album::of_page_below(pictures))?;
+    fill_in(
+        PAGE,
+        context! {
+            style => safe(STYLE.to_owned()),
+            ramp => safe(css_ramp(&INFERNO)),
+            atlas => atlas_name,
+            s => section,
+        },
+    )
+}
+
+/// Times of every specimen's own stages.
+pub(crate) fn stages_by_specimen(results: &RunResults) -> HashMap<&str, Vec<&StageTime>> {
+    let mut found: HashMap<&str, Vec<&StageTime>> = HashMap::new();
+    for stage in &results.stages {
+        if let Some(specimen) = &stage.specimen {
+            found.entry(specimen).or_default().push(stage);
+        }
+    }
+    found
 }
 
 /// [`render_html`] with room for `room_bytes` of pictures.
@@ -44,20 +81,25 @@ fn render_within(
     pictures: &dyn Fn(&str) -> Option<Vec<u8>>,
     room_bytes: usize,
 ) -> Result<String> {
-    let many = is_of_many(results);
     let mut previews = Album::new(pictures, PREVIEWS_MAX_BYTES);
     let mut album = Album::new(pictures, room_bytes);
     let mut order: Vec<usize> = (0..results.specimens.len()).collect();
     order.sort_by_key(|&index| overview::state(&results.specimens[index]));
     let (mut summary, mut specimens) = (Vec::new(), Vec::new());
+    let stages = stages_by_specimen(results);
     for index in order {
         let specimen = &results.specimens[index];
         let preview = specimen.preview_png.as_ref();
         let preview = preview.map(|path| previews.img(path, &format!("Preview of {}", specimen.name))).transpose()?;
-        let own: Vec<&StageTime> =
-            results.stages.iter().filter(|stage| stage.specimen.as_deref() == Some(&specimen.name)).collect();
-        summary.push(overview::row(&anchor(index + 1), specimen, preview, &own));
-        specimens.push(specimen_section(index + 1, specimen, &own, many, &mut album)?);
+        let own = stages.get(specimen.name.as_str()).map_or(&[][..], Vec::as_slice);
+        let href = match results.is_of_many() {
+            true => format!("./{}", page_path(&specimen.name)),
+            false => format!("#{}", anchor(index + 1)),
+        };
+        summary.push(overview::row(&href, specimen, preview, own));
+        if !results.is_of_many() {
+            specimens.push(specimen_section(index + 1, specimen, own, &mut album)?);
+        }
     }
     let has_scenes = results.specimens.iter().any(|specimen| !specimen.scenes.is_empty());
     let gpu = gpu_facts::section(&results.gpu, has_scenes, &mut album)?;
@@ -69,7 +111,6 @@ fn render_within(
         style => safe(STYLE.to_owned()),
         script => safe(OVERVIEW_SCRIPT.to_owned()),
         ramp => safe(css_ramp(&INFERNO)),
-        many => many,
         counted => overview::counted(&results.specimens),
         atlas => &results.atlas_name,
         version => results.version.clone().unwrap_or_default(),
@@ -93,11 +134,11 @@ fn render_within(
         times_cpu => cpu_s.map(numbers::seconds),
         manifest => &results.manifest_text,
     };
-    fill_in(page)
+    fill_in(REPORT, page)
 }
 
-/// The template with its blanks filled.
-fn fill_in(page: Value) -> Result<String> {
+/// The template of this name with its blanks filled.
+fn fill_in(name: &str, page: Value) -> Result<String> {
     let bug = |error: minijinja::Error| {
         Error::limit(
             format!("the report page could not be put together: {error:#}"),
@@ -114,8 +155,10 @@ fn fill_in(page: Value) -> Result<String> {
         }
         _ => escape_formatter(out, state, value),
     });
-    environment.add_template("report.html", TEMPLATE).map_err(bug)?;
-    let template = environment.get_template("report.html").map_err(bug)?;
+    for (name, template) in TEMPLATES {
+        environment.add_template(name, template).map_err(bug)?;
+    }
+    let template = environment.get_template(name).map_err(bug)?;
     template.render(page).map_err(bug)
 }
 
@@ -215,6 +258,6 @@ mod tests {
 
     #[test]
     fn a_blank_that_nobody_fills_is_an_error() {
-        assert!(fill_in(context! { atlas => "a" }).is_err());
+        assert!(fill_in(REPORT, context! { atlas => "a" }).is_err());
     }
 }

@@ -6,6 +6,7 @@ use crate::report::error_facts;
 use crate::report::facts::warnings;
 use crate::report::numbers;
 use crate::report::prose::prose;
+use crate::report::svg::escape;
 use crate::report::table_facts::{grid_short, tables_short};
 use crate::stages::results::{Grade, SpecimenResult, StageTime};
 use diffraction_build::accuracy::rows::promised;
@@ -77,8 +78,8 @@ fn cell(text: String, value: Option<f64>, small: String) -> Value {
     context! { text, value, small }
 }
 
-/// The row of a specimen; `anchor` is where its section is, `preview` its picture as markup.
-pub(crate) fn row(anchor: &str, specimen: &SpecimenResult, preview: Option<String>, stages: &[&StageTime]) -> Value {
+/// The row of a specimen; `href` is where all about it is, `preview` its picture as markup.
+pub(crate) fn row(href: &str, specimen: &SpecimenResult, preview: Option<String>, stages: &[&StageTime]) -> Value {
     let dash = || numbers::MISSING.to_string();
     let statistics = specimen.statistics.as_ref();
     let build = specimen.build.as_ref();
@@ -97,7 +98,7 @@ pub(crate) fn row(anchor: &str, specimen: &SpecimenResult, preview: Option<Strin
         .map(|verdict| verdict.sentence.trim_start_matches("not good because: "))
         .or(warned.first().map(String::as_str));
     context! {
-        id => anchor,
+        href => Value::from_safe_string(escape(href)),
         name => &specimen.name,
         species => specimen.species.clone().unwrap_or_default(),
         generated => specimen.generated,

@@ -17,7 +17,6 @@ pub(crate) fn specimen_section(
     number: usize,
     specimen: &SpecimenResult,
     stages: &[&StageTime],
-    is_one_of_many: bool,
     album: &mut Album,
 ) -> Result<Value> {
     let periods = specimen.statistics.as_ref().map_or(&[][..], |found| &found.dominant_periods);
@@ -50,7 +49,7 @@ pub(crate) fn specimen_section(
     let over = errors.iter().any(|(_, over)| *over);
     let prose = |text: &str| Value::from_safe_string(prose(text));
     let goniometry = match &specimen.goniometry {
-        Some(found) => Some(goniometry::view(found, periods, is_one_of_many, album)?),
+        Some(found) => Some(goniometry::view(found, periods, album)?),
         None => None,
     };
     Ok(context! {

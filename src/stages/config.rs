@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::archive::lock::Lock;
 use super::cache::store::CacheConfig;
 use crate::stages::measured::MeasuredConfig;
 use diffraction_brdf::atlas::InputRecord;
@@ -46,6 +47,8 @@ pub struct RunConfig {
     pub memory_bytes: Option<u64>,
     /// What becomes of a specimen that fails.
     pub on_failure: OnFailure,
+    /// What the run is held to: nothing is published that differs from it.
+    pub frozen: Option<Lock>,
     /// The manifest, word for word.
     pub manifest_text: String,
     /// SHA-256 of its values, which comments and layout do not change.

@@ -6,13 +6,14 @@
 //! from run to run, [`archive`] the files of an atlas, `study` what the study is lent, `viewer` the page in the browser. The
 //! files beside them are what the rooms
 //! share: what a run is told ([`config`]), its scans ([`ingest`]), its tables ([`built`]), what it found out ([`results`]), how
-//! it goes on (`log`, [`stage`], [`usage`]), which program it is (`program`).
+//! it goes on (`log`, [`stage`], [`usage`]), which program it is (`program`), digests of files (`digest`).
 
 pub mod archive;
 pub mod built;
 pub(crate) mod cache;
 pub mod config;
 pub mod coverage;
+pub(crate) mod digest;
 pub mod goniometry;
 pub mod gpu;
 pub mod ingest;

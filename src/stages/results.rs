@@ -12,7 +12,7 @@ use super::stage::Stage;
 use crate::stages::measured::MeasuredResult;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::accuracy::power_sums::{DirectionalAlbedo, PowerSum};
-use diffraction_build::accuracy::rows::ErrorRow;
+use diffraction_build::accuracy::rows::{ErrorRow, promised};
 use diffraction_build::ground::null_for_nan;
 pub use diffraction_build::height::quality::{Grade, Verdict};
 pub use diffraction_build::height::statistics::{Period, Statistics};
@@ -43,7 +43,7 @@ pub struct RunResults {
     pub cpu_count: usize,
     /// The manifest, word for word.
     pub manifest_text: String,
-    /// One entry per specimen, in the manifest's order.
+    /// One entry per specimen, in the manifest's order; in short where there are more than [`WHOLE_MAX`].
     pub specimens: Vec<SpecimenResult>,
     /// The scenes that several specimens share, in the manifest's order.
     #[serde(default)]
@@ -64,6 +64,17 @@ pub struct RunResults {
     pub peak_memory_mib: Option<f64>,
     /// Duration of the run in seconds.
     pub total_wall_s: f64,
+}
+
+/// Most specimens of which a run's results hold everything, and one page tells it. Of more they hold what an overview shows, each has a
+/// page of its own, and its `result.json` holds the rest: so memory hardly grows with their number.
+pub const WHOLE_MAX: usize = 20;
+
+impl RunResults {
+    /// Whether there are too many specimens to tell everything of each in one place.
+    pub fn is_of_many(&self) -> bool {
+        self.specimens.len() > WHOLE_MAX
+    }
 }
 
 /// Duration of one stage.
@@ -158,6 +169,32 @@ pub struct SpecimenResult {
     /// Why all of this is that of an older version: what kept it from being made again.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stale: Option<String>,
+}
+
+impl SpecimenResult {
+    /// What an overview shows of it, its warnings included.
+    pub fn in_short(self) -> Self {
+        const TOLD_OF_SCANS: [&str; 2] = ["file_name", "warnings"];
+        let in_short = |scan: serde_json::Value| match scan {
+            serde_json::Value::Object(fields) => {
+                fields.into_iter().filter(|(key, _)| TOLD_OF_SCANS.contains(&key.as_str())).collect()
+            }
+            other => other,
+        };
+        let promised = promised(&self.errors);
+        Self {
+            scans: self.scans.into_iter().map(in_short).collect(),
+            errors: self.errors.into_iter().filter(|row| row.cause == promised).collect(),
+            optics: None,
+            power_sums: Vec::new(),
+            albedo: Vec::new(),
+            measured: None,
+            goniometry: None,
+            spectral: self.spectral.map(|spectral| SpectralResult { errors: Vec::new(), ..spectral }),
+            budget: None,
+            ..self
+        }
+    }
 }
 
 /// What was built and what it cost.

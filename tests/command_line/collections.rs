@@ -80,6 +80,59 @@ fn a_specimen_that_goes_and_one_that_comes_concern_no_other() {
     assert_eq!(names("v0003"), ["wave"]);
 }
 
+/// So many specimens that each has a page of its own.
+#[test]
+fn of_many_specimens_each_has_a_page_that_is_stored_once() {
+    let place = Place::with_scans();
+    fs::create_dir(place.path("scans")).unwrap();
+    let scan = fs::read(place.path("rough.tif")).unwrap();
+    let add = |n: usize| fs::write(place.path(&format!("scans/scale_{n:02}.tif")), &scan).unwrap();
+    (0..21).for_each(add);
+    // As little of each as there can be.
+    let few = LASERS.replace("size = 65", "size = 17\nserve = \"scenes\"") + "[report]\nreference = false\n";
+    let each = "[[specimen]]\nname = \"{file}\"\nscans = \"scans/*.tif\"\n";
+    let map = "[[scene]]\nname = \"map\"\nshape = \"hemisphere\"\nlight = { direction = [0, 0, 1] }\nsize_px = 16\n";
+    let manifest = [HEAD, &few, each, map].concat();
+    place.publish(&manifest);
+    let page = |version: &str, name: &str| {
+        fs::read_to_string(place.path(&format!("out/small/{version}/report.pages/{name}.html"))).unwrap()
+    };
+    let overview = fs::read_to_string(place.path("out/small/v0001/report.html")).unwrap();
+    assert!(overview.contains("\"./report.pages/scale_07.html\"") && !overview.contains("<h3>The surface</h3>"));
+    let one = page("v0001", "scale_07");
+    assert!(one.contains("<h3>The surface</h3>") && one.contains("\"../scale_07/heights.png\""));
+    let told = &place.json("out/small/v0001/report.json")["specimens"][7];
+    assert_eq!((&told["name"], &told["budget"]), (&"scale_07".into(), &Value::Null));
+    assert!(place.json("out/small/v0001/scale_07/result.json")["result"]["budget"].is_object());
+
+    // One comes, one breaks.
+    add(21);
+    let whole = cut(&place, "scans/scale_03.tif");
+    let run = place.call("--quiet run m.toml").ended(1);
+    assert!(run.stdout.contains(": 1 made, 20 unchanged, 1 kept"), "{}", run.stdout);
+    place.call("verify out/small").ended(0);
+    let stale = "result of an older version";
+    assert!(page("v0002", "scale_03").contains(stale) && !page("v0002", "scale_07").contains(stale));
+    assert!(page("v0002", "scale_21").contains("<h3>The surface</h3>"));
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let file = |version: &str, name: &str| format!("out/small/{version}/report.pages/{name}.html");
+        let node = |version: &str, name: &str| fs::metadata(place.path(&file(version, name))).unwrap().ino();
+        assert_eq!(node("v0001", "scale_07"), node("v0002", "scale_07"));
+    }
+    // And is mended: its page says so no more.
+    fs::write(place.path("scans/scale_03.tif"), whole).unwrap();
+    place.call("--quiet run m.toml").ended(0);
+    assert!(!page("v0003", "scale_03").contains(stale));
+    // A page that was changed by hand is not taken over.
+    fs::write(place.path("out/small/v0003/report.pages/scale_05.html"), "mine").unwrap();
+    add(22);
+    place.call("--quiet run m.toml").ended(0);
+    assert!(page("v0004", "scale_05").contains("<h3>The surface</h3>"));
+    place.call("verify out/small/v0004").ended(0);
+}
+
 /// Cuts a scan short, as a copy that broke off.
 fn cut(place: &Place, name: &str) -> Vec<u8> {
     let whole = fs::read(place.path(name)).unwrap();

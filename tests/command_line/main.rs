@@ -23,6 +23,7 @@ mod forecast_reference;
 mod general;
 mod interruption;
 mod lights;
+mod locks;
 mod manifest_errors;
 mod manifest_values;
 mod materials;

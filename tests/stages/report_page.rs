@@ -3,7 +3,7 @@
 //! The page is left at `target/tmp/report.html` to be looked at.
 
 use crate::report_sample::{Sample, sample};
-use diffraction_atlas::report::render_html;
+use diffraction_atlas::report::{render_html, render_page};
 use diffraction_atlas::stages::results::{GpuResult, RunResults, SpecimenResult, from_json, to_json};
 use diffraction_build::accuracy::directions::Group;
 
@@ -338,18 +338,37 @@ fn raw_words_of_the_program_do_not_show() {
 }
 
 #[test]
-fn a_collection_is_folded_and_its_pictures_lie_beside() {
+fn of_many_specimens_each_has_a_page_and_the_overview_stays_small() {
     let mut sample = sample();
     let snake = sample.results.specimens[0].clone();
-    for number in 0..21 {
-        sample.results.specimens.push(SpecimenResult { name: format!("snake_{number}"), ..snake.clone() });
+    let many = 200;
+    for number in 0..many {
+        sample.results.specimens.push(SpecimenResult { name: format!("snake_{number}"), ..snake.clone() }.in_short());
     }
     let html = render(&sample);
     let document = parse(&html);
-    let folds = document.descendants().filter(|node| node.has_tag_name("summary"));
-    let own = folds.filter(|node| node.text().is_some_and(|text| text.starts_with("All about "))).count();
-    assert_eq!(own, sample.results.specimens.len());
-    assert!(html.contains("./corn_snake_like/heights.png") && html.contains("did not fit into this page"));
-    // Two hundred of them stay below 15 MB.
-    assert!(html.len() / sample.results.specimens.len() < 75_000, "{}", html.len() / sample.results.specimens.len());
+    let links = document.descendants().filter_map(|node| node.attribute("href"));
+    assert_eq!(links.filter(|link| link.starts_with("./report.pages/snake_")).count(), many);
+    assert!(!html.contains("class=\"specimen\""));
+    // Two thousand of them stay below 10 MB; previews are bounded apart.
+    let text = visible_text(&document);
+    assert!(text.len() / many < 1000, "{}", text.len() / many);
+
+    let picture = |path: &str| sample.pictures.get(path).cloned();
+    let stages: Vec<_> = sample.results.stages.iter().collect();
+    let page = render_page("squamates", &snake, &stages, &picture).unwrap();
+    let own = parse(&page);
+    let said = visible_text(&own).replace(['\u{a0}', '\u{202f}'], " ");
+    for expected in ["corn_snake_like", "Pantherophis guttatus", "1.14 µm", "6 Chebyshev, half", "How to read this"] {
+        assert!(said.contains(expected), "the page does not say {expected:?}");
+    }
+    assert!(page.contains("\"../corn_snake_like/heights.png\"") && page.contains("\"../report.html\""));
+    // The overview says of a specimen in short what it says of the whole one.
+    let row = |specimen: SpecimenResult| {
+        let mut results = sample.results.clone();
+        results.specimens = vec![specimen];
+        let html = render_html(&results, &picture).unwrap();
+        html.split("id=\"overview\"").nth(1).unwrap().split("</table>").next().unwrap().to_owned()
+    };
+    assert_eq!(row(snake.clone().in_short()), row(snake));
 }

@@ -19,6 +19,9 @@ pub const INDEX_FILE: &str = "atlas.json";
 pub const LATEST_FILE: &str = "latest";
 /// Files that hold times, and so differ between runs that compute the same.
 pub const TIMED_FILES: [&str; 2] = ["report.html", "report.json"];
+
+/// Folder of the reports of single specimens, where a version holds many; no specimen has a dot in its name.
+pub const PAGES_FOLDER: &str = "report.pages";
 /// Name of the file in a version's folder with the manifest, word for word.
 pub const MANIFEST_FILE: &str = "manifest.toml";
 /// Name of the file in a specimen's folder with all that a run found out of it: times too.
@@ -60,11 +63,21 @@ pub struct SpecimenEntry {
     pub stale: Option<String>,
 }
 
+/// Path of the report of one specimen among many.
+pub fn page_path(specimen: &str) -> String {
+    format!("{PAGES_FOLDER}/{specimen}.html")
+}
+
 /// Whether a file of a version may differ between runs that compute the same: it holds times or comments, or depends on the
 /// machine.
 pub fn may_differ(path: &str) -> bool {
     let name = path.rsplit('/').next().unwrap_or(path);
-    TIMED_FILES.contains(&path) || path == MANIFEST_FILE || name == RESULT_FILE || path.ends_with(DIFFERENCE_SUFFIX)
+    let is_page = path.strip_prefix(PAGES_FOLDER).is_some_and(|rest| rest.starts_with('/'));
+    TIMED_FILES.contains(&path)
+        || is_page
+        || path == MANIFEST_FILE
+        || name == RESULT_FILE
+        || path.ends_with(DIFFERENCE_SUFFIX)
 }
 
 /// The file `atlas.json`.

@@ -88,25 +88,26 @@ pub fn create_folder(path: &Path) -> Result<()> {
 }
 
 /// Gives every file below a folder a second name below another, which is made: the bytes are stored once. Where a file system
-/// has no such names they are copied.
-pub fn link_tree(from: &Path, to: &Path) -> Result<()> {
+/// has no such names they are copied; gives whether nothing was.
+pub fn link_tree(from: &Path, to: &Path) -> Result<bool> {
     create_folder(to)?;
+    let mut linked = true;
     for (path, kind) in entries(from)? {
         let target = to.join(path.file_name().unwrap_or_default());
         if kind.is_dir() {
-            link_tree(&path, &target)?;
+            linked &= link_tree(&path, &target)?;
         } else if kind.is_file() {
-            link(&path, &target)?;
+            linked &= link(&path, &target)?;
         }
     }
-    Ok(())
+    Ok(linked)
 }
 
 /// One file, as [`link_tree`].
-pub fn link(from: &Path, to: &Path) -> Result<()> {
+pub fn link(from: &Path, to: &Path) -> Result<bool> {
     match fs::hard_link(from, to) {
-        Ok(()) => Ok(()),
-        Err(_) => fs::copy(from, to).map(drop).map_err(|e| Error::disk(to, "write", e)),
+        Ok(()) => Ok(true),
+        Err(_) => fs::copy(from, to).map(|_| false).map_err(|e| Error::disk(to, "write", e)),
     }
 }
 
@@ -125,12 +126,18 @@ pub fn sync_folder(path: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Waits until everything below a folder is on the disk.
-pub fn sync_tree(folder: &Path) -> Result<()> {
+/// Waits until everything below a folder is on the disk, but for the bytes of files that `is_there` knows to be, by their paths from
+/// the folder, `/` between their parts.
+pub fn sync_tree(folder: &Path, is_there: &dyn Fn(&str) -> bool) -> Result<()> {
+    sync_below(folder, "", is_there)
+}
+
+fn sync_below(folder: &Path, prefix: &str, is_there: &dyn Fn(&str) -> bool) -> Result<()> {
     for (path, kind) in entries(folder)? {
+        let relative = format!("{prefix}{}", path.file_name().unwrap_or_default().to_string_lossy());
         if kind.is_dir() {
-            sync_tree(&path)?;
-        } else if kind.is_file() {
+            sync_below(&path, &format!("{relative}/"), is_there)?;
+        } else if kind.is_file() && !is_there(&relative) {
             sync_file(&path)?;
         }
     }
@@ -253,7 +260,7 @@ mod tests {
         }
         assert_eq!(list(folder.path()).unwrap(), ["b.x", "b/1", "b/2", "c"]);
         assert_eq!(read_text(&folder.path().join("b/1")).unwrap(), "new");
-        sync_tree(folder.path()).unwrap();
+        sync_tree(folder.path(), &|path| path == "c").unwrap();
     }
 
     #[test]
@@ -263,7 +270,7 @@ mod tests {
         create_folder(&from.join("inner")).unwrap();
         replace(&from.join("inner/a"), b"a").unwrap();
         replace(&from.join("b"), b"b").unwrap();
-        link_tree(&from, &to).unwrap();
+        assert!(link_tree(&from, &to).unwrap());
         // Replacing makes a new file, so that the other name keeps the old bytes.
         replace(&from.join("b"), b"new").unwrap();
         fs::remove_dir_all(from.join("inner")).unwrap();

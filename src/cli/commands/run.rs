@@ -15,8 +15,9 @@ use crate::manifest::keys::nearest;
 use crate::manifest::{self, convert::run_config};
 use crate::report::spectrum_picture::{spectrum_half_range_per_um, spectrum_picture};
 use crate::report::{self, facts, pictures};
+use crate::stages::archive::lock::Lock;
 use crate::stages::archive::publish::Published;
-use crate::stages::config::RunConfig;
+use crate::stages::config::{OnFailure, RunConfig};
 use crate::stages::results::{Failure, Grade, HeightMapFile, SpecimenResult, SpectrumFile};
 use crate::stages::run::outlook::{Outlook, outlook};
 use crate::stages::run::pipeline::{self, Finished, Heights, Helpers, Origin, RunOutcome, UnitsOutcome};
@@ -36,7 +37,7 @@ pub(crate) struct RunArgs {
     #[arg(long)]
     pub no_cache: bool,
     /// Say what would be computed and why, and compute nothing
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["lock", "frozen"])]
     pub dry_run: bool,
     /// Memory that specimens computed at once may take together [default: three quarters of what is free]
     #[arg(long, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=1 << 24))]
@@ -45,14 +46,55 @@ pub(crate) struct RunArgs {
     #[arg(long)]
     pub json_lines: bool,
     /// Make only these specimens, for a later `merge`; nothing is published, and several may do so at once
-    #[arg(long, value_name = "NAME", num_args = 1.., conflicts_with_all = ["shard", "no_cache"])]
+    #[arg(long, value_name = "NAME", num_args = 1.., conflicts_with_all = ["shard", "no_cache", "lock", "frozen"])]
     pub only: Vec<String>,
     /// Likewise the I-th of N parts of the specimens; without a value the part of a task of a Slurm array
-    #[arg(long, value_name = "I/N", num_args = 0..=1, default_missing_value = "slurm", value_parser = shard, conflicts_with = "no_cache")]
+    #[arg(long, value_name = "I/N", num_args = 0..=1, default_missing_value = "slurm", value_parser = shard, conflicts_with_all = ["no_cache", "lock", "frozen"])]
     pub shard: Option<Shard>,
     /// Append what the run says to a file
     #[arg(long, value_name = "FILE")]
     pub log: Option<PathBuf>,
+    #[command(flatten)]
+    pub lock: LockArgs,
+}
+
+/// What the lock beside the manifest is for, in `run` and `merge`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, clap::Args)]
+pub(crate) struct LockArgs {
+    /// Write digests of inputs, settings and files into the lock beside the manifest, such as pipeline.lock
+    #[arg(long)]
+    pub lock: bool,
+    /// Publish nothing that differs from the lock beside the manifest, and name the first difference
+    #[arg(long, conflicts_with = "lock")]
+    pub frozen: bool,
+}
+
+impl LockArgs {
+    /// Holds the run to the lock, where that is asked for.
+    fn freeze(self, manifest: &Path, config: &mut RunConfig) -> Result<()> {
+        if self.frozen {
+            config.frozen = Some(Lock::read(&lock_path(manifest))?);
+            // A version with a specimen of before, or without one, is not what was locked.
+            config.on_failure = OnFailure::Stop;
+        }
+        Ok(())
+    }
+
+    /// Writes the lock of what was published, where that is asked for; gives what kept it from being written.
+    fn write(self, manifest: &Path, outcome: &RunOutcome, config: &RunConfig) -> Option<String> {
+        let published = outcome.published.as_ref().filter(|_| self.lock)?;
+        if !outcome.results.failures.is_empty() {
+            return Some("the lock was not written: not everything was made".into());
+        }
+        let lock = Lock::of_version(&config.atlas_root.join(published.version()));
+        let written = lock.and_then(|lock| lock.write(&lock_path(manifest)));
+        written.err().map(|error| format!("the lock was not written: {error}"))
+    }
+}
+
+/// `snakes.lock` beside `snakes.toml`.
+fn lock_path(manifest: &Path) -> PathBuf {
+    manifest.with_extension("lock")
 }
 
 impl Default for RunArgs {
@@ -66,6 +108,7 @@ impl Default for RunArgs {
             only: Vec::new(),
             shard: None,
             log: None,
+            lock: LockArgs::default(),
         }
     }
 }
@@ -121,6 +164,7 @@ pub(crate) fn run(args: &RunArgs, global: &Global) -> Result<Outcome> {
         config.reuse = false;
     }
     config.memory_bytes = args.memory.map(|mib| mib << 20);
+    args.lock.freeze(&args.manifest, &mut config)?;
     if args.dry_run {
         output::print(&outlook_text(&outlook(&config)?))?;
         return Ok(Outcome::Done);
@@ -144,7 +188,9 @@ pub(crate) fn run(args: &RunArgs, global: &Global) -> Result<Outcome> {
         let outcome = pipeline::make_units(&config, &helpers, wanted)?;
         return conclude_units(&outcome, &progress, args.json_lines);
     }
-    conclude(&pipeline::run(&config, &helpers)?, &config, &progress, args.json_lines, global.quiet)
+    let outcome = pipeline::run(&config, &helpers)?;
+    let lock = args.lock.write(&args.manifest, &outcome, &config);
+    Ok(with_failure(conclude(&outcome, &config, &progress, args.json_lines, global.quiet)?, lock))
 }
 
 /// Arguments of `merge`.
@@ -157,6 +203,8 @@ pub(crate) struct MergeArgs {
     /// What was computed
     #[arg(default_value = MANIFEST)]
     pub manifest: PathBuf,
+    #[command(flatten)]
+    pub lock: LockArgs,
 }
 
 /// Publishes what `run --only` and `run --shard` have made.
@@ -165,7 +213,8 @@ pub(crate) struct MergeArgs {
 /// As [`run`].
 pub(crate) fn merge(args: &MergeArgs, global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
-    let config = run_config(manifest, text);
+    let mut config = run_config(manifest, text);
+    args.lock.freeze(&args.manifest, &mut config)?;
     let progress = Logged::new(reporter(global.quiet), None)?;
     let helpers = Helpers {
         illustrate: &illustrate,
@@ -174,7 +223,21 @@ pub(crate) fn merge(args: &MergeArgs, global: &Global) -> Result<Outcome> {
         finished: &|finished| progress.message(&finished_line(finished)),
         started: &utc_now(),
     };
-    conclude(&pipeline::merge(&config, &helpers)?, &config, &progress, false, global.quiet)
+    let outcome = pipeline::merge(&config, &helpers)?;
+    let lock = args.lock.write(&args.manifest, &outcome, &config);
+    Ok(with_failure(conclude(&outcome, &config, &progress, false, global.quiet)?, lock))
+}
+
+/// An outcome with one more failure, where there is one.
+fn with_failure(outcome: Outcome, failure: Option<String>) -> Outcome {
+    match (outcome, failure) {
+        (outcome, None) => outcome,
+        (Outcome::Failures(mut lines), Some(line)) => {
+            lines.push(line);
+            Outcome::Failures(lines)
+        }
+        (_, Some(line)) => Outcome::Failures(vec![line]),
+    }
 }
 
 /// Whether a specimen is wanted by its name.

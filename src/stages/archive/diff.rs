@@ -190,7 +190,8 @@ fn collect_leaves(key: String, value: &Value, found: &mut BTreeMap<String, Value
     }
 }
 
-fn leaf_changes(mut a: BTreeMap<String, Value>, mut b: BTreeMap<String, Value>) -> Vec<Change> {
+/// Values of either that differ, by their keys.
+pub(super) fn leaf_changes(mut a: BTreeMap<String, Value>, mut b: BTreeMap<String, Value>) -> Vec<Change> {
     let mut keys: Vec<String> = a.keys().chain(b.keys()).cloned().collect();
     keys.sort_unstable();
     keys.dedup();

@@ -3,7 +3,7 @@
 //! Killed at any moment, a run leaves every published version as it was; what it leaves beside them is removed by the
 //! next run. In order: files on the disk, index on the disk, rename, `latest`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::path::{Path, PathBuf};
 
@@ -24,6 +24,8 @@ const WORK: &str = ".work";
 pub struct Staging {
     root: PathBuf,
     folder: PathBuf,
+    /// Files of which an older version made sure that they are on the disk, by their paths from the folder.
+    on_disk: HashSet<String>,
     /// Released by the system when the process dies.
     lock: File,
 }
@@ -58,6 +60,11 @@ impl Staging {
         self.folder.join(WORK)
     }
 
+    /// Says of files that they are those of a published version, which publishing then does not wait for once more.
+    pub(crate) fn note_published<'f>(&mut self, files: impl Iterator<Item = &'f FileRecord>) {
+        self.on_disk.extend(files.map(|file| file.path.clone()));
+    }
+
     /// Name of the version that it becomes if it is published: the lock keeps others from taking it.
     pub(crate) fn next_version(&self) -> Result<String> {
         let newest = atlas::version_numbers(&self.root)?.last().copied().unwrap_or(0);
@@ -85,12 +92,18 @@ pub fn begin(atlas_root: &Path) -> Result<Staging> {
     // In the atlas's own folder, so that the rename stays on one file system.
     let folder = atlas_root.join(format!("{STAGING_PREFIX}{}", std::process::id()));
     files::create_folder(&folder)?;
-    Ok(Staging { root: atlas_root.to_owned(), folder, lock })
+    Ok(Staging { root: atlas_root.to_owned(), folder, on_disk: HashSet::new(), lock })
 }
 
 /// Publishes the staging folder as the next version, unless the newest one holds the same and is undamaged. Files that
 /// hold times do not count as a change. Of the files in `known` size and digest are taken as they are.
-pub fn publish(staging: Staging, mut index: AtlasIndex, known: Vec<FileRecord>) -> Result<Published> {
+pub fn publish(staging: Staging, index: AtlasIndex, known: Vec<FileRecord>) -> Result<Published> {
+    let index = recorded(&staging, index, known)?;
+    publish_recorded(staging, index)
+}
+
+/// The index with all that the staging folder holds. Of the files in `known` size and digest are taken as they are.
+pub(crate) fn recorded(staging: &Staging, mut index: AtlasIndex, known: Vec<FileRecord>) -> Result<AtlasIndex> {
     match fs::remove_dir_all(staging.work()) {
         Err(e) if e.kind() != std::io::ErrorKind::NotFound => return Err(Error::disk(&staging.work(), "remove", e)),
         _ => {}
@@ -98,6 +111,11 @@ pub fn publish(staging: Staging, mut index: AtlasIndex, known: Vec<FileRecord>) 
     let known: BTreeMap<String, FileRecord> = known.into_iter().map(|file| (file.path.clone(), file)).collect();
     let record = |path: String| known.get(&path).cloned().map_or_else(|| atlas::record_file(&staging.folder, path), Ok);
     index.files = files::list(&staging.folder)?.into_iter().map(record).collect::<Result<_>>()?;
+    Ok(index)
+}
+
+/// As [`publish`], with an index of [`recorded`].
+pub(crate) fn publish_recorded(staging: Staging, mut index: AtlasIndex) -> Result<Published> {
     if let Some((newest, published)) = atlas::newest_version(&staging.root)?
         && published.content() == index.content()
         && verify_files::verify_files(&staging.root.join(&newest))?.failures.is_empty()
@@ -105,7 +123,7 @@ pub fn publish(staging: Staging, mut index: AtlasIndex, known: Vec<FileRecord>) 
         return Ok(Published::Unchanged(newest));
     }
     atlas::write_index(&staging.folder, &mut index)?;
-    files::sync_tree(&staging.folder)?;
+    files::sync_tree(&staging.folder, &|path| staging.on_disk.contains(path))?;
     let name = staging.next_version()?;
     let target = staging.root.join(&name);
     fs::rename(&staging.folder, &target).map_err(|e| Error::disk(&target, "publish the version", e))?;

@@ -8,9 +8,10 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::stages::digest::record_file;
 use crate::stages::gpu::results::{GpuRow, GpuSpectralRow};
 use crate::stages::results::{Failure, SpecimenResult};
-use diffraction_brdf::atlas::{self, FileRecord, InputRecord, RESULT_FILE};
+use diffraction_brdf::atlas::{FileRecord, InputRecord, RESULT_FILE};
 use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
 use diffraction_brdf::json;
@@ -47,7 +48,7 @@ impl SpecimenRecord {
     /// The disk's.
     pub fn write(mut self, folder: &Path) -> Result<(Self, Vec<FileRecord>)> {
         let paths = files::list(folder)?.into_iter().filter(|path| path != RESULT_FILE);
-        self.files = paths.map(|path| atlas::record_file(folder, path)).collect::<Result<_>>()?;
+        self.files = paths.map(|path| record_file(folder, path)).collect::<Result<_>>()?;
         self.schema = SCHEMA;
         // Plain structs with string keys: there is nothing in them that JSON could refuse.
         let text = json::pretty(&self).expect("plain data can always be written as JSON");
@@ -62,18 +63,23 @@ impl SpecimenRecord {
         serde_json::from_str(&text).ok().filter(|record: &Self| record.schema == SCHEMA)
     }
 
+    /// Without what a version of many specimens tells of each on its own page alone, which is read back when that is written.
+    pub(crate) fn in_short(self) -> Self {
+        Self { result: self.result.in_short(), files: Vec::new(), ..self }
+    }
+
     /// Its files and itself as a version's index lists them, by paths from the version's folder; `None` unless every file is
     /// as it was recorded.
     pub fn checked_files(&self, folder: &Path) -> Option<Vec<FileRecord>> {
         let whole = self.files.par_iter().all(|file| {
             let same = |found: FileRecord| found == *file;
-            files::stays_below(&file.path) && atlas::record_file(folder, file.path.clone()).is_ok_and(same)
+            files::stays_below(&file.path) && record_file(folder, file.path.clone()).is_ok_and(same)
         });
         if whole { self.listed(folder).ok() } else { None }
     }
 
     fn listed(&self, folder: &Path) -> Result<Vec<FileRecord>> {
-        let own = atlas::record_file(folder, RESULT_FILE.to_owned())?;
+        let own = record_file(folder, RESULT_FILE.to_owned())?;
         let name = &self.result.name;
         let below = |file: FileRecord| FileRecord { path: format!("{name}/{}", file.path), ..file };
         Ok(self.files.iter().cloned().chain([own]).map(below).collect())

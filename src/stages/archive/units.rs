@@ -4,6 +4,7 @@
 //! there whole or not at all, and whoever comes second with the same removes his own: no lock is needed, and a file system without
 //! locks serves. `KEY` names everything that it was made from.
 
+use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -128,11 +129,11 @@ fn sweep(folder: &Path) {
 /// Removes what the store holds of a specimen, whatever it was made from: a version has it, or it is out of date.
 pub(crate) fn forget<'a>(atlas_root: &Path, names: impl IntoIterator<Item = &'a str>) {
     let folder = atlas_root.join(FOLDER);
-    let names: Vec<&str> = names.into_iter().collect();
+    let names: HashSet<&str> = names.into_iter().collect();
     // Whatever stays is found, or forgotten, by the next run.
     for (path, _) in files::entries(&folder).unwrap_or_default() {
         let unit = path.file_name().and_then(|unit| unit.to_str()).and_then(|unit| unit.rsplit_once('.'));
-        if unit.is_some_and(|(name, _)| names.contains(&name)) {
+        if unit.is_some_and(|(name, _)| names.contains(name)) {
             let _ = fs::remove_dir_all(&path).or_else(|_| fs::remove_file(&path));
         }
     }

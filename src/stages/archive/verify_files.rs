@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::stages::archive::specimen_file;
+use crate::stages::digest::sha256_file;
 use diffraction_brdf::atlas::{self, FileRecord, INDEX_FILE};
 use diffraction_brdf::error::{Error, Result};
 use diffraction_brdf::exr_image;
@@ -86,7 +87,7 @@ fn check_file(version_folder: &Path, file: &FileRecord) -> std::result::Result<(
     if let Err(what) = atlas::check_size(version_folder, file) {
         return failed(what);
     }
-    match files::sha256_file(&path) {
+    match sha256_file(&path) {
         Err(e) => return failed(reason(&e)),
         Ok((_, sha256)) if sha256 != file.sha256 => return failed("its content does not match its digest".to_owned()),
         Ok(_) => {}

@@ -2,6 +2,7 @@
 
 use crate::stages::config::{Cover, GpuCheck, RunConfig, SpecimenConfig};
 use crate::stages::pictures::sharing::scenes_for;
+use crate::stages::results::WHOLE_MAX;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::optics::config::OpticsConfig;
 use diffraction_build::tables::model::TablesConfig;
@@ -39,6 +40,11 @@ pub(crate) fn is_asked_for(config: &RunConfig, specimen: &str) -> bool {
 /// The specimens of which anything is asked, in the manifest's order.
 pub(crate) fn specimens(config: &RunConfig) -> impl Iterator<Item = &SpecimenConfig> {
     config.specimens.iter().filter(|specimen| is_asked_for(config, &specimen.name))
+}
+
+/// Whether that is of more specimens than a report tells everything of in one place.
+pub(crate) fn is_of_many(config: &RunConfig) -> bool {
+    specimens(config).nth(WHOLE_MAX).is_some()
 }
 
 /// What to know of a specimen's spectral tables where they are asked for and cannot be made; they are then left out.

@@ -3,8 +3,8 @@
 //! A finished specimen carries what it was made from. Where that is what it would be made from now, and every file is
 //! as it was recorded, its folder is taken over: from the newest version, or from what an interrupted run or another machine finished.
 
-use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::collections::{BTreeMap, HashMap};
+use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -14,13 +14,15 @@ use crate::stages::archive::diff::{self, Change};
 use crate::stages::archive::result_file::SpecimenRecord;
 use crate::stages::archive::units;
 use crate::stages::config::{RunConfig, SpecimenConfig};
+use crate::stages::coverage::asked;
 use crate::stages::pictures::shared_scenes::SharedRecord;
 use crate::stages::pictures::sharing::specimens_of;
-use diffraction_brdf::atlas::{AtlasIndex, FileRecord};
+use diffraction_brdf::atlas::{self, AtlasIndex, FileRecord, SpecimenEntry};
+use diffraction_brdf::error::Result;
 use diffraction_brdf::files;
 use diffraction_brdf::json;
 
-/// A specimen that is there.
+/// A specimen that is there; of very many no more than an overview shows.
 pub(super) struct Found {
     /// Its folder.
     pub(super) folder: PathBuf,
@@ -29,6 +31,13 @@ pub(super) struct Found {
     pub(super) files: Vec<FileRecord>,
     /// Whether the newest version holds it.
     pub(super) is_published: bool,
+}
+
+impl Found {
+    /// As it is kept while others are looked for.
+    pub(super) fn kept(self, is_one_of_many: bool) -> Self {
+        if is_one_of_many { Self { record: self.record.in_short(), ..self } } else { self }
+    }
 }
 
 /// Where a specimen comes from.
@@ -44,6 +53,16 @@ pub(super) enum Choice {
     },
 }
 
+impl Choice {
+    /// What it is, or is going to be, made from.
+    pub(super) fn made_from(&self) -> Option<&Value> {
+        match self {
+            Self::Found(found) => Some(&found.record.made_from),
+            Self::Make { made_from, .. } => made_from.as_ref(),
+        }
+    }
+}
+
 /// Scenes that several specimens share and that are there, by name.
 pub(super) type FoundScenes = BTreeMap<String, SharedRecord>;
 
@@ -52,16 +71,41 @@ pub(super) struct Newest {
     pub(super) name: String,
     pub(super) folder: PathBuf,
     pub(super) index: AtlasIndex,
+    /// Places of specimens in the index.
+    places: HashMap<String, usize>,
 }
 
 impl Newest {
+    /// That of an atlas, where there is one.
+    ///
+    /// # Errors
+    /// The disk's.
+    pub(super) fn of(atlas_root: &Path) -> Result<Option<Self>> {
+        let one = |(name, index): (String, AtlasIndex)| {
+            let places = index.specimens.iter().enumerate().map(|(place, entry)| (entry.name.clone(), place)).collect();
+            Self { folder: atlas_root.join(&name), name, index, places }
+        };
+        Ok(atlas::newest_version(atlas_root)?.map(one))
+    }
+
+    /// Its record of a file, by its path.
+    pub(super) fn file(&self, path: &str) -> Option<&FileRecord> {
+        let place = self.index.files.binary_search_by(|listed| listed.path.as_str().cmp(path));
+        place.ok().map(|at| &self.index.files[at])
+    }
+
+    /// Its entry of a specimen.
+    pub(super) fn entry(&self, name: &str) -> Option<&SpecimenEntry> {
+        self.places.get(name).map(|place| &self.index.specimens[*place])
+    }
+
     /// A specimen that it holds, undamaged, whatever it was made from.
     pub(super) fn specimen(&self, name: &str) -> Option<Found> {
         self.whole(name, self.record(name)?)
     }
 
     fn lists(&self, name: &str) -> bool {
-        self.index.specimens.iter().any(|entry| entry.name == name)
+        self.places.contains_key(name)
     }
 
     fn record(&self, name: &str) -> Option<SpecimenRecord> {
@@ -72,10 +116,7 @@ impl Newest {
     fn whole(&self, name: &str, record: SpecimenRecord) -> Option<Found> {
         let folder = self.folder.join(name);
         let files = record.checked_files(&folder)?;
-        let listed = |file: &FileRecord| {
-            let place = self.index.files.binary_search_by(|listed| listed.path.cmp(&file.path));
-            place.is_ok_and(|at| self.index.files[at] == *file)
-        };
+        let listed = |file: &FileRecord| self.file(&file.path) == Some(file);
         files.iter().all(listed).then_some(Found { folder, record, files, is_published: true })
     }
 }
@@ -86,12 +127,16 @@ pub(super) fn choose(
     specimens: &[&SpecimenConfig],
     newest: Option<&Newest>,
 ) -> (Vec<Choice>, FoundScenes) {
+    let is_of_many = asked::is_of_many(config);
     let one = |specimen: &&SpecimenConfig| {
         let made_from = made_from(config, specimen);
         if !config.reuse {
             return Choice::Make { made_from, why: "everything is asked to be computed anew".into() };
         }
-        look_for(config, &specimen.name, made_from, newest)
+        match look_for(config, &specimen.name, made_from, newest) {
+            Choice::Found(found) => Choice::Found(Box::new(found.kept(is_of_many))),
+            make => make,
+        }
     };
     let mut choices: Vec<Choice> = specimens.par_iter().map(one).collect();
     let scenes = found_scenes(config, specimens, &mut choices, newest);

@@ -6,9 +6,9 @@ use serde_json::{Map, Value, json};
 
 use crate::stages::config::{ReportConfig, RunConfig, SpecimenConfig};
 use crate::stages::coverage::asked;
+use crate::stages::digest::sha256_file;
 use crate::stages::measured::MeasuredConfig;
 use crate::stages::program;
-use diffraction_brdf::files;
 use diffraction_build::height::read::ReadConfig;
 use diffraction_build::tables::model::TablesConfig;
 use diffraction_render::scene::model::{Scene, Shape};
@@ -90,5 +90,5 @@ pub(super) fn scene_value(scene: &Scene) -> Option<Value> {
 }
 
 fn digest(path: &Path) -> Option<Value> {
-    files::sha256_file(path).ok().map(|(_, sha256)| sha256.into())
+    sha256_file(path).ok().map(|(_, sha256)| sha256.into())
 }

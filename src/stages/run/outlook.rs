@@ -6,7 +6,6 @@ use super::choose::{Choice, Newest, choose};
 use crate::error::Result;
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::coverage::asked;
-use diffraction_brdf::atlas;
 
 /// What a run would do with a specimen.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -25,10 +24,9 @@ pub struct Outlook {
 /// The disk's.
 pub fn outlook(config: &RunConfig) -> Result<Vec<Outlook>> {
     let newest = match config.atlas_root.is_dir() {
-        true => atlas::newest_version(&config.atlas_root)?,
+        true => Newest::of(&config.atlas_root)?,
         false => None,
     };
-    let newest = newest.map(|(name, index)| Newest { folder: config.atlas_root.join(&name), name, index });
     let specimens: Vec<&SpecimenConfig> = asked::specimens(config).collect();
     let (choices, _) = choose(config, &specimens, newest.as_ref());
     let one = |(specimen, choice): (&&SpecimenConfig, Choice)| {

@@ -65,6 +65,10 @@ fn publish_all(config: &RunConfig, helpers: &Helpers, may_make: impl Fn(&str) ->
     let mut run = Run::begin(config, helpers)?;
     let specimens: Vec<&SpecimenConfig> = asked::specimens(config).collect();
     let (choices, scenes) = choose(config, &specimens, run.newest.as_ref());
+    if let Some(lock) = &config.frozen {
+        let names = specimens.iter().map(|specimen| specimen.name.as_str());
+        lock.check_specimens(&config.atlas_name, names.zip(choices.iter().map(Choice::made_from)))?;
+    }
     let taken = run.take(&specimens, choices, &staging.work(), &may_make)?;
     let origins: Vec<Origin> = taken.iter().map(|taken| taken.origin).collect();
     let (results, published) = version::publish(run, taken, scenes, started, staging)?;
@@ -146,7 +150,7 @@ impl Run<'_> {
             stage: Stage::TakeFinished,
             message: format!("it has not been made yet: `run --only {}` makes it", specimen.name),
         };
-        Taken::failed(specimen, told.unwrap_or_else(untold), self.kept(specimen))
+        Taken::failed(specimen, told.unwrap_or_else(untold), self.kept(specimen)).kept(asked::is_of_many(self.config))
     }
 
     /// What the newest version holds of a specimen that failed, where that shall stay.
@@ -179,6 +183,7 @@ impl Run<'_> {
         if at_once > 1 {
             self.helpers.progress.stage("specimens", to_make.len() as u64);
         }
+        let is_of_many = asked::is_of_many(self.config);
         let work = |piece: usize| workshop.compute(specimens[to_make[piece].0]);
         side_by_side(to_make.len(), at_once, work, |piece, computed| {
             let (index, ref made_from) = to_make[piece];
@@ -188,7 +193,7 @@ impl Run<'_> {
             if at_once > 1 {
                 self.helpers.progress.advance(1);
             }
-            taken[index] = Some(one);
+            taken[index] = Some(one.kept(is_of_many));
             Ok::<(), Error>(())
         })?;
         self.helpers.progress.finish();

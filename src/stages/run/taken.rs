@@ -86,6 +86,11 @@ impl Taken {
         Self::of_record(record, folder, files, is_published, Origin::Unchanged)
     }
 
+    /// As it is kept while others are made.
+    pub(super) fn kept(self, is_one_of_many: bool) -> Self {
+        if is_one_of_many { Self { result: self.result.in_short(), ..self } } else { self }
+    }
+
     /// One of the folder in which it has just been finished.
     pub(super) fn made(record: SpecimenRecord, folder: PathBuf, files: Vec<FileRecord>) -> Self {
         Self::of_record(record, folder, files, false, Origin::Made)

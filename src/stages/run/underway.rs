@@ -12,7 +12,6 @@ use crate::stages::gpu::device::GpuDevice;
 use crate::stages::gpu::stage::{self as gpu_stage, Opened};
 use crate::stages::log::Log;
 use crate::stages::results::RunResults;
-use diffraction_brdf::atlas;
 use diffraction_build::ground::progress::Progress;
 
 /// Writes the report of a run into its folder; given by the floor that knows how.
@@ -50,11 +49,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// The disk's.
     pub(super) fn begin(config: &'a RunConfig, helpers: &'a Helpers<'a>) -> Result<Self> {
-        let newest = atlas::newest_version(&config.atlas_root)?.map(|(name, index)| Newest {
-            folder: config.atlas_root.join(&name),
-            name,
-            index,
-        });
+        let newest = Newest::of(&config.atlas_root)?;
         Ok(Self {
             gpu: None,
             log: Log::new(helpers.progress),

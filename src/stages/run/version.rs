@@ -1,5 +1,6 @@
 //! The version to come: specimens and shared scenes put together, its index, and what the run says of it all.
 
+use std::collections::HashSet;
 use std::time::Instant;
 
 use super::choose::{FoundScenes, Newest, digest};
@@ -12,13 +13,14 @@ use crate::stages::archive::publish::{self, Published, Staging};
 use crate::stages::cache::store::CacheUse;
 use crate::stages::config::RunConfig;
 use crate::stages::coverage::asked;
+use crate::stages::digest::record_file;
 use crate::stages::gpu::results::{FrameComparison, GpuResult};
 use crate::stages::gpu::stage::{self as gpu_stage, Compared, Opened};
 use crate::stages::pictures::scenes;
 use crate::stages::pictures::shared_scenes::{self, FOLDER, SharedRecord, SharedScenes};
 use crate::stages::pictures::sharing::specimens_of;
 use crate::stages::results::{RESULTS_SCHEMA, RunResults, SharedSceneResult};
-use diffraction_brdf::atlas::{AtlasIndex, FileRecord, MANIFEST_FILE, SpecimenEntry, record_file};
+use diffraction_brdf::atlas::{AtlasIndex, FileRecord, MANIFEST_FILE, PAGES_FOLDER, SpecimenEntry, page_path};
 use diffraction_brdf::files;
 use diffraction_build::ground::memory;
 use serde_json::json;
@@ -38,7 +40,7 @@ pub(super) fn publish(
     mut taken: Vec<Taken>,
     found: FoundScenes,
     started: Instant,
-    staging: Staging,
+    mut staging: Staging,
 ) -> Result<(RunResults, Option<Published>)> {
     if taken.iter().all(|taken| taken.unit.is_none()) {
         return Ok((results(run, taken, Besides::default(), started), None));
@@ -47,11 +49,15 @@ pub(super) fn publish(
     if let Some(newest) =
         run.newest.as_ref().filter(|newest| holds_the_same(newest, run.config, &index, &taken, &found))
     {
+        if let Some(lock) = &run.config.frozen {
+            lock.check_files(&newest.index)?;
+        }
         let published = Published::Unchanged(newest.name.clone());
         let shared = found.into_values().map(|record| record.result).collect();
         return Ok((results(run, taken, Besides { shared, ..Besides::default() }, started), Some(published)));
     }
-    let known = link_specimens(&taken, &staging)?;
+    let mut known = link_specimens(&taken, &mut staging)?;
+    known.extend(link_pages(&run, &taken, &mut staging)?);
     run.open_gpu()?;
     let frames = match run.gpu.as_ref().and_then(Opened::device) {
         Some(device) => gpu_stage::time_frames(device, run.config, staging.path(), &mut run.log)?,
@@ -66,7 +72,11 @@ pub(super) fn publish(
     if config.report.write {
         (helpers.write_report)(&results, staging.path())?;
     }
-    let published = publish::publish(staging, index, known)?;
+    let index = publish::recorded(&staging, index, known)?;
+    if let Some(lock) = &config.frozen {
+        lock.check_files(&index)?;
+    }
+    let published = publish::publish_recorded(staging, index)?;
     Ok((results, Some(published)))
 }
 
@@ -100,7 +110,8 @@ fn holds_the_same(
         return false;
     }
     let of_units: usize = units().map(|unit| unit.files.len()).sum();
-    let of_specimen = |file: &&FileRecord| index.specimens.iter().any(|entry| is_below(&file.path, &entry.name));
+    let names: HashSet<&str> = index.specimens.iter().map(|entry| entry.name.as_str()).collect();
+    let of_specimen = |file: &&FileRecord| file.path.split_once('/').is_some_and(|(name, _)| names.contains(name));
     let (specimens, others): (Vec<_>, Vec<_>) = newest.index.files.iter().partition(of_specimen);
     let is_wanted = |file: &FileRecord| match file.path.strip_prefix(FOLDER).and_then(|path| path.strip_prefix('/')) {
         Some(path) => {
@@ -112,22 +123,45 @@ fn holds_the_same(
     specimens.len() == of_units && others.iter().all(|file| is_wanted(file) && is_whole(file))
 }
 
-fn is_below(path: &str, folder: &str) -> bool {
-    path.strip_prefix(folder).is_some_and(|path| path.starts_with('/'))
-}
-
 /// Whether a file of the shared scenes' folder is this scene's.
 fn is_of_scene(file: &str, scene: &str) -> bool {
     file.strip_prefix(scene).is_some_and(|ending| ending.starts_with('.'))
 }
 
 /// Links the folder of every specimen into the version to come, and gives its files.
-fn link_specimens(taken: &[Taken], staging: &Staging) -> Result<Vec<FileRecord>> {
+fn link_specimens(taken: &[Taken], staging: &mut Staging) -> Result<Vec<FileRecord>> {
     let mut known = Vec::new();
     for taken in taken {
         if let Some(unit) = &taken.unit {
-            files::link_tree(&unit.folder, &staging.path().join(&taken.result.name))?;
+            let linked = files::link_tree(&unit.folder, &staging.path().join(&taken.result.name))?;
             known.extend(unit.files.iter().cloned());
+            if linked && unit.is_published {
+                staging.note_published(unit.files.iter());
+            }
+        }
+    }
+    Ok(known)
+}
+
+/// Links the pages of specimens that the newest version holds as they are: nothing on them changes. Others are written with the report.
+fn link_pages(run: &Run, taken: &[Taken], staging: &mut Staging) -> Result<Vec<FileRecord>> {
+    let Some(newest) = run.newest.as_ref().filter(|_| run.config.report.write && asked::is_of_many(run.config)) else {
+        return Ok(Vec::new());
+    };
+    files::create_folder(&staging.path().join(PAGES_FOLDER))?;
+    let mut known = Vec::new();
+    for taken in taken.iter().filter(|taken| taken.unit.as_ref().is_some_and(|unit| unit.is_published)) {
+        let name = &taken.result.name;
+        let was_stale = newest.entry(name).is_none_or(|entry| entry.stale.is_some());
+        let page = page_path(name);
+        if let (Some(record), false) = (newest.file(&page), was_stale || taken.result.stale.is_some()) {
+            let from = newest.folder.join(&page);
+            if record_file(&newest.folder, page.clone()).is_ok_and(|now| now == *record) {
+                if files::link(&from, &staging.path().join(&page))? {
+                    staging.note_published([record].into_iter());
+                }
+                known.push(record.clone());
+            }
         }
     }
     Ok(known)
