@@ -7,11 +7,14 @@ mod skip;
 mod atlas_example;
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../../fuzz/readers.rs"]
+mod readers;
 #[path = "../common/report_sample.rs"]
 mod report_sample;
 
 mod atlas_files;
 mod error_directions;
+mod fuzzed;
 mod measured;
 mod publishing;
 mod report_page;
