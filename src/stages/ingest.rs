@@ -7,7 +7,7 @@ use ndarray::Array2;
 use super::config::SpecimenConfig;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::height::HeightField;
-use diffraction_build::height::prepare::{PrepareRecord, prepare, replaced};
+use diffraction_build::height::prepare::{PrepareConfig, PrepareRecord, prepare, replaced};
 use diffraction_build::height::quality::{Finding, findings};
 use diffraction_build::height::read::{Provenance, read_scan};
 use diffraction_build::height::statistics::{Statistics, statistics};
@@ -55,7 +55,13 @@ pub fn ingest(specimen: &SpecimenConfig) -> Result<Scans> {
         if scans.fields.is_empty() {
             scans.replaced = replaced(&scan.field, &specimen.prepare)?;
         }
-        scans.findings.push(findings(&scan.field, &field));
+        // Blended edges are no part of the scan: what was joined there looks like scars and steps.
+        let unblended = PrepareConfig { blend_nm: None, ..specimen.prepare };
+        let checked = match specimen.prepare.blend_nm {
+            None => findings(&scan.field, &field),
+            Some(_) => findings(&scan.field, &prepare(&scan.field, &unblended)?.0),
+        };
+        scans.findings.push(checked);
         scans.statistics.push(statistics(&field, shortest_nm));
         scans.fields.push(field);
         scans.provenance.push(scan.provenance);

@@ -137,9 +137,9 @@ fn the_track_of_a_stamper_is_found_between_the_lines() {
 }
 
 #[test]
-fn a_bump_and_rounding_have_no_period() {
+fn what_repeats_nothing_has_no_period() {
     let Some(folder) = shared("cases/scans") else { return };
-    for name in ["per_bump", "per_low_10"] {
+    for name in ["per_bump", "per_low_10", "per_step", "per_rows", "per_walk"] {
         let found = periods(&folder.join(name).with_extension("tif"));
         assert!(found.is_empty(), "{name}: {found:?}");
     }

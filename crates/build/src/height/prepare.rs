@@ -27,8 +27,8 @@ pub enum Level {
     Plane,
     /// The best second-order surface.
     Quadratic,
-    /// The best plane, then each scan line's own slope and offset, as an AFM needs whose lines drift
-    /// against each other. This also removes what of the structure is constant along the lines.
+    /// The best plane, then each scan line's own offset, as an AFM needs whose lines jump against each other. This also removes what of
+    /// the structure is constant along the lines.
     Rows,
 }
 
@@ -170,7 +170,7 @@ fn check(field: &HeightField, config: &PrepareConfig) -> Result<()> {
     if config.level == Level::Rows && nx < level::LINE_SAMPLES_MIN {
         return Err(Error::limit(
             format!(
-                "level = \"rows\" needs at least {} samples in each line to tell its slope from the structure; \
+                "level = \"rows\" needs at least {} samples in each line to tell its offset from the structure; \
                  this scan has {nx}",
                 level::LINE_SAMPLES_MIN
             ),

@@ -5,7 +5,7 @@ use ndarray::{Array2, Axis};
 
 use crate::height::HeightField;
 
-/// Fewest samples in a scan line that tell its slope from the structure.
+/// Fewest samples in a scan line that tell its offset from the structure.
 pub(crate) const LINE_SAMPLES_MIN: usize = 8;
 
 /// Order of the subtracted surface.
@@ -95,39 +95,34 @@ fn subtract_term(heights: &mut Array2<f64>, along_x: &[f64], along_y: &[f64]) ->
     coefficient
 }
 
-/// Subtracts from each scan line its own slope and offset; returns the root mean square of what was
-/// subtracted, about its mean over all lines.
+/// Subtracts from each scan line its own offset; returns the root mean square of what was subtracted, about its mean over all lines.
 ///
-/// The slope is the midmean of the slopes between samples half a line apart, the offset the midmean of
-/// what then is left: neither dust nor a few high features tilt or sink a line. (A median would do
-/// as much, but it jumps from line to line where a structure has two levels of equal share.) Lines have at
-/// least [`LINE_SAMPLES_MIN`] samples.
+/// Offsets are matched from line to line: each is the one before and the midmean of the differences to it, so that what stands on both
+/// lines, however high, moves neither as long as it takes less than a quarter of a line. Levelling each line by itself, with a slope of its
+/// own, takes more of the surface away (`matched_differences_leave_more_than_lines_by_themselves`). A tilt that the offsets have summed
+/// up to is taken away at last. (A median of the differences would do as much, but it jumps where a structure has two levels of
+/// equal share.)
 pub(crate) fn subtract_lines(field: &mut HeightField) -> f64 {
-    let [nx, ny] = field.size();
-    let half = nx / 2;
-    let middle = 0.5 * (nx - 1) as f64;
-    let sums: Vec<[f64; 2]> = field
-        .heights_nm
-        .axis_iter_mut(Axis(0))
+    let heights = &field.heights_nm;
+    let steps: Vec<f64> = (1..heights.nrows())
         .into_par_iter()
-        .map(|mut line| {
-            let mut values: Vec<f64> = (half..nx).map(|i| line[i] - line[i - half]).collect();
-            let slope = midmean(&mut values) / half as f64;
-            values.clear();
-            values.extend(line.iter().enumerate().map(|(i, height)| height - slope * (i as f64 - middle)));
-            let offset = midmean(&mut values);
-            let mut sums = [0.0; 2];
-            for (i, height) in line.iter_mut().enumerate() {
-                let drift = offset + slope * (i as f64 - middle);
-                *height -= drift;
-                sums = [sums[0] + drift, sums[1] + drift * drift];
-            }
-            sums
+        .map(|row| {
+            let mut steps: Vec<f64> = heights.row(row).iter().zip(heights.row(row - 1)).map(|(a, b)| a - b).collect();
+            midmean(&mut steps)
         })
         .collect();
-    let count = (nx * ny) as f64;
-    let [sum, square] = sums.iter().fold([0.0; 2], |total, sums| [total[0] + sums[0], total[1] + sums[1]]);
-    (square / count - (sum / count).powi(2)).max(0.0).sqrt()
+    // Summed in order: the same on any number of threads.
+    let mut offsets = vec![0.0];
+    steps.iter().for_each(|step| offsets.push(offsets[offsets.len() - 1] + step));
+    let before = field.heights_nm.clone();
+    for (mut line, offset) in field.heights_nm.rows_mut().into_iter().zip(&offsets) {
+        line -= *offset;
+    }
+    subtract_surface(field, Order::Plane);
+    let removed = before - &field.heights_nm;
+    let count = removed.len() as f64;
+    let mean = removed.sum() / count;
+    (removed.iter().map(|height| (height - mean).powi(2)).sum::<f64>() / count).sqrt()
 }
 
 /// Mean of the middle half of the values, of which there is at least one; sorts them.

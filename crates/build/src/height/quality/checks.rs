@@ -23,9 +23,10 @@ pub fn findings(read: &HeightField, prepared: &HeightField) -> Vec<Finding> {
         || lost_lines(&prepared.heights_nm).iter().any(|lost| *lost);
     let levelled = levelled(prepared);
     let rms_nm = rms_nm(&levelled);
-    let (low, high) = range_nm(prepared);
-    // Below 1e-12 of the heights' size there is rounding only.
-    if is_hidden || rms_nm <= 1e-12 * low.abs().max(high.abs()) {
+    let size_nm =
+        [read, prepared].into_iter().map(range_nm).map(|(low, high)| low.abs().max(high.abs())).fold(0.0, f64::max);
+    // Below 1e-12 of the heights' size, as they were before levelling too, there is rounding only.
+    if is_hidden || rms_nm <= 1e-12 * size_nm {
         return found;
     }
     if let Some(finding) = blobs::check(&levelled) {

@@ -48,6 +48,13 @@ pub enum Remedy {
     Quadratic,
 }
 
+impl Fault {
+    /// Whether it is no part of the surface, so that other checks speak of the scan once it is mended.
+    pub fn hides_others(self) -> bool {
+        matches!(self, Self::LostLines | Self::NoData | Self::Blobs)
+    }
+}
+
 impl Finding {
     /// Whether it limits what the scan is good for, rather than spoils it.
     pub fn is_limit(&self) -> bool {

@@ -47,7 +47,7 @@ pub(super) fn check(prepared: &Prepared) -> Option<Finding> {
         in_short: format!("lines offset by {offset_nm:.1} nm"),
         sentence: format!(
             "Scan lines are offset against each other by {offset_nm:.1} nm rms, {:.0} % of the rms height, which shows as a streak of light across \
-             the lines. `level = \"rows\"` gives each line its own offset and slope.",
+             the lines. `level = \"rows\"` gives each line its own offset.",
             100.0 * offset_nm / prepared.rms_nm
         ),
         remedy: Some(Remedy::Rows),

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::advice::Advice;
 use super::finding::Remedy;
 use crate::height::HeightField;
-use crate::height::statistics::WAVES_MIN;
+use crate::height::statistics::{WAVES_MIN, is_whole_grating};
 
 /// How good.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -46,6 +46,9 @@ pub fn scan_verdict(advice: &Advice, wavelength_nm: [f64; 2], limits: &[String],
         let reasons: Vec<&str> = advice.left.iter().map(|finding| finding.in_short.as_str()).collect();
         return Verdict { grade: Grade::Red, sentence: format!("not good because: {}.", reasons.join("; ")) };
     }
+    if let Some(reason) = too_small(&advice.prepared, wavelength_nm[0]) {
+        return Verdict { grade: Grade::Red, sentence: format!("not good because: {reason}.") };
+    }
     let Reach { words, is_all } = reach(&advice.prepared, wavelength_nm);
     let blend = blend_nm.map(|width| format!("blend_nm = {width}"));
     let settings: Vec<String> = advice.settings.iter().map(Remedy::toml).chain(blend).collect();
@@ -65,6 +68,21 @@ struct Reach {
     words: String,
     /// Whether that is every direction at every wavelength.
     is_all: bool,
+}
+
+/// Why a scan tells of no period that diffracts visible light: the longest that fits often enough sends even grazing light nowhere.
+fn too_small(field: &HeightField, shortest_nm: f64) -> Option<String> {
+    let sampled = field.size().into_iter().zip(field.extent_nm()).filter(|(count, _)| *count > 1);
+    let side_nm = sampled.map(|(_, extent_nm)| extent_nm).fold(f64::INFINITY, f64::min);
+    let longest_nm = side_nm / WAVES_MIN;
+    let is_too_small = longest_nm <= 0.5 * shortest_nm && !is_whole_grating(field);
+    is_too_small.then(|| {
+        format!(
+            "it is {:.3} µm wide, so that periods of {longest_nm:.0} nm at most fit {WAVES_MIN} times, and those diffract no light of \
+             {shortest_nm:.0} nm or more: scan a larger area",
+            side_nm * 1e-3
+        )
+    })
 }
 
 /// A grating of two samples diffracts to `|(u, v)| = λ/(2 pitch)`: 2 is all there is, 1 all that is seen under light from straight above.
@@ -122,6 +140,24 @@ mod tests {
         // 380/760: half of the sine.
         assert!(of(380.0).sentence.contains("up to 30 degrees at 380 nm and at all angles from 760 nm on"));
         assert!(of(500.0).sentence.contains("up to 22 degrees at 380 nm (periods"));
+    }
+
+    #[test]
+    fn scans_that_hold_no_period_of_light_are_not_good() {
+        // 100 rows of 4.7 nm: periods up to 188 nm, and of 4.8 nm up to 192 nm, beside half of 380 nm.
+        let of = |pitch_nm: f64| {
+            let mut advice = advice(pitch_nm, Vec::new(), Vec::new());
+            advice
+                .prepared
+                .heights_nm
+                .indexed_iter_mut()
+                .for_each(|((row, column), height)| *height = (row * column) as f64);
+            scan_verdict(&advice, [380.0, 780.0], &[], None)
+        };
+        let small = of(4.7);
+        assert_eq!(small.grade, Grade::Red);
+        assert!(small.sentence.contains("periods of 188 nm at most"), "{small:?}");
+        assert_eq!(of(4.8).grade, Grade::Green);
     }
 
     #[test]

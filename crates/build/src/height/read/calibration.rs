@@ -6,11 +6,13 @@ use super::config::{HeightScale, ReadConfig};
 use super::missing;
 use super::refusal::{Parsed, Refusal};
 use super::scan::{Provenance, Scan};
-use super::stored::{Line, RawScan, Sourced};
+use super::stored::{Line, RawScan, SampleKind, Sourced};
 use crate::height::{HeightField, PITCH_NM};
 
 /// Largest believable height in nm: one metre.
 const HEIGHT_MAX_NM: f64 = 1e9;
+/// Relief in nm from which on integers in a unit of length are likelier counts.
+const COUNTS_NM: f64 = 1e4;
 /// Sides of a sample from whose ratio on a decimal comma, or two numbers in each other's place, are likelier than the scan.
 const ELONGATED: f64 = 4.0;
 
@@ -27,6 +29,7 @@ pub(super) fn calibrate(mut raw: RawScan, config: &ReadConfig) -> Parsed<Scan> {
         *height = line.value.scale * *height + line.value.offset;
     }
     check_range(&heights, &line, config)?;
+    raw.warnings.extend(doubtful_unit(&heights, raw.stored.kind, config));
     check_missing(missing_samples, heights.len(), config)?;
     if missing_samples > 0 {
         let converged = missing::fill(&mut heights, [nx, ny], pitch.value);
@@ -206,6 +209,25 @@ fn check_missing(missing: usize, samples: usize, config: &ReadConfig) -> Parsed<
         ),
         format!("crop the scan to its measured part{}", config.words.or_accept_missing),
     ))
+}
+
+/// Asks about a unit that makes counts of an instrument into heights: integers in a unit of length that the caller gave, over more than any
+/// relief that diffracts.
+fn doubtful_unit(heights: &[f64], kind: SampleKind, config: &ReadConfig) -> Option<String> {
+    let Some(HeightScale::Unit(_)) = config.height else { return None };
+    kind.range()?;
+    let known = heights.iter().filter(|height| height.is_finite());
+    let (low, high) =
+        known.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| (low.min(*height), high.max(*height)));
+    (high - low > COUNTS_NM).then(|| {
+        format!(
+            "its {} samples span {:.0} nm in the unit that `{}` gives: is the unit right? Counts of an instrument need their scale: {}",
+            kind.name(),
+            high - low,
+            config.words.height,
+            config.words.add_integer_height
+        )
+    })
 }
 
 fn check_range(heights: &[f64], line: &Sourced<Line>, config: &ReadConfig) -> Parsed<()> {

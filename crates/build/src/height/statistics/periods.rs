@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::spectrum::Spectrum;
 use crate::height::HeightField;
+use crate::height::prepare::robust::median;
 
 /// Most periods reported.
 const PERIODS_MAX: usize = 3;
@@ -44,6 +45,14 @@ const FALSE_ALARM: f64 = 1e-6;
 
 /// Fewest bins that tell the background around a peak.
 const BACKGROUND_BINS_MIN: usize = 24;
+
+/// Least ratio of a peak of what is constant along the lines of a scan to what lies beside it there: offsets between lines, which an
+/// instrument makes and no surface has, are such a pattern too, and their highest line is on average five times their mean. Of random
+/// and wandering offsets one scan in a hundred exceeds it.
+const LINES_RATIO_MIN: f64 = 20.0;
+
+/// Frequencies beside a peak, relative to its own, where offsets between lines are looked for.
+const BESIDE: [[f64; 2]; 2] = [[0.5, 0.8], [1.25, 2.0]];
 
 /// Most steps towards a peak's centre, and the step in lines that ends them.
 const STEPS_MAX: usize = 20;
@@ -101,7 +110,10 @@ pub(crate) fn dominant(field: &HeightField) -> Vec<Period> {
         if peaks.iter().any(|peak| peak.holds(place)) {
             continue;
         }
-        if power > threshold * background.around(spectrum.ring(place)) && (!peaks.is_empty() || is_first(line)) {
+        if power > threshold * background.around(spectrum.ring(place))
+            && power > LINES_RATIO_MIN * offsets_around(&spectrum, line)
+            && (!peaks.is_empty() || is_first(line))
+        {
             let peak = centred(&spectrum, line, power);
             // A wave between the lines may be longer than its highest one says.
             let is_told = peak.line[0].hypot(peak.line[1]) >= LINES_MIN;
@@ -112,6 +124,23 @@ pub(crate) fn dominant(field: &HeightField) -> Vec<Period> {
     }
     let strongest = peaks.first().map_or(0.0, |peak| peak.power);
     peaks.iter().map(|peak| period(peak, &spectrum, strongest)).collect()
+}
+
+/// Mean power that random offsets between scan lines would have at this line: from the medians below and above it, the larger of which is
+/// that of offsets that wander; 0 of lines that are not constant along the scan's own.
+fn offsets_around(spectrum: &Spectrum, [x, y]: [i64; 2]) -> f64 {
+    if x != 0 {
+        return 0.0;
+    }
+    let place = y.unsigned_abs() as f64;
+    let of_side = |[low, high]: [f64; 2]| {
+        let lines = (low * place).floor().max(1.0) as i64..=(high * place).floor() as i64;
+        // A Hann window's lobe reaches two lines.
+        let beside = lines.filter(|line| (*line as f64 - place).abs() >= 2.0 && spectrum.has([0, *line]));
+        let mut powers: Vec<f64> = beside.map(|line| spectrum.power([0, line])).collect();
+        if powers.is_empty() { 0.0 } else { median(&mut powers) / LN_2 }
+    };
+    BESIDE.map(of_side).into_iter().fold(0.0, f64::max)
 }
 
 /// Power of a line and the eight around it: nearly all that a Hann window leaves of a sinusoid, wherever between the lines it lies.

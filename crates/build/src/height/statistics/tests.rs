@@ -208,3 +208,34 @@ fn a_period_beside_slow_waves_is_not_drawn_towards_them() {
         assert!((found[0].period_nm / (side_nm / waves) - 1.0).abs() < 0.03, "{waves}: {found:?}");
     }
 }
+
+/// A flat surface whose lines are offset: each by itself, or each from the one before.
+fn offset_lines(seed: u64, wander: bool) -> HeightField {
+    let mut random = fastrand::Rng::with_seed(seed);
+    let mut offset_nm = 0.0;
+    let mut heights_nm = Array2::zeros((128, 96));
+    for mut line in heights_nm.rows_mut() {
+        let step_nm = 20.0 * (random.f64() - 0.5);
+        offset_nm = if wander { offset_nm + step_nm } else { step_nm };
+        line.fill(offset_nm);
+    }
+    HeightField { heights_nm, pitch_nm: [50.0; 2] }
+}
+
+#[test]
+fn offsets_between_lines_are_no_period() {
+    for wander in [false, true] {
+        let told = (0..100).filter(|seed| !statistics(&offset_lines(*seed, wander), 400.0).dominant_periods.is_empty());
+        let told = told.count();
+        println!("wander {wander}: {told} of 100 scans have a period");
+        // One in a hundred is expected.
+        assert!(told <= 5, "wander {wander}: {told}");
+    }
+    // A wave along the lines' own offsets is one: of their own size, under them.
+    let mut wave = offset_lines(1, false);
+    for (row, mut line) in wave.heights_nm.rows_mut().into_iter().enumerate() {
+        line += 20.0 * (TAU * row as f64 / 12.8).sin();
+    }
+    let found = statistics(&wave, 400.0).dominant_periods;
+    assert!((found[0].period_nm / 640.0 - 1.0).abs() < 0.02, "{found:?}");
+}
