@@ -38,7 +38,7 @@ pub(crate) fn view(specimen: &SpecimenResult) -> Option<Value> {
     Some(context! {
         sentence,
         tone,
-        verdict,
+        verdict => Value::from_safe_string(prose(&verdict)),
         reason => warned.first().map(|warning| Value::from_safe_string(prose(&first_words(warning)))),
         more => match warned.len() {
             0 | 1 => "In full".into(),

@@ -95,7 +95,9 @@ pub(crate) fn row(href: &str, specimen: &SpecimenResult, preview: Option<String>
     // Of a verdict the part after its word: what it is good with, or why it is not.
     let judged = specimen.verdict.as_ref().filter(|verdict| verdict.grade != Grade::Green);
     let reason = judged
-        .map(|verdict| verdict.sentence.trim_start_matches("not good because: "))
+        .map(|verdict| {
+            verdict.sentence.trim_start_matches("not good because: ").trim_start_matches("good within limits: ")
+        })
         .or(warned.first().map(String::as_str));
     context! {
         href => Value::from_safe_string(escape(href)),
