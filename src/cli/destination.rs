@@ -36,6 +36,21 @@ pub(crate) fn check_file(out: &Path, inputs: &[&Path], force: bool) -> Result<()
     Ok(())
 }
 
+/// Refuses a file that must not be appended to: one of the inputs under any name, part of a published version, a folder.
+///
+/// # Errors
+/// As [`check_file`].
+pub(crate) fn check_log(log: &Path, inputs: &[&Path]) -> Result<()> {
+    check_place(log)?;
+    if let Some(input) = inputs.iter().find(|input| is_same(log, input)) {
+        return Err(refusal(log, &format!("is what this command reads ({}); write to another file", input.display())));
+    }
+    if log.is_dir() {
+        return Err(refusal(log, "is a folder; name a file to write"));
+    }
+    Ok(())
+}
+
 /// Makes the folder that a file goes to, right before it is written.
 ///
 /// # Errors

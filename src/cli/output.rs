@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::terminal;
 use crate::error;
-use diffraction_brdf::atlas;
+use diffraction_brdf::atlas::{self, INDEX_FILE, LATEST_FILE};
 use diffraction_brdf::error::{Error, Result};
 
 /// How a command that ran to its end has ended.
@@ -49,6 +49,18 @@ pub(crate) fn print_json(value: &impl Serialize) -> Result<()> {
         .map_err(|error| Error::Call(format!("this result has no form in JSON: {error}")))?;
     text.push('\n');
     written(terminal::print_json(&text))
+}
+
+/// Whether a folder is an atlas or a version of one, whole or damaged.
+pub(crate) fn is_atlas(folder: &Path) -> bool {
+    let is_version = |name: &std::ffi::OsStr| {
+        name.to_str()
+            .and_then(|name| name.strip_prefix('v'))
+            .is_some_and(|number| number.len() >= 4 && number.bytes().all(|byte| byte.is_ascii_digit()))
+    };
+    let holds_versions =
+        || std::fs::read_dir(folder).is_ok_and(|entries| entries.flatten().any(|entry| is_version(&entry.file_name())));
+    [INDEX_FILE, LATEST_FILE].iter().any(|name| folder.join(name).exists()) || holds_versions()
 }
 
 /// The version's folder that a path means. Where newer versions are damaged, says so on stderr: the answer is an older one.

@@ -78,6 +78,7 @@ pub fn optics() -> OpticsConfig {
         sigma_nm: 16_250.0,
         lobe_sigma_nm: None,
         source_deg: None,
+        sigma_follows_scan: false,
         edge: Edge::Auto,
         windows: Windows::Grid,
         material: Material::Ideal,

@@ -121,8 +121,7 @@ pub(crate) fn read_overrides(section: &Section, base: &Path, optics: &mut Optics
     if let Some(item) = section.get("coherence") {
         let section = item.section(&keys::COHERENCE, "{ sigma_um = 16.25, edge = \"auto\" }")?;
         if let Some(item) = section.get("sigma_um") {
-            optics.sigma_nm = item.number_within(SIGMA_UM[0], SIGMA_UM[1], "µm")? * 1000.0;
-            optics.source_deg = None;
+            *optics = sigma(&item, optics)?;
         }
         if let Some(item) = section.get("source_deg") {
             let source_deg = item.number_within(SOURCE_DEG[0], SOURCE_DEG[1], "degrees")?;
@@ -133,6 +132,7 @@ pub(crate) fn read_overrides(section: &Section, base: &Path, optics: &mut Optics
                 ));
             }
             optics.source_deg = Some(source_deg);
+            optics.sigma_follows_scan = false;
         }
         if let Some(item) = section.get("edge") {
             optics.edge = item.choice(&[("auto", Edge::Auto), ("tile", Edge::Tile), ("fade", Edge::Fade)])?;
@@ -149,6 +149,18 @@ pub(crate) fn read_overrides(section: &Section, base: &Path, optics: &mut Optics
         material::read(&item, base, optics)?;
     }
     Ok(())
+}
+
+/// The optics with the sigma that an item gives: a number, or as much as the scan tells.
+fn sigma(item: &Item, optics: &OpticsConfig) -> Result<OpticsConfig> {
+    if let Some(word) = item.as_text() {
+        if word != "auto" {
+            return Err(item.error(format!("must be a number of µm, or \"auto\" to follow the scan; found \"{word}\"")));
+        }
+        return Ok(optics.with_sigma_of_scans(defaults::optics().sigma_nm));
+    }
+    let sigma_nm = item.number_within(SIGMA_UM[0], SIGMA_UM[1], "µm")? * 1000.0;
+    Ok(OpticsConfig { sigma_nm, source_deg: None, sigma_follows_scan: false, ..optics.clone() })
 }
 
 /// Refuses a source of fixed size with windows whose samples would be others at every wavelength; points at what of it the

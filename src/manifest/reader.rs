@@ -57,6 +57,14 @@ impl<'s> Section<'s> {
         Ok(Self { source, table, span, path })
     }
 
+    /// The same, called by its user's name in messages rather than by its place in a list.
+    pub(crate) fn called(mut self, kind: &str, name: &Item) -> Self {
+        if let Some(name) = name.as_text().filter(|name| !name.is_empty()) {
+            self.path = format!("{kind} \"{name}\"");
+        }
+        self
+    }
+
     /// The value of a key, if it is given.
     pub fn get(&self, key: &str) -> Option<Item<'s>> {
         let value = self.table.get(key)?;
@@ -64,7 +72,12 @@ impl<'s> Section<'s> {
             source: self.source,
             value: value.get_ref(),
             span: value.span(),
-            path: if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) },
+            path: match self.path.as_str() {
+                "" => key.to_owned(),
+                // Behind a name in quotes a dot reads as its end.
+                path if path.ends_with('"') => format!("{path}: {key}"),
+                path => format!("{path}.{key}"),
+            },
         })
     }
 
@@ -149,6 +162,9 @@ impl<'s> Item<'s> {
         match as_number(self.value) {
             Some(number) if number.is_finite() => Ok(number),
             Some(number) => Err(self.error(format!("must be a finite number; found {number}"))),
+            None if self.as_text().is_some_and(has_decimal_comma) => {
+                Err(self.expected("a number, with a decimal point and without quotes"))
+            }
             None => Err(self.expected("a number")),
         }
     }
@@ -298,4 +314,9 @@ fn describe(value: &DeValue) -> String {
         DeValue::Array(array) => format!("a list of {}", array.len()),
         DeValue::Table(_) => "a table".to_owned(),
     }
+}
+
+/// Whether a text is a number as it is written with a comma: "48,8".
+fn has_decimal_comma(text: &str) -> bool {
+    text.contains(',') && text.replacen(',', ".", 1).trim().parse::<f64>().is_ok()
 }

@@ -61,7 +61,8 @@ pub(crate) fn read_all(
         }
         for item in items {
             let section = item.section(&keys::SPECIMEN, "[[specimen]]")?;
-            all.add(&section, &section.require("name", "name = \"corn_snake\"")?, common)?;
+            let name = section.require("name", "name = \"corn_snake\"")?;
+            all.add(&section.called("specimen", &name), &name, common)?;
         }
     }
     let collection =

@@ -49,7 +49,10 @@ pub(crate) fn coherence(optics: &OpticsConfig) -> String {
             "{light} for the coherent lobe, {} µm at most for the rest (as much as the scan resolves), {edge}, {windows}",
             sigma(optics.sigma_nm)
         ),
-        (None, None) => format!("σ = {} µm, {edge}, {windows}", sigma(optics.sigma_nm)),
+        (None, None) => {
+            let follows = if optics.sigma_follows_scan { " (auto: what the scan tells)" } else { "" };
+            format!("σ = {} µm{follows}, {edge}, {windows}", sigma(optics.sigma_nm))
+        }
         (None, Some(light_nm)) => format!(
             "σ = {} µm for the coherent lobe (the light's), {} µm for the rest (as much as the scan resolves), {edge}, {windows}",
             sigma(light_nm),

@@ -175,11 +175,11 @@ fn a_wrong_manifest_writes_nothing_and_says_where() {
         // A wrong unit: of the key, of the heights, and none at all.
         ("sigma_um = 2", "sigma_nm = 2000", "sigma_nm", "sigma_um = 2"),
         (wave, "name = \"wave\"\nheight = { unit = \"furlong\" }\n", "\"furlong\"", "\"nm\""),
-        (wave, "name = \"wave\"\nheight = { unit = 7 }\n", "7 }", "specimen[1].height.unit"),
+        (wave, "name = \"wave\"\nheight = { unit = 7 }\n", "7 }", "specimen \"wave\": height.unit"),
         // A negative pitch, and other numbers out of range.
-        (wave, "name = \"wave\"\npitch_nm = -48.8\n", "-48.8", "specimen[1].pitch_nm"),
-        (wave, "name = \"wave\"\npitch_nm = [80, 0]\n", "0]\n", "specimen[1].pitch_nm"),
-        (wave, "name = \"wave\"\npitch_nm = nan\n", "nan\n", "specimen[1].pitch_nm"),
+        (wave, "name = \"wave\"\npitch_nm = -48.8\n", "-48.8", "specimen \"wave\": pitch_nm"),
+        (wave, "name = \"wave\"\npitch_nm = [80, 0]\n", "0]\n", "specimen \"wave\": pitch_nm"),
+        (wave, "name = \"wave\"\npitch_nm = nan\n", "nan\n", "specimen \"wave\": pitch_nm"),
         // Two specimens of one name; a scene of a specimen that is not there.
         (wave, "name = \"rough\"\n", "", "repeats the name \"rough\""),
         ("shape = \"sphere\"", "shape = \"sphere\"\nspecimen = \"waves\"", "\"waves\"", "did you mean \"wave\"?"),

@@ -90,3 +90,40 @@ fn nothing_is_predicted_where_no_reference_is_asked_for() {
     assert!(with.contains("the reference in about"), "{with}");
     assert!(without.contains("no reference") && without.contains("report.reference = false"), "{without}");
 }
+
+/// A total for the run with what it is spent on; what is there already takes none of it.
+#[test]
+fn the_whole_run_is_predicted_and_what_is_there_is_not() {
+    let place = crate::place::Place::with_scans();
+    place.write("m.toml", &crate::place::usual());
+    let first = place.call("plan m.toml --json").ended(0).json();
+    let seconds = |plan: &Value| plan["seconds"].as_f64().unwrap();
+    let parts = first["parts"].as_array().unwrap();
+    let sum: f64 = parts.iter().map(|part| part["seconds"].as_f64().unwrap()).sum();
+    assert!((sum / seconds(&first) - 1.0).abs() < 1e-9 && parts.len() >= 6, "{first}");
+    assert!(first["slowdown"].as_f64().unwrap() > 0.0);
+    let text = place.call("plan m.toml").ended(0).stdout;
+    assert!(text.contains("the whole run in about ") && text.contains("the reference "), "{text}");
+    place.publish(&crate::place::usual());
+    let again = place.call("plan m.toml --json").ended(0).json();
+    assert_eq!(again["unchanged"], serde_json::json!(["rough", "wave"]));
+    assert_eq!(seconds(&again), 0.0);
+    assert!(again["cache"][0].as_u64().unwrap() > 0, "{again}");
+    assert!(place.call("plan m.toml").ended(0).stdout.contains("there already, and taken over: rough, wave"));
+}
+
+/// Slow surfaces say why, and what to do.
+#[test]
+fn what_is_far_too_expensive_is_said_with_the_reason() {
+    let place = crate::place::Place::with_scans();
+    let read = diffraction_build::height::read::read_scan(&place.path("rough.tif"), &Default::default()).unwrap();
+    let mut field = read.field;
+    field.heights_nm[[20, 30]] = 60_000.0;
+    diffraction_build::height::write::write_scan_tiff(&place.path("rough.tif"), &field).unwrap();
+    let manifest = crate::place::usual().replace("illuminant = { lines_nm = [633, 532, 450] }\n", "");
+    place.write("m.toml", &manifest);
+    let text = place.call("plan m.toml").ended(0).stdout;
+    assert!(text.contains("rough takes ") && text.contains("transforms are needed"), "{text}");
+    assert!(text.contains("column 30, row 20") && text.contains("despike"), "{text}");
+    assert!(!text.contains("wave takes "), "{text}");
+}

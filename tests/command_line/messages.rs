@@ -14,7 +14,8 @@ fn manifests_say_what_is_likely_meant() {
         ("\"rough.tif\"", "\"~/rough.tif\"", "`~` is a shell's word"),
         ("\"rough.tif\"", "\"C:\\Users\\me\\rough.tif\"", "forward slashes"),
         ("name = \"rough\"\n", "name = \"rough\"\npitch_nm = 48,8\n", "numbers have a decimal point"),
-        ("name = \"rough\"\n", "name = \"rough\"\npitch_nm = 1e-300\n", "pitch_nm"),
+        ("name = \"rough\"\n", "name = \"rough\"\npitch_nm = \"48,8\"\n", "with a decimal point and without quotes"),
+        ("name = \"rough\"\n", "name = \"rough\"\npitch_nm = 1e-300\n", "`specimen \"rough\": pitch_nm`"),
     ] {
         let wrong = manifest.replacen(old, new, 1);
         assert_ne!(wrong, manifest, "{old}");

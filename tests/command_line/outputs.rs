@@ -32,16 +32,23 @@ fn no_command_writes_onto_its_inputs() {
         format!("{scan} m.toml --out rough.tif"),
         format!("{scan} lit.toml --out light.csv"),
         "export out/small --form viewer --single-file --out out/small/v0001/report.html".into(),
+        "run m.toml --log m.toml".into(),
+        "run m.toml --log ./below/../m.toml".into(),
+        "run m.toml --log rough.tif".into(),
+        "run lit.toml --log light.csv".into(),
+        "run m.toml --log out/small/v0001/run.log".into(),
     ];
     if cfg!(unix) {
         lines.extend([
             "inspect rough.tif --save-heights below/soft.tif".into(),
             "inspect below/soft.tif --save-heights rough.tif".into(),
+            "run m.toml --log below/soft.tif".into(),
         ]);
     }
     let before = contents_without_links(&place);
     for line in lines {
-        for force in ["", " --force"] {
+        let forces: &[&str] = if line.starts_with("run ") { &[""] } else { &["", " --force"] };
+        for force in forces {
             let called = place.call(&format!("{line}{force}")).ended(2);
             let taken = force.is_empty() && called.stderr.contains("is there already");
             let said =

@@ -111,3 +111,78 @@ fn what_has_no_correlation_length_says_none() {
     assert!(shown.contains("correlation   none\n"), "{shown}");
     assert!(!shown.contains("NaN"), "{shown}");
 }
+
+/// A folder of what a microscope wrote: a line for each file that says what to do about it.
+#[test]
+fn a_folder_is_told_file_by_file() {
+    let place = Place::empty();
+    std::fs::create_dir(place.path("scans")).unwrap();
+    place.scan("scans/good.tif", rough(3), [80, 64], [80.0, 90.0]);
+    place.scan("scans/lines.tif", Structure::CornSnake { seed: 3 }, [128, 128], [62.5; 2]);
+    let mut offset = read_scan(&place.path("scans/lines.tif"), &ReadConfig::default()).unwrap().field;
+    let mut random = fastrand::Rng::with_seed(1);
+    offset.heights_nm.rows_mut().into_iter().for_each(|mut line| line += 60.0 * random.f64());
+    diffraction_build::height::write::write_scan_tiff(&place.path("scans/lines.tif"), &offset).unwrap();
+    std::fs::write(place.path("scans/map.topostats"), b"\x89HDF\r\n\x1a\nmore").unwrap();
+    let called = place.call("inspect scans").ended(1);
+    let row = |name: &str| called.stdout.lines().find(|line| line.contains(name)).unwrap().to_owned();
+    assert_eq!(called.stdout.lines().count(), 4, "{}", called.stdout);
+    assert!(row("good.tif").contains("  good for all directions"), "{}", called.stdout);
+    assert!(row("lines.tif").contains("level = \"rows\""), "{}", called.stdout);
+    assert!(row("map.topostats").contains("cannot be read"), "{}", called.stdout);
+    assert!(called.stderr.contains("HDF5") && called.stderr.contains("tools/convert.py"), "{}", called.stderr);
+    assert!(place.call("inspect .").ended(2).stderr.contains("no file to look at"));
+}
+
+#[test]
+fn integers_in_a_unit_of_length_are_asked_about() {
+    let place = Place::empty();
+    let counts: Vec<u16> = (0..32 * 32).map(|i| (i * 40_503 % 65_536) as u16).collect();
+    let file = std::fs::File::create(place.path("counts.tif")).unwrap();
+    TiffEncoder::new(file).unwrap().write_image::<Gray16>(32, 32, &counts).unwrap();
+    let shown = place.call("inspect counts.tif --pitch-nm 50 --unit nm").ended(0).stdout;
+    assert!(shown.contains("is the unit right?") && shown.contains("--full-scale-nm"), "{shown}");
+    for meant in ["--unit pm", "--full-scale-nm 375"] {
+        let shown = place.call(&format!("inspect counts.tif --pitch-nm 50 {meant}")).ended(0).stdout;
+        assert!(!shown.contains("is the unit right?"), "{meant}: {shown}");
+    }
+}
+
+/// `sigma_um = "auto"` is what `inspect` says that the scan resolves, and each command says so.
+#[test]
+fn a_coherence_that_follows_the_scan_says_what_it_took() {
+    let place = Place::empty();
+    place.scan("s.tif", rough(3), [80, 64], [80.0, 90.0]);
+    let resolved = place.call("inspect s.tif --json").ended(0).json()["resolved_sigma_um"].as_f64().unwrap();
+    // The shorter side is 64 x 90 nm.
+    assert!((resolved - 1.44).abs() < 1e-6, "{resolved}");
+    let specimen = "[[specimen]]\nname = \"s\"\nscans = \"s.tif\"\n";
+    let manifest = |coherence: &str| format!("{HEAD}{LASERS}{specimen}coherence = {coherence}\n");
+    for (coherence, sigma_um) in [
+        ("{ sigma_um = \"auto\", edge = \"auto\" }", 1.44),
+        ("{ sigma_um = \"auto\", edge = \"tile\" }", 5.76 / 4.3),
+        ("{ sigma_um = \"auto\", edge = \"fade\" }", 0.72),
+    ] {
+        place.write("m.toml", &manifest(coherence));
+        let plan = place.call("plan m.toml").ended(0);
+        let said = format!("s: sigma = {sigma_um:.3} µm by sigma_um = \"auto\"");
+        assert!(plan.stdout.contains(&said), "{coherence}: {}", plan.stdout);
+        assert!(!plan.stdout.contains("too small for a coherence"), "{coherence}: {}", plan.stdout);
+    }
+    let run = place.publish(&manifest("{ sigma_um = \"auto\", edge = \"auto\" }"));
+    let file = place.json("out/small/v0001/s/specimen.json");
+    let sigma_nm = file["optics"]["sigma_nm"].as_f64().unwrap();
+    assert!((sigma_nm / 1440.0 - 1.0).abs() < 1e-6, "{sigma_nm}");
+    assert_eq!(file["optics"]["sigma_follows_scan"], true);
+    assert!(file["optics"]["lobe_sigma_nm"].is_null(), "{}", file["optics"]);
+    let text = std::fs::read_to_string(place.path("out/small/v0001/report.html")).unwrap();
+    assert!(text.contains("σ = 1.44 µm (auto: what the scan tells)"), "{}", run.stdout);
+    place.call("verify out/small").ended(0);
+    // A larger scan is another specimen: its coherence grew with it.
+    place.scan("s.tif", rough(3), [160, 128], [80.0, 90.0]);
+    place.publish(&manifest("{ sigma_um = \"auto\", edge = \"auto\" }"));
+    let sigma_nm = place.json("out/small/v0002/s/specimen.json")["optics"]["sigma_nm"].as_f64().unwrap();
+    assert!((sigma_nm / 2880.0 - 1.0).abs() < 1e-6, "{sigma_nm}");
+    place.write("m.toml", &manifest("{ sigma_um = \"aut\" }"));
+    assert!(place.call("plan m.toml").ended(2).stderr.contains("or \"auto\" to follow the scan"));
+}

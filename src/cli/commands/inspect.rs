@@ -1,10 +1,11 @@
 //! `inspect`: what a scan or an atlas holds.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
 use crate::cli::commands::inspect_many;
+use crate::cli::commands::inspect_verdict::{MATERIAL, WAVELENGTH_MAX_NM, WAVELENGTH_MIN_NM, verdict};
 use crate::cli::destination;
 use crate::cli::lengths::PitchNm;
 use crate::cli::options::Global;
@@ -14,14 +15,14 @@ use crate::stages::archive::specimen_file;
 use diffraction_brdf::atlas;
 use diffraction_brdf::error::Error;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
-use diffraction_build::height::quality::{Advice, Finding, Remedy, Verdict, advise, scan_verdict};
+use diffraction_build::height::quality::{Finding, Remedy, Verdict, advise};
 use diffraction_build::height::read::{CallerWords, HeightScale, LengthUnit, Provenance, ReadConfig, read_scan};
 use diffraction_build::height::statistics::{
     PsdRing, STEEP_SLOPE, Statistics, WAVES_MIN, is_whole_grating, least_uv_radius, radial_psd, seam_warning,
     statistics,
 };
 use diffraction_build::height::write::write_scan_tiff;
-use diffraction_build::optics::config::{Factor, Material, TILE_SIGMAS, smallest_side_nm};
+use diffraction_build::optics::config::{Factor, TILE_SIGMAS, smallest_side_nm};
 use diffraction_build::optics::validity::doubts;
 use diffraction_build::tables::model::{Basis, Storage};
 
@@ -30,6 +31,7 @@ use diffraction_build::tables::model::{Basis, Storage};
 #[command(after_help = "Examples:
   diffraction-atlas inspect scans/snake.tif --pitch-nm 48.8 --full-scale-nm 375
   diffraction-atlas inspect scans/a.tif scans/b.tif
+  diffraction-atlas inspect scans/
   diffraction-atlas inspect scans/snake.gsf --save-heights heights.tif
   diffraction-atlas inspect scans/snake.spm --channel \"Height Sensor\"
   diffraction-atlas inspect out/atlas/squamates/v0001 --json
@@ -37,7 +39,7 @@ use diffraction_build::tables::model::{Basis, Storage};
 Formats, told apart by their content: TIFF (plain, ImageJ, OME, Park, JPK), Gwyddion .gwy and .gsf, Nanoscope .spm and .001,
 Asylum .ibw, Nanosurf .nid, Digital Surf .sur, X3P, WSxM .stp and .top, matrices as text. See docs/formats.md.")]
 pub(crate) struct InspectArgs {
-    /// A scan, an atlas, or one version of it
+    /// A scan, a folder of scans, an atlas, or one version of it
     pub file: PathBuf,
     /// Further scans: a line for each then, all with the same options
     pub others: Vec<PathBuf>,
@@ -82,7 +84,25 @@ pub(crate) fn run(args: &InspectArgs, _global: &Global) -> Result<Outcome> {
         let files = [std::slice::from_ref(&args.file), &args.others].concat();
         return inspect_many::run(&files, &read_config(args), WAVELENGTH_MIN_NM, args.json);
     }
-    if args.file.is_dir() { inspect_atlas(args) } else { inspect_scan(args) }
+    match args.file.is_dir() {
+        false => inspect_scan(args),
+        true if output::is_atlas(&args.file) => inspect_atlas(args),
+        true => inspect_many::run(&files_in(&args.file)?, &read_config(args), WAVELENGTH_MIN_NM, args.json),
+    }
+}
+
+/// The files of a folder that are not hidden, in the order of their names.
+fn files_in(folder: &Path) -> Result<Vec<PathBuf>> {
+    let unread = |error| Error::disk(folder, "list", error);
+    let entries = std::fs::read_dir(folder).map_err(unread)?.collect::<std::io::Result<Vec<_>>>().map_err(unread)?;
+    let is_hidden = |path: &PathBuf| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
+    let mut files: Vec<PathBuf> = entries.into_iter().map(|entry| entry.path()).filter(|path| path.is_file()).collect();
+    files.retain(|path| !is_hidden(path));
+    files.sort();
+    if files.is_empty() {
+        return Err(Error::Call(format!("{}: no atlas, and no file to look at lies in it", folder.display())).into());
+    }
+    Ok(files)
 }
 
 /// What the scan's reader calls the options.
@@ -120,15 +140,6 @@ struct ScanReport {
     verdict: Verdict,
 }
 
-/// The shortest wavelength that `usable_uv_radius` refers to: the violet end of the observer.
-const WAVELENGTH_MIN_NM: f64 = 380.0;
-
-/// The longest: its red end.
-const WAVELENGTH_MAX_NM: f64 = 780.0;
-
-/// What a scan is taken for, which has no material: a dielectric; which index it has does not matter to the doubts.
-const MATERIAL: Material = Material::Dielectric { n: 1.5 };
-
 /// How the options say to read a scan.
 fn read_config(args: &InspectArgs) -> ReadConfig {
     let height = match (args.full_scale_nm, &args.unit) {
@@ -152,8 +163,11 @@ fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
     let mut found = statistics(&levelled, WAVELENGTH_MIN_NM);
     let advice = advise(&scan.field)?;
     let verdict = verdict(&advice);
-    found.warnings.extend(doubts(&levelled, [WAVELENGTH_MIN_NM, WAVELENGTH_MAX_NM], MATERIAL, Factor::Vector));
-    found.warnings.extend(seam_warning(&levelled));
+    // What is no surface has slopes and edges of its own: they are told of what is left once it is taken out.
+    let told =
+        if advice.findings.iter().any(|finding| finding.fault.hides_others()) { &advice.prepared } else { &levelled };
+    found.warnings.extend(doubts(told, [WAVELENGTH_MIN_NM, WAVELENGTH_MAX_NM], MATERIAL, Factor::Vector));
+    found.warnings.extend(seam_warning(told));
     let side_um = smallest_side_nm(&levelled) * 1e-3;
     let report = ScanReport {
         resolved_sigma_um: (!is_whole_grating(&levelled) && side_um.is_finite()).then_some(side_um / TILE_SIGMAS),
@@ -172,34 +186,6 @@ fn inspect_scan(args: &InspectArgs) -> Result<Outcome> {
         output::print(&report.to_text())?;
     }
     Ok(Outcome::Done)
-}
-
-/// Share of the shorter side over which opposite edges are advised to be blended.
-const BLEND_SHARE: f64 = 0.1;
-
-/// What to think of a scan under the settings that were advised, with what no setting takes away.
-fn verdict(advice: &Advice) -> Verdict {
-    let range_nm = [WAVELENGTH_MIN_NM, WAVELENGTH_MAX_NM];
-    let field = &advice.prepared;
-    let found = statistics(field, WAVELENGTH_MIN_NM);
-    let limits = [
-        (found.rms_height_nm == 0.0, "it is flat and diffracts nothing"),
-        (found.rms_height_nm > 0.0 && found.autocorrelation_length_nm.is_nan(), "it is smaller than its structure"),
-        (!doubts(field, range_nm, MATERIAL, Factor::Vector).is_empty(), "some orders are doubtful, see the warnings"),
-        (found.is_ambiguous(), "steps between samples are too high for violet light"),
-    ];
-    let of_findings =
-        advice.findings.iter().filter(|finding| finding.is_limit()).map(|finding| finding.in_short.clone());
-    let limits = limits.into_iter().filter(|(holds, _)| *holds).map(|(_, words)| words.to_owned());
-    let limits: Vec<String> = of_findings.chain(limits).collect();
-    let blend_nm = seam_warning(field).map(|_| two_digits(BLEND_SHARE * smallest_side_nm(field)));
-    scan_verdict(advice, range_nm, &limits, blend_nm)
-}
-
-/// Rounded to two digits.
-fn two_digits(value: f64) -> f64 {
-    let unit = 10f64.powf(value.log10().floor() - 1.0);
-    (value / unit).round() * unit
 }
 
 impl ScanReport {
@@ -232,16 +218,22 @@ impl ScanReport {
             },
             match self.resolved_sigma_um {
                 Some(sigma_um) => format!(
-                    "coherence     resolved up to sigma = {sigma_um:.3} µm, a quarter of the shorter side; of more, edge = \"auto\" shows \
-                     only the lobe"
+                    "coherence     resolved up to sigma = {sigma_um:.3} µm, a quarter of the shorter side, which sigma_um = \"auto\" takes; \
+                     of more, edge = \"auto\" shows only the lobe"
                 ),
-                None => "coherence     any sigma: the scan holds whole periods of a grating".into(),
+                None => "coherence     any sigma: the scan holds whole periods of a grating; sigma_um = \"auto\" takes 16.25 µm".into(),
             },
-            format!(
-                "good for      |(u, v)| from {:.3} to {:.3} at {WAVELENGTH_MIN_NM} nm: periods of at least two samples that fit {WAVES_MIN} \
-                 times into the shorter side",
-                self.least_uv_radius, s.usable_uv_radius
-            ),
+            match self.least_uv_radius < s.usable_uv_radius {
+                true => format!(
+                    "good for      |(u, v)| from {:.3} to {:.3} at {WAVELENGTH_MIN_NM} nm: periods of at least two samples that fit \
+                     {WAVES_MIN} times into the shorter side",
+                    self.least_uv_radius, s.usable_uv_radius
+                ),
+                false => format!(
+                    "good for      no |(u, v)| at {WAVELENGTH_MIN_NM} nm: no period of at least two samples fits {WAVES_MIN} times into \
+                     the shorter side and diffracts that light"
+                ),
+            },
             format!(
                 "steep         {:.2} % of the surface above {STEEP_SLOPE}; over a quarter of {WAVELENGTH_MIN_NM} nm rms slope {:.3}, \
                  {:.2} % walls",

@@ -5,9 +5,11 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::cli::commands::inspect_verdict::verdict;
 use crate::cli::output::{self, Outcome};
 use crate::error::Result;
 use diffraction_build::height::prepare::{Level, PrepareConfig, prepare};
+use diffraction_build::height::quality::{Verdict, advise};
 use diffraction_build::height::read::{ReadConfig, read_scan};
 use diffraction_build::height::statistics::statistics;
 
@@ -29,6 +31,8 @@ struct Figures {
     rms_height_nm: f64,
     peak_to_valley_nm: f64,
     warnings: Vec<String>,
+    /// What to do about it, as `inspect` of it alone says.
+    verdict: Verdict,
 }
 
 /// Reads every file and prints one table; files that cannot be read are listed and stop no other.
@@ -59,6 +63,7 @@ fn line(path: &Path, config: &ReadConfig, shortest_nm: f64) -> Line {
             rms_height_nm: found.rms_height_nm,
             peak_to_valley_nm: found.peak_to_valley_nm,
             warnings: scan.provenance.warnings.into_iter().chain(found.warnings).collect(),
+            verdict: verdict(&advise(&scan.field)?),
         })
     };
     let file = path.display().to_string();
@@ -71,22 +76,19 @@ fn line(path: &Path, config: &ReadConfig, shortest_nm: f64) -> Line {
 fn to_text(lines: &[Line]) -> String {
     let widest = lines.iter().map(|line| line.file.chars().count()).max().unwrap_or(0);
     let mut text = format!(
-        "{:<widest$}  {:>11}  {:>19}  {:>9}  {:>9}  warnings\n",
+        "{:<widest$}  {:>11}  {:>19}  {:>9}  {:>9}  verdict\n",
         "file", "samples", "pitch in nm", "rms in nm", "p-v in nm"
     );
     for line in lines {
         text += &match &line.figures {
-            None => format!("{:<widest$}  cannot be read\n", line.file),
-            Some(Figures { size: [nx, ny], pitch_nm: [px, py], rms_height_nm, peak_to_valley_nm, warnings }) => {
+            None => format!("{:<widest$}  cannot be read, see below\n", line.file),
+            Some(Figures { size: [nx, ny], pitch_nm: [px, py], rms_height_nm, peak_to_valley_nm, verdict, .. }) => {
                 format!(
                     "{:<widest$}  {:>11}  {:>19}  {rms_height_nm:>9.2}  {peak_to_valley_nm:>9.1}  {}\n",
                     line.file,
                     format!("{nx} x {ny}"),
                     format!("{px:.3} x {py:.3}"),
-                    match warnings.len() {
-                        0 => "none".to_owned(),
-                        count => format!("{count}: {}", warnings[0]),
-                    }
+                    verdict.sentence
                 )
             }
         };

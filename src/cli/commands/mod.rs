@@ -7,6 +7,7 @@ pub(crate) mod export;
 mod export_forms;
 pub(crate) mod inspect;
 pub(crate) mod inspect_many;
+mod inspect_verdict;
 pub(crate) mod list;
 pub(crate) mod plan;
 pub(crate) mod prune;

@@ -8,19 +8,23 @@ use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome, bytes_in_words};
 use crate::error::Result;
 use crate::manifest::{self, convert::run_config};
+use crate::stages::cache::store;
 use crate::stages::config::{RunConfig, SpecimenConfig};
 use crate::stages::coverage::{asked, savings};
 use crate::stages::ingest::ingest;
 use crate::stages::measured;
 use crate::stages::pictures::scenes::reference_samples;
+use crate::stages::run::outlook::outlook;
 use crate::stages::run::reference_forecast::{ReferenceForecast, reference_forecast};
-use crate::stages::run::warnings::scan_warnings;
+use crate::stages::run::warnings::{scan_warnings, sigma_taken};
+use crate::stages::run::whole_forecast::{Known, Part, shared_parts, specimen_parts, summed};
+use diffraction_build::ground::speed::slowdown;
 use diffraction_build::tables::coverage::budget::{Budget, Cost};
 use diffraction_build::tables::forecast::{Forecast, forecast_of};
 use diffraction_build::tables::input::BuildInput;
-use diffraction_build::tables::look_ups::{LookUp, LookUpForecast};
-use diffraction_build::tables::model::Storage;
-use diffraction_build::tables::plan;
+use diffraction_build::tables::look_ups::{LookUp, LookUpForecast, tried_first};
+use diffraction_build::tables::model::{Storage, TablesConfig};
+use diffraction_build::tables::plan::{self, automatic_size};
 use diffraction_build::tables::spectral::SpectralInput;
 use diffraction_render::scene::model::Scene;
 use diffraction_render::scene::samples::ShadingSamples;
@@ -42,6 +46,16 @@ pub(crate) struct PlanArgs {
 struct Plan {
     atlas: String,
     threads: usize,
+    /// How many times as long as on the machine of the forecasts' constants the same work takes here and now.
+    slowdown: f64,
+    /// Predicted seconds of the whole run, without what is there already.
+    seconds: f64,
+    /// What they are spent on, the longest first.
+    parts: Vec<Part>,
+    /// Specimens that are there already: they take next to nothing.
+    unchanged: Vec<String>,
+    /// Entries and bytes of the cache, which may save more.
+    cache: [u64; 2],
     /// The relative error asked for.
     tolerance: f64,
     specimens: Vec<SpecimenPlan>,
@@ -57,11 +71,21 @@ struct SpecimenPlan {
     forecast: Option<Forecast>,
     /// What making it takes as one piece of work, for whoever hands such pieces to machines.
     unit: Option<UnitPlan>,
+    /// Texels a side that its tables have where the ones tried first do not suffice; `None` where the size is known.
+    size_max: Option<usize>,
+    #[serde(skip)]
+    parts: Vec<Part>,
+    /// Whether something is wrong with its scans.
+    #[serde(skip)]
+    has_fault: bool,
     /// What evaluating its reference will take, where that is asked for.
     reference: Option<ReferenceForecast>,
     /// What its tables leave out, where they are restricted to scenes.
     budget: Option<Budget>,
     failure: Option<String>,
+    /// What sigma was taken, where it follows the scans.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    coherence: Option<String>,
     /// What to know of its scans before running, in whole sentences.
     warnings: Vec<String>,
 }
@@ -69,7 +93,7 @@ struct SpecimenPlan {
 /// A specimen as a piece of work.
 #[derive(Debug, Serialize)]
 struct UnitPlan {
-    /// Predicted seconds of tables and reference with all threads; pictures come on top.
+    /// Predicted seconds with all threads.
     seconds: f64,
     /// Predicted memory of the process in MiB.
     memory_mib: u64,
@@ -86,24 +110,43 @@ pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
     let config = run_config(manifest, text);
     let threads = rayon::current_num_threads();
+    let slowdown = slowdown();
     let asked_for = config.specimens.iter().filter(|specimen| asked::is_asked_for(&config, &specimen.name));
     let mut pictures = Pictures::default();
     let specimens = asked_for.map(|specimen| {
-        plan_specimen(&config, specimen, threads, &mut pictures).unwrap_or_else(|error| SpecimenPlan {
-            name: specimen.name.clone(),
-            forecast: None,
-            unit: None,
-            reference: None,
-            budget: None,
-            failure: Some(error.to_string()),
-            warnings: Vec::new(),
+        plan_specimen(&config, specimen, [threads as f64, slowdown], &mut pictures).unwrap_or_else(|error| {
+            SpecimenPlan {
+                name: specimen.name.clone(),
+                forecast: None,
+                unit: None,
+                size_max: None,
+                parts: Vec::new(),
+                has_fault: false,
+                reference: None,
+                budget: None,
+                failure: Some(error.to_string()),
+                coherence: None,
+                warnings: Vec::new(),
+            }
         })
     });
+    let specimens: Vec<SpecimenPlan> = specimens.collect();
+    let unchanged: Vec<String> =
+        outlook(&config)?.into_iter().filter(|outlook| !outlook.make).map(|outlook| outlook.name).collect();
+    let made = || specimens.iter().filter(|specimen| !unchanged.contains(&specimen.name));
+    let shared = if made().next().is_some() { shared_parts(&config, threads, slowdown) } else { Vec::new() };
+    let parts = summed(made().flat_map(|specimen| specimen.parts.clone()).chain(shared));
+    let (entries, bytes) = store::size(&config.cache.folder)?;
     let plan = Plan {
         atlas: config.atlas_name.clone(),
         threads,
+        slowdown,
+        seconds: parts.iter().map(|part| part.seconds).sum(),
+        parts,
+        unchanged,
+        cache: [entries as u64, bytes],
         tolerance: config.tables.tolerance,
-        specimens: specimens.collect(),
+        specimens,
         assumed: asked::assumed(&config),
         left_out: asked::left_out(&config),
     };
@@ -123,12 +166,18 @@ pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
 fn plan_specimen(
     config: &RunConfig,
     specimen: &SpecimenConfig,
-    threads: usize,
+    [threads, slowdown]: [f64; 2],
     pictures: &mut Pictures,
 ) -> Result<SpecimenPlan> {
+    let threads = threads as usize;
     specimen.measured.as_ref().map(measured::read).transpose()?;
     let ingested = ingest(specimen)?;
-    let tables = asked::tables_for(config, &specimen.name);
+    let asked = asked::tables_for(config, &specimen.name);
+    // As a run does: on fewer texels first, and on more where they do not suffice.
+    let may_try = config.cover.is_all() && config.hold.xyz;
+    let fewer = tried_first(&ingested.optics, &asked).filter(|_| may_try);
+    let size_max = fewer.map(|_| automatic_size(&ingested.optics, asked.tolerance));
+    let tables = TablesConfig { size: fewer.or(asked.size), ..asked.clone() };
     let input = BuildInput::new(&ingested.fields, &ingested.optics, &tables);
     let (plan, budget) = match asked::restricted_to(config, &specimen.name) {
         None => (plan::plan(&input)?, None),
@@ -139,13 +188,19 @@ fn plan_specimen(
             (plan::plan_for(&input, Some(covered))?, Some(budget))
         }
     };
-    let forecast = match config.hold.xyz {
-        true => forecast_of(&input, &plan, threads),
-        false => {
-            let spectral = SpectralInput::new(&ingested.optics, &tables);
+    let obstacle = asked::spectral_obstacle(config, &ingested.optics)?;
+    let of_spectral = match config.hold.spectral && obstacle.is_none() {
+        false => None,
+        true => {
+            let whole = SpectralInput::new(&ingested.optics, &asked);
+            let spectral = whole.on_fewer_texels(&asked).unwrap_or(whole);
             let input = spectral.of(&input);
-            forecast_of(&input, &plan::plan(&input)?, threads)
+            Some(forecast_of(&input, &plan::plan(&input)?, threads))
         }
+    };
+    let (forecast, spectral) = match (config.hold.xyz, of_spectral) {
+        (false, Some(spectral)) => (spectral, None),
+        (_, spectral) => (forecast_of(&input, &plan, threads), spectral),
     };
     let reference = match config.report.reference {
         false => None,
@@ -155,23 +210,43 @@ fn plan_specimen(
         }
     };
     let of_first = ingested.statistics.iter().take(1).flat_map(|statistics| statistics.warnings.clone());
-    let obstacle = asked::spectral_obstacle(config, &ingested.optics)?;
-    let warnings = of_first.chain(scan_warnings(&ingested, &ingested.optics)).chain(obstacle).collect();
+    let of_files = ingested.provenance.iter().flat_map(|scan| scan.warnings.clone());
+    let warnings = of_first.chain(of_files).chain(scan_warnings(&ingested, &ingested.optics)).chain(obstacle).collect();
     let samples: usize = ingested.fields.iter().map(|field| field.heights_nm.len()).sum();
     let held_bytes = (samples * size_of::<f64>()) as u64 + forecast.memory_bytes;
+    let scenes = asked::pictured_scenes(config, &specimen.name);
+    let known = Known { samples, tables: &forecast, spectral: spectral.as_ref(), reference, scenes: &scenes };
+    let parts = specimen_parts(config, &known, threads, slowdown);
     let unit = UnitPlan {
-        seconds: forecast.seconds + reference.map_or(0.0, |reference: ReferenceForecast| reference.seconds),
+        seconds: parts.iter().map(|part| part.seconds).sum(),
         memory_mib: held_bytes.div_ceil(1 << 20) + PROGRAM_MIB,
     };
     Ok(SpecimenPlan {
         name: specimen.name.clone(),
         forecast: Some(forecast),
         unit: Some(unit),
+        size_max,
+        parts,
+        has_fault: ingested.findings.iter().any(|findings| !findings.is_empty()),
         reference,
         budget,
         failure: None,
+        coherence: sigma_taken(&ingested.optics),
         warnings,
     })
+}
+
+/// Seconds and transforms of a specimen from which on it is said to be far too expensive.
+const EXPENSIVE_S: f64 = 60.0;
+const EXPENSIVE_TRANSFORMS: usize = 60;
+
+/// Seconds with as many digits as a prediction has.
+fn in_seconds(seconds: f64) -> String {
+    match seconds {
+        _ if seconds < 10.0 => format!("{seconds:.1} s"),
+        _ if seconds < 600.0 => format!("{seconds:.0} s"),
+        _ => format!("{:.0} min", seconds / 60.0),
+    }
 }
 
 /// Samples of the reference pictures: most scenes are the same for every specimen.
@@ -194,6 +269,28 @@ impl Pictures {
 }
 
 impl Plan {
+    /// Which sizes are guesses, since tables that were built decide.
+    fn guesses_text(&self) -> String {
+        let mut kinds: Vec<([usize; 2], Vec<&str>)> = Vec::new();
+        for specimen in &self.specimens {
+            let (Some(forecast), Some(most)) = (&specimen.forecast, specimen.size_max) else { continue };
+            match kinds.iter_mut().find(|(sizes, _)| *sizes == [forecast.size, most]) {
+                Some((_, names)) => names.push(&specimen.name),
+                None => kinds.push(([forecast.size, most], vec![&specimen.name])),
+            }
+        }
+        let line = |([size, most], names): &([usize; 2], Vec<&str>)| {
+            let times = (*most as f64 / *size as f64).powi(2);
+            format!(
+                "size of {}: {size}² texels are tried first; where those that were built do not keep the tolerance, up to {most}² are taken, with {times:.1} \
+                 times the memory and bytes\n",
+                names.join(", ")
+            )
+        };
+        kinds.iter().map(line).collect::<String>()
+            + "numbers of tables are estimated from the heights' spread: a guess, within a half of what comes out\n"
+    }
+
     /// A line for each kind of averaging, and for each kind of look-up between texels, with the specimens that it concerns.
     fn windows_text(&self) -> String {
         self.shared_lines("windows", &|forecast| windows_in_words(forecast, self.tolerance))
@@ -216,16 +313,56 @@ impl Plan {
 
     /// What all specimens take; nothing where none has a forecast.
     fn total_text(&self, tables_s: f64) -> String {
-        let references = self.specimens.iter().filter_map(|specimen| specimen.reference);
-        let reference_s = references.map(|reference| reference.seconds).reduce(|a, b| a + b);
-        match (self.specimens.iter().any(|specimen| specimen.forecast.is_some()), reference_s) {
-            (false, _) => String::new(),
-            (true, None) => format!("tables in about {tables_s:.2} s, no reference; pictures come on top\n"),
-            (true, Some(reference_s)) => format!(
-                "tables in about {tables_s:.2} s, the reference in about {reference_s:.2} s where none of it is known; \
-                 pictures and the direct sum come on top\n"
-            ),
+        if self.specimens.iter().all(|specimen| specimen.forecast.is_none()) {
+            return String::new();
         }
+        let references = self.specimens.iter().filter_map(|specimen| specimen.reference);
+        let reference = match references.map(|reference| reference.seconds).reduce(|a, b| a + b) {
+            None => "no reference".to_owned(),
+            Some(seconds) => {
+                format!("the reference in about {:.2} s where none of it is known", self.slowdown * seconds)
+            }
+        };
+        let parts: Vec<String> =
+            self.parts.iter().map(|part| format!("{} {}", part.what, in_seconds(part.seconds))).collect();
+        let mut text = format!(
+            "tables in about {:.2} s, {reference}\nthe whole run in about {} on this machine, which now takes {:.1} times as long as the one that the \
+             constants are from: {}\n",
+            self.slowdown * tables_s,
+            in_seconds(self.seconds),
+            self.slowdown,
+            if parts.is_empty() { "nothing is to be made".to_owned() } else { parts.join(", ") }
+        );
+        if !self.unchanged.is_empty() {
+            text += &format!("there already, and taken over: {}\n", self.unchanged.join(", "));
+        }
+        let [entries, bytes] = self.cache;
+        if entries > 0 {
+            text += &format!("the cache holds {entries} entries, {}, which may save more\n", bytes_in_words(bytes));
+        }
+        text + &self.far_too_expensive()
+    }
+
+    /// Specimens that take far more than most, with the reason and what to do.
+    fn far_too_expensive(&self) -> String {
+        let mut text = String::new();
+        for specimen in &self.specimens {
+            let (Some(unit), Some(forecast)) = (&specimen.unit, &specimen.forecast) else { continue };
+            if unit.seconds > EXPENSIVE_S && forecast.transforms > EXPENSIVE_TRANSFORMS {
+                text += &format!(
+                    "{} takes {}, for its heights span so much that {} transforms are needed: a relief that diffracts needs some ten. {}\n",
+                    specimen.name,
+                    in_seconds(unit.seconds),
+                    forecast.transforms,
+                    if specimen.has_fault {
+                        "The warning below says where, and which key mends it."
+                    } else {
+                        "Is the unit of `height` right? `despike` takes single spikes away."
+                    }
+                );
+            }
+        }
+        text
     }
 
     fn to_text(&self) -> String {
@@ -245,8 +382,10 @@ impl Plan {
                         f.tables,
                         f.size,
                         step,
-                        f.seconds,
-                        specimen.reference.map_or("-".into(), |reference| format!("{:.2}", reference.seconds)),
+                        self.slowdown * f.seconds,
+                        specimen
+                            .reference
+                            .map_or("-".into(), |reference| format!("{:.2}", self.slowdown * reference.seconds)),
                         bytes_in_words(f.memory_bytes),
                         bytes_in_words(f.stored_bytes),
                         numbers_in_words(f)
@@ -258,6 +397,7 @@ impl Plan {
         }
         text += &self.total_text(total_s);
         text += &self.windows_text();
+        text += &self.guesses_text();
         if self.specimens.iter().flat_map(|specimen| &specimen.forecast).any(|forecast| !forecast.storage_asked) {
             text +=
                 "whether numbers are half or float is decided by what halves do to the tables, once they are built\n";
@@ -268,6 +408,7 @@ impl Plan {
             }
         }
         for specimen in &self.specimens {
+            text.extend(specimen.coherence.iter().map(|words| format!("{}: {words}\n", specimen.name)));
             text.extend(specimen.warnings.iter().map(|warning| format!("warning: {}: {warning}\n", specimen.name)));
         }
         if !self.assumed.is_empty() {

@@ -6,11 +6,13 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use serde_json::json;
 
+use crate::cli::destination;
 use crate::cli::options::{Global, MANIFEST};
 use crate::cli::output::{self, Outcome};
 use crate::cli::progress::{Logged, reporter};
 use crate::cli::terminal;
 use crate::error::Result;
+use crate::manifest::inputs::inputs;
 use crate::manifest::keys::nearest;
 use crate::manifest::{self, convert::run_config};
 use crate::report::spectrum_picture::{spectrum_half_range_per_um, spectrum_picture};
@@ -158,6 +160,11 @@ fn slurm_task(number: &dyn Fn(&str) -> Option<u64>) -> Option<(u64, u64)> {
 /// A wrong manifest, or what concerns the whole run.
 pub(crate) fn run(args: &RunArgs, global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
+    if let Some(log) = &args.log {
+        let inputs = inputs(&manifest, &text);
+        let inputs: Vec<&Path> = inputs.iter().map(PathBuf::as_path).chain([args.manifest.as_path()]).collect();
+        destination::check_log(log, &inputs)?;
+    }
     let mut config = run_config(manifest, text);
     if args.no_cache {
         config.cache.limit_mib = 0;
@@ -334,7 +341,9 @@ fn finished_line(finished: &Finished) -> String {
         1 => ", 1 warning".into(),
         count => format!(", {count} warnings"),
     };
-    format!("{label}: {tables} tables of {size}², {seconds:.1} s{known}{warnings}")
+    let followed = result.optics.as_ref().filter(|optics| optics.sigma_follows_scan);
+    let sigma = followed.map_or(String::new(), |optics| format!(", sigma = {:.3} µm", optics.sigma_nm * 1e-3));
+    format!("{label}: {tables} tables of {size}²{sigma}, {seconds:.1} s{known}{warnings}")
 }
 
 /// The same as a line of JSON.

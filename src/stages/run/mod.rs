@@ -26,3 +26,4 @@ mod underway;
 mod verdict;
 mod version;
 pub(crate) mod warnings;
+pub mod whole_forecast;

@@ -75,6 +75,18 @@ pub(crate) fn scan_warnings(scans: &Scans, optics: &OpticsConfig) -> Vec<String>
     warnings
 }
 
+/// What sigma was taken where it follows the scans.
+pub(crate) fn sigma_taken(optics: &OpticsConfig) -> Option<String> {
+    optics.sigma_follows_scan.then(|| {
+        format!(
+            "sigma = {:.3} µm by sigma_um = \"auto\": the shortest side of its scans over {}, or what holds by default where they resolve \
+             any",
+            optics.sigma_nm * 1e-3,
+            optics.sides_in_sigmas()
+        )
+    })
+}
+
 /// The file's name where there are several.
 fn prefix(scans: &Scans, index: usize) -> String {
     if scans.fields.len() > 1 { format!("{}: ", scans.provenance[index].file_name) } else { String::new() }

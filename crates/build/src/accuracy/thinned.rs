@@ -93,6 +93,7 @@ mod tests {
         sigma_nm: 600.0,
         lobe_sigma_nm: None,
         source_deg: None,
+        sigma_follows_scan: false,
         edge: Edge::Tile,
         windows: Windows::Grid,
         material: Material::Dielectric { n: 1.5 },

@@ -9,3 +9,4 @@ pub mod metrics;
 pub mod null_for_nan;
 pub mod progress;
 pub mod sampling;
+pub mod speed;

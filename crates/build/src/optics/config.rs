@@ -51,6 +51,9 @@ pub struct OpticsConfig {
     /// wavelength ([`source_sigma_nm`]), and only the mean over all positions of a repeated scan takes it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source_deg: Option<f64>,
+    /// Whether `sigma_nm` is as much as the scans tell, whatever the light's may be: [`OpticsConfig::for_scans`] then sets it.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub sigma_follows_scan: bool,
     /// What lies beyond the scan's edge.
     pub edge: Edge,
     /// Which window positions are averaged.
@@ -72,6 +75,12 @@ pub struct OpticsConfig {
 /// The mean power of a scan of side `L` that repeats is lines `1/L` apart, each a Gaussian of the deviation `1/(2√2 πσ)`. The
 /// first harmonic of their sum is [`ripple`]: 3.7 % at four deviations.
 pub const TILE_SIGMAS: f64 = 4.0;
+
+/// The same for a repetition that is not warned of: the [`ripple`] is 2 %.
+pub const QUIET_TILE_SIGMAS: f64 = 4.3;
+
+/// Sides of a scan in standard deviations of a window that stays inside it.
+pub const FADE_SIGMAS: f64 = 8.0;
 
 /// Amplitude of the ripple between the lines of a repeated scan, relative to their mean power: `2 exp(-L²/4σ²)`, by Poisson's
 /// sum over the Gaussians of [`TILE_SIGMAS`].
@@ -95,6 +104,7 @@ impl OpticsConfig {
             sigma_nm,
             lobe_sigma_nm: None,
             source_deg: None,
+            sigma_follows_scan: false,
             edge,
             windows,
             material: Material::Ideal,
@@ -133,7 +143,21 @@ impl OpticsConfig {
     pub fn with_source(&self, source_deg: f64) -> Self {
         let longest_nm = self.illuminant.reach_nm(self.wavelength_nm)[1];
         let sigma_nm = source_sigma_nm(source_deg, longest_nm);
-        Self { sigma_nm, lobe_sigma_nm: None, source_deg: Some(source_deg), ..self.clone() }
+        Self { sigma_nm, lobe_sigma_nm: None, source_deg: Some(source_deg), sigma_follows_scan: false, ..self.clone() }
+    }
+
+    /// The same with a sigma that follows the scans; `unlimited_nm` holds for those that resolve any.
+    pub fn with_sigma_of_scans(&self, unlimited_nm: f64) -> Self {
+        Self { sigma_nm: unlimited_nm, lobe_sigma_nm: None, source_deg: None, sigma_follows_scan: true, ..self.clone() }
+    }
+
+    /// Sides of a scan in sigmas, where sigma follows it: as small as the edge lets a side be.
+    pub fn sides_in_sigmas(&self) -> f64 {
+        match self.edge {
+            Edge::Auto => TILE_SIGMAS,
+            Edge::Tile => QUIET_TILE_SIGMAS,
+            Edge::Fade => FADE_SIGMAS,
+        }
     }
 
     /// The same for these scans: with `Edge::Auto` the diffuse part takes no more of the coherence than the smallest of them
@@ -142,7 +166,14 @@ impl OpticsConfig {
     /// what is left of the gaps between lines is [`ripple`].
     pub fn for_scans(&self, fields: &[HeightField]) -> Self {
         let mut optics = self.source_deg.map_or_else(|| self.clone(), |source_deg| self.with_source(source_deg));
-        if self.edge == Edge::Auto {
+        if self.sigma_follows_scan {
+            let sides_nm = fields.iter().filter(|field| self.edge == Edge::Fade || !is_whole_grating(field));
+            let told_nm = sides_nm.map(smallest_side_nm).filter(|side_nm| side_nm.is_finite());
+            let smallest_nm = told_nm.fold(f64::INFINITY, f64::min);
+            if smallest_nm.is_finite() {
+                optics.sigma_nm = smallest_nm / self.sides_in_sigmas();
+            }
+        } else if self.edge == Edge::Auto {
             let light_nm = optics.lobe_sigma_nm();
             let told_nm = fields.iter().filter(|field| !is_whole_grating(field)).map(smallest_side_nm);
             optics.sigma_nm = told_nm.map(|side_nm| side_nm / TILE_SIGMAS).fold(light_nm, f64::min);
