@@ -46,6 +46,8 @@ export class App {
   private drew = false;
   private recording = false;
   private opened = false;
+  /** What the page says while the graphics driver keeps its memory to itself. */
+  private lost: HTMLElement | null = null;
 
   constructor(
     mount: HTMLElement,
@@ -82,8 +84,9 @@ export class App {
     const { canvas } = this.page.stage;
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
-      this.fault(new Error('The graphics driver took its memory back (the WebGL context was lost). Load the page again.'));
+      this.lost ??= lostNotice();
     });
+    canvas.addEventListener('webglcontextrestored', () => this.restored());
     dropTarget(mount, (dropped) => void this.take(dropped));
     new ResizeObserver(() => this.fit()).observe(this.page.stage.element);
     addEventListener('hashchange', () => {
@@ -101,26 +104,36 @@ export class App {
     page.specimens.append(...(await specimenCards(engine, (specimen) => this.set({ specimen }))));
     await this.load();
     this.opened = true;
-    this.firstFrames();
+    this.firstFrame();
     page.element.classList.add('ready');
+    performance.mark('first view');
     const tick = (now: number) => {
       try {
-        this.tick(now);
+        if (!this.lost) this.tick(now);
         requestAnimationFrame(tick);
       } catch (error) {
         this.fault(error);
       }
     };
-    requestAnimationFrame(tick);
-    void this.load(true);
+    requestAnimationFrame((now) => {
+      this.measureSpeed();
+      tick(now);
+    });
+    this.pending = this.pending.then(() => this.load(true));
   }
 
-  /** Draws coarsely, once to compile the shaders and once to see how fast they are. */
-  private firstFrames(): void {
-    const { engine } = this;
-    this.detail.now = COARSEST;
+  /** Draws coarsely: whoever compiles shaders and draws on the processor shows something soon. */
+  private firstFrame(): void {
+    this.detail.now = this.detail.moving = COARSEST;
     this.fit();
-    engine.draw(0);
+    this.engine.draw(0);
+    this.stale.picture = true;
+  }
+
+  /** How coarse the picture must be to move smoothly: the first frame once more, now that shaders are compiled. */
+  private measureSpeed(): void {
+    const { engine } = this;
+    engine.finish();
     engine.restart();
     const started = performance.now();
     engine.draw(0);
@@ -148,7 +161,7 @@ export class App {
     if (before.size_px !== after.size_px) this.fit();
     if (!this.opened) return;
     const spectral = this.engine.wantsSpectral() && !this.engine.loaded?.spectral;
-    if (before.specimen !== after.specimen || spectral) this.pending = this.pending.then(() => this.load());
+    if (before.specimen !== after.specimen || spectral || !this.engine.isReady()) this.pending = this.pending.then(() => this.load());
   }
 
   /** Loads what the state needs; `spectral` loads those tables whether or not the picture needs them. */
@@ -161,8 +174,10 @@ export class App {
     try {
       progress(0.02);
       await engine.loadSpecimen(progress);
+      if (this.opened && (await engine.makeReady())) this.stale.picture = this.stale.views = true;
       if (spectral || engine.wantsSpectral() || this.opened) await engine.loadSpectral(progress);
       progress(1);
+      if (this.opened) await engine.makeReady();
     } catch (error) {
       progress(1);
       this.fault(error);
@@ -216,6 +231,14 @@ export class App {
       this.last.address = now;
       if (engine.state.motion === 'none') history.replaceState(null, '', toFragment(engine.state) || location.pathname + location.search);
     }
+  }
+
+  /** The graphics driver is back: everything goes to it anew. */
+  private restored(): void {
+    this.engine.restored();
+    this.lost?.remove();
+    this.lost = null;
+    this.stale = { picture: true, views: true, controls: true, address: false };
   }
 
   /** Fewer pixels while something moves and the GPU is slow; all of them once it stands still. */
@@ -367,6 +390,7 @@ export class App {
       state: () => structuredClone(engine.state),
       frame: async () => {
         await settled();
+        if (this.lost) return;
         this.detail.now = 1;
         this.fit();
         engine.draw(Infinity);
@@ -385,6 +409,7 @@ export class App {
         const stored = engine.loaded?.specimen.spectral;
         if (!stored || !(await engine.loadSpectral(() => undefined))) throw new Error('the specimen has no spectral tables');
         const nm = wavelengths_nm ?? plotWavelengths(stored.shortest_nm, stored.longest_nm);
+        await engine.makeReady();
         const evaluated = engine.spectralEvaluated();
         if (!evaluated) throw new Error('the specimen has no spectral tables');
         const values = engine.probe.spectrum(evaluated, pair(theta_i, phi_i, theta_r, phi_r), engine.asks(nm));
@@ -395,6 +420,14 @@ export class App {
 }
 
 const directionsOf = ({ angles_deg: [ti, pi, tr, pr] }: MeasuredSpectrum) => ({ wi: fromAngles(ti, pi), wo: fromAngles(tr, pr) });
+
+function lostNotice(): HTMLElement {
+  const words = 'The graphics driver took its memory back, as it does when it restarts or when another program wants it. The page goes on by itself once it may draw again.';
+  const again = h('button', { type: 'button', onclick: () => location.reload() }, 'Load the page again');
+  const notice = h('div', { className: 'fault', role: 'alert' }, h('div', {}, h('h2', {}, 'The picture is gone for a moment'), h('p', {}, words), again));
+  document.body.append(notice);
+  return notice;
+}
 
 /** A direction turned about the line of sight. */
 function aboutView([x, y, z]: Vec3, angle_deg: number): Vec3 {

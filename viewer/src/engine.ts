@@ -2,7 +2,7 @@
 
 import { FloatType, HalfFloatType, WebGLRenderer, type DataTexture } from 'three';
 import { AtlasError, type AtlasFiles } from './atlas/files';
-import { packSpectral, packTables, type PackedSpectral, type PackedTables, type Progress } from './atlas/pack';
+import { hasMeans, hasSplines, packSpectral, packTables, type Packed, type PackedSpectral, type PackedTables, type Progress } from './atlas/pack';
 import { readIndex, readSpecimen, type AtlasIndex, type Specimen, type ViewerFile } from './atlas/specimen';
 import { Picture, byteTarget, flipped, type Evaluated } from './gl/picture';
 import { automaticExposure, Probe, type Pair } from './gl/probe';
@@ -10,7 +10,7 @@ import { asksOf, quadratureOf, quadratureUniforms, type Ask } from './gl/quadrat
 import { P3 } from './gl/display';
 import { GpuClock } from './gl/clock';
 import { BINDING } from './gl/library';
-import { upload, type Uploaded } from './gl/upload';
+import { upload, uploadReady, type Readiness, type Uploaded } from './gl/upload';
 import { illuminant, illuminantOf, type Illuminant, type Quadrature } from './light/illuminants';
 import type { Body } from './scene/body';
 import { builtIn, skyTextures, type Environment, type SkyTextures } from './scene/environment';
@@ -20,19 +20,29 @@ import { merged, type State } from './state';
 /** Why a picture cannot be drawn, in words for the reader of the page. */
 export class GraphicsError extends Error {}
 
+/** Tables, and what of them is on the GPU. */
+interface OnGpu<P extends Packed> {
+  packed: P;
+  uploaded: Partial<Record<Readiness, Uploaded>>;
+}
+
 /** A specimen on the GPU. */
 interface Loaded {
   specimen: Specimen;
   /** Those of XYZ; null where the specimen has spectral ones alone. */
-  tables: { packed: PackedTables; uploaded: Uploaded } | null;
-  spectral: { packed: PackedSpectral; uploaded: Uploaded } | null;
+  tables: OnGpu<PackedTables> | null;
+  spectral: OnGpu<PackedSpectral> | null;
 }
+
+const onGpu = <P extends Packed>(packed: P): OnGpu<P> => ({ packed, uploaded: { plain: upload(packed) } });
+const disposeOf = (tables: OnGpu<Packed> | null): void => Object.values(tables?.uploaded ?? {}).forEach((one) => one.dispose());
 
 const METER_SIDE = 128;
 
 export class Engine {
   readonly renderer: WebGLRenderer;
-  readonly clock: GpuClock;
+  private readonly gl: WebGL2RenderingContext;
+  clock: GpuClock;
   readonly probe: Probe;
   /** Whether targets of 32-bit floats can be drawn and read: without them there are no numbers, only pictures. */
   readonly floats: boolean;
@@ -73,10 +83,8 @@ export class Engine {
     if (this.state.shape === 'model') this.state.shape = 'snake';
     if (this.state.environment === 'own') this.state.environment = 'none';
     this.picture = new Picture(this.renderer, this.floats ? FloatType : HalfFloatType);
-    if (matchMedia('(color-gamut: p3)').matches && 'drawingBufferColorSpace' in gl) {
-      gl.drawingBufferColorSpace = 'display-p3';
-      if (gl.drawingBufferColorSpace === 'display-p3') this.picture.primaries = P3;
-    }
+    this.gl = gl;
+    this.useColours();
     this.probe = new Probe(this.renderer);
   }
 
@@ -86,7 +94,11 @@ export class Engine {
 
   /** Samples taken, and how many make the picture whole. */
   get progress(): { taken: number; whole: number } {
-    return { taken: this.picture.samples, whole: Picture.samplesOf(this.state) };
+    return { taken: this.picture.samples, whole: this.whole(this.evaluated()) };
+  }
+
+  private whole(evaluated: Evaluated | null): number {
+    return evaluated ? Picture.samplesOf(this.state, evaluated) : 1;
   }
 
   async open(): Promise<void> {
@@ -111,7 +123,7 @@ export class Engine {
       const specimen = await readSpecimen(this.files, name);
       const packed = await packTables(this.files, specimen, progress);
       this.unload();
-      this.loaded = { specimen, tables: packed && { packed, uploaded: upload(packed) }, spectral: null };
+      this.loaded = { specimen, tables: packed && onGpu(packed), spectral: null };
       this.metered = null;
     }
     this.state.specimen = name;
@@ -126,23 +138,78 @@ export class Engine {
       const packed = await packSpectral(this.files, loaded.specimen, progress);
       if (!packed) return false;
       if (this.loaded !== loaded) return false;
-      loaded.spectral = { packed, uploaded: upload(packed) };
+      loaded.spectral = onGpu(packed);
       if (this.wantsSpectral()) this.restart();
     }
     return true;
   }
 
+  /** What the state's look-ups want of tables. */
+  private readiness(packed: Packed): Readiness {
+    const { interpolation, look_ups } = this.state;
+    if (interpolation === 'spline' && hasSplines(packed)) return 'splines';
+    return interpolation !== 'cubic' && look_ups === 'filtered' && hasMeans(packed) ? 'filtered' : 'plain';
+  }
+
+  /** Whether the tables of the picture are ready for the state's look-ups; until then they are looked up linearly, at points. */
+  isReady(): boolean {
+    const tables = this.ofPicture();
+    return !tables || tables.uploaded[this.readiness(tables.packed)] !== undefined;
+  }
+
+  /** Makes the loaded tables ready for the state's look-ups, with pauses, and says whether anything changed. */
+  async makeReady(): Promise<boolean> {
+    const { loaded } = this;
+    let changed = false;
+    for (const tables of [this.ofPicture(), loaded?.tables ?? null, loaded?.spectral ?? null]) {
+      if (!tables) continue;
+      const readiness = this.readiness(tables.packed);
+      if (tables.uploaded[readiness]) continue;
+      const ready = await uploadReady(tables.packed, readiness);
+      if (this.loaded !== loaded || tables.uploaded[readiness]) {
+        ready.dispose();
+        continue;
+      }
+      tables.uploaded[readiness] = ready;
+      changed = true;
+      this.restart();
+    }
+    return changed;
+  }
+
+  /** The tables that the picture is made from. */
+  private ofPicture(): OnGpu<Packed> | null {
+    const { loaded } = this;
+    return loaded && this.light() && loaded.spectral ? loaded.spectral : (loaded?.tables ?? null);
+  }
+
   private unload(): void {
-    this.loaded?.tables?.uploaded.dispose();
-    this.loaded?.spectral?.uploaded.dispose();
+    disposeOf(this.loaded?.tables ?? null);
+    disposeOf(this.loaded?.spectral ?? null);
     this.loaded = null;
     this.quadratureKey = '';
   }
 
   /** Waits for the GPU. */
   finish(): void {
-    const gl = this.renderer.getContext();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+
+  /** After the GPU's memory was lost and given back: what lay in it is uploaded anew as it is used. */
+  restored(): void {
+    this.clock = new GpuClock(this.gl);
+    this.useColours();
+    for (const body of [this.snake, this.model]) body?.forgetShadows();
+    this.metered = null;
+    this.restart();
+  }
+
+  /** The widest colours that both screen and browser have. */
+  private useColours(): void {
+    const { gl } = this;
+    if (!matchMedia('(color-gamut: p3)').matches || !('drawingBufferColorSpace' in gl)) return;
+    gl.drawingBufferColorSpace = 'display-p3';
+    if (gl.drawingBufferColorSpace === 'display-p3') this.picture.primaries = P3;
   }
 
   /** Changes the state; the picture starts anew where it looks different. Returns whether it does. */
@@ -195,12 +262,25 @@ export class Engine {
     if (!loaded) return null;
     const count = all ? null : this.state.tables;
     const light = this.light();
-    const { interpolation } = this.state;
-    if (light && loaded.spectral) {
-      return { interpolation, source: 'spectral', uniforms: { ...this.limited(loaded.spectral.uploaded, count, false), ...this.quadratureFor(light) } };
-    }
+    if (light && loaded.spectral) return this.spectralUnder(loaded.spectral, light, count);
     if (!loaded.tables) return null;
-    return { interpolation, source: 'tables', uniforms: this.limited(loaded.tables.uploaded, count, pigment) };
+    const { uploaded, ...how } = this.lookedUp(loaded.tables);
+    return { ...how, source: 'tables', uniforms: this.limited(uploaded, count, pigment) };
+  }
+
+  private spectralUnder(spectral: OnGpu<PackedSpectral>, light: Illuminant, count: number | null): Evaluated {
+    const { uploaded, ...how } = this.lookedUp(spectral);
+    return { ...how, source: 'spectral', uniforms: { ...this.limited(uploaded, count, false), ...this.quadratureFor(light) } };
+  }
+
+  /** How tables are looked up: as the state says where they are ready for that. */
+  private lookedUp({ packed, uploaded }: OnGpu<Packed>): { uploaded: Uploaded } & Omit<Evaluated, 'source' | 'uniforms'> {
+    const { interpolation, look_ups } = this.state;
+    const ready = uploaded[this.readiness(packed)];
+    const plain = uploaded.plain as Uploaded;
+    if (!ready) return { uploaded: plain, interpolation: 'bilinear', filtered: false, provisional: true };
+    // Tables for scenes alone have no levels, and the shader asks for none.
+    return { uploaded: ready, interpolation, filtered: look_ups === 'filtered' && interpolation !== 'cubic', provisional: false };
   }
 
   /** The spectral tables under any light, where they are loaded. */
@@ -208,7 +288,7 @@ export class Engine {
     const loaded = this.loaded;
     if (!loaded?.spectral) return null;
     const light = this.light() ?? illuminant('D65', 633, 45);
-    return { interpolation: this.state.interpolation, source: 'spectral', uniforms: { ...this.limited(loaded.spectral.uploaded, this.state.tables, false), ...this.quadratureFor(light) } };
+    return this.spectralUnder(loaded.spectral, light, this.state.tables);
   }
 
   /** The quadrature of a light for the specimen's spectral tables. */
@@ -260,13 +340,16 @@ export class Engine {
   lookups(): number {
     const { loaded } = this;
     if (!loaded) return 0;
-    const light = this.light();
-    if (light && loaded.spectral) {
-      const { table_layers, cross_layers } = loaded.spectral.packed.params;
-      return (table_layers + cross_layers) * Number(this.quadratureUniforms.u_wavelengths?.value ?? 0);
+    const evaluated = this.evaluated();
+    if (!evaluated) return 0;
+    // A filtered look-up reads seven places; a spline is made of four linear fetches, a cubic of sixteen texels.
+    const { interpolation, filtered } = evaluated;
+    const block = evaluated.uniforms[BINDING[0]].value;
+    const each = filtered ? 7 : interpolation === 'cubic' ? 16 : block.look_up === 1 ? 4 : 1;
+    if (evaluated.source === 'spectral') {
+      return (each * block.table_layers + block.cross_layers) * Number(this.quadratureUniforms.u_wavelengths?.value ?? 0);
     }
-    if (!loaded.tables) return 0;
-    return loaded.tables.packed.params.table_count + loaded.tables.packed.params.restricted;
+    return each * block.table_count + block.restricted;
   }
 
   private body(): Body | null {
@@ -307,15 +390,17 @@ export class Engine {
 
   private automatic(): number {
     const { specimen, shape, illuminant: light, laser_nm, scale, environment: sky } = this.state;
-    const key = JSON.stringify([specimen, shape, light, laser_nm, scale, sky]);
     const evaluated = this.evaluated();
+    // One sample of the surroundings is too few to meter by.
+    const few = sky !== 'none' && evaluated?.provisional;
+    const key = JSON.stringify([specimen, shape, light, laser_nm, scale, sky, few]);
     if (this.metered?.key === key || !evaluated || !this.floats) return this.metered?.exposure ?? 1;
     this.meter ??= new Picture(this.renderer, FloatType);
     this.meter.resize(METER_SIDE, METER_SIDE);
     this.meter.restart();
     this.meter.sky = this.sky();
     const still: State = { ...this.state, environment_samples: 16, view: { azimuth_deg: 0, elevation_deg: 0, zoom: 1 }, light_samples: 1, pixel_samples: 1 };
-    for (let i = 0; i < Picture.samplesOf(still); i++) this.meter.step(still, evaluated, this.body());
+    for (let i = 0; i < Picture.samplesOf(still, evaluated); i++) this.meter.step(still, evaluated, this.body());
     this.metered = { key, exposure: automaticExposure(this.meter.values()) };
     return this.metered.exposure;
   }
@@ -336,7 +421,7 @@ export class Engine {
   draw(budget_ms: number): boolean {
     const [evaluated, body] = [this.evaluated(), this.body()];
     if (!evaluated) return true;
-    const whole = Picture.samplesOf(this.state);
+    const whole = this.whole(evaluated);
     this.picture.sky = this.sky();
     const started = performance.now();
     const other = this.state.difference && this.state.tables !== null ? this.otherPicture() : null;

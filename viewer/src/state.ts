@@ -44,8 +44,10 @@ export interface State {
   tables: number | null;
   /** Shows the difference from all tables, in place of the picture. */
   difference: boolean;
-  /** Look-ups between texels. */
-  interpolation: 'bilinear' | 'cubic';
+  /** Look-ups between texels: "spline" is what the atlas is promised for, linear where it is not promised for splines. */
+  interpolation: 'spline' | 'bilinear' | 'cubic';
+  /** One look-up for a whole light and pixel, or points of them; cubic look-ups take points. */
+  look_ups: 'filtered' | 'points';
   pigment: boolean;
   patch: { width_mm: number; distance_mm: number; tilt_deg: number };
   screen: { distance_mm: number; width_mm: number; beam_mm: number; incidence_deg: number };
@@ -79,7 +81,8 @@ export const DEFAULTS: State = {
   scale: 1,
   tables: null,
   difference: false,
-  interpolation: 'bilinear',
+  interpolation: 'spline',
+  look_ups: 'filtered',
   pigment: true,
   patch: { width_mm: 20, distance_mm: 60, tilt_deg: 30 },
   screen: { distance_mm: 100, width_mm: 200, beam_mm: 2, incidence_deg: 0 },
@@ -119,7 +122,8 @@ const CHOICES: Partial<Record<keyof State, readonly string[]>> = {
   shape: ['ball', 'snake', 'patch', 'screen', 'map', 'model'],
   tone: ['atlas', 'clip'],
   illuminant: ['tables', 'D65', 'A', 'E', 'F11', 'LED', 'laser', 'sun'],
-  interpolation: ['bilinear', 'cubic'],
+  interpolation: ['spline', 'bilinear', 'cubic'],
+  look_ups: ['filtered', 'points'],
   motion: ['none', 'light', 'turntable'],
   environment: ['none', 'overcast', 'window', 'own'],
 };

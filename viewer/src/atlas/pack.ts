@@ -57,6 +57,17 @@ export interface PackedTables {
   lobe: FloatImage;
 }
 
+/** Tables as they are uploaded: values for linear look-ups, or with what others want. */
+export type Packed = PackedTables | PackedSpectral;
+
+export const isSpectral = (packed: Packed): packed is PackedSpectral => 'table_layers' in packed.params;
+
+/** Whether such tables are promised for look-ups by splines, which FORMAT.md describes: those of powers, and those for scenes alone, are not. */
+export const hasSplines = (packed: Packed): boolean => isSpectral(packed) || (packed.params.basis === 0 && packed.params.restricted === 0);
+
+/** Whether they have means: texels of tables for scenes alone each have a range of their own. */
+export const hasMeans = (packed: Packed): boolean => isSpectral(packed) || packed.params.restricted === 0;
+
 /** The uniform of spectral tables, field by field. */
 export interface SpectralParams {
   table_layers: number;
@@ -81,6 +92,9 @@ export interface SpectralParams {
 export interface PackedSpectral {
   params: SpectralParams;
   tables: Layers;
+  /** Tables and patches, four to a layer. */
+  count: number;
+  patches: number;
   cross: Layers;
   /** The power in the first channel. */
   lobe: FloatImage;
@@ -315,5 +329,5 @@ export async function packSpectral(files: AtlasFiles, specimen: Specimen, progre
     table_scales: tables.scales,
     cross_scales: patches.scales,
   };
-  return { params, tables, cross: patches, lobe };
+  return { params, tables, count: spectral.tables, cross: patches, patches: cross?.patches ?? 0, lobe };
 }

@@ -9,7 +9,7 @@ import type { SkyTextures } from '../scene/environment';
 import type { Body } from '../scene/body';
 import type { State } from '../state';
 import { aboutVertical, centredOn, extent, toClip } from './camera';
-import { evaluation, type Interpolation, type Source } from './library';
+import { evaluation, filteredEvaluation, type Interpolation, type Source } from './library';
 import { SRGB, type Primaries } from './display';
 import { displayPass, material, meanPass, Pass, primaryUniforms } from './passes';
 import { FILL_VERTEX, LIGHTS_MAX, SHADE } from './shade';
@@ -23,8 +23,24 @@ const FLAT = { ball: BALL, patch: PATCH, screen: SCREEN, map: MAP } as const;
 export interface Evaluated {
   source: Source;
   interpolation: Interpolation;
+  /** Whether a look-up stands for a piece of a light and of a pixel. */
+  filtered: boolean;
+  /** Whether tables are still made ready: one sample, of the middle of lights and pixels, is all that is drawn until then. */
+  provisional: boolean;
   uniforms: Uniforms;
 }
+
+/** The text that evaluates, and what else it says of itself. */
+export const evaluationOf = ({ source, interpolation, filtered }: Evaluated): string =>
+  filtered ? `#define FILTERED\n${filteredEvaluation(source)}` : evaluation(source, interpolation);
+
+/** What tells programs of one kind apart. */
+export const keyOf = ({ source, interpolation, filtered }: Evaluated): string => `${source} ${filtered ? 'filtered' : interpolation === 'cubic' ? 'cubic' : 'linear'}`;
+
+/** Largest angular diameter in degrees of a light that one filtered look-up stands for within 1e-2 of the luminance: as in the program. */
+const ONE_LOOK_UP_DEG = 2;
+/** Where in a pixel look-ups stand each for a quarter of it: more than one is for edges alone. */
+const QUARTERS: [number, number][] = [[-0.25, -0.25], [0.25, 0.25], [0.25, -0.25], [-0.25, 0.25]];
 
 export const floatTarget = (width: number, height: number, type: typeof FloatType | typeof HalfFloatType, depth = false): WebGLRenderTarget => {
   const target = new WebGLRenderTarget(width, height, { format: RGBAFormat, type, depthBuffer: depth });
@@ -67,6 +83,8 @@ export class Picture {
     u_spin: { value: new Vector2(1, 0) },
     u_index: { value: 0 },
     u_light: { value: Array.from({ length: LIGHTS_MAX }, () => new Vector4()) },
+    u_light_radius: { value: new Array(LIGHTS_MAX).fill(0) },
+    u_pixel_share: { value: 0 },
     u_turn: { value: new Vector2(1, 0) },
     u_from_clip: { value: new Matrix4() },
     u_to_clip: { value: new Matrix4() },
@@ -124,18 +142,19 @@ export class Picture {
   }
 
   /** How many samples make the picture whole. */
-  static samplesOf(state: State): number {
-    const sized = state.shape === 'screen' || state.lights.some((light) => light.diameter_deg > 0);
+  static samplesOf(state: State, { filtered, provisional }: Evaluated): number {
+    if (provisional) return 1;
+    const sized = state.shape === 'screen' || state.lights.some((light) => light.diameter_deg > (filtered ? ONE_LOOK_UP_DEG : 0));
     const sky = state.environment !== 'none' && lightsSurface(state);
-    return Math.max(sized ? state.light_samples : 1, state.pixel_samples, sky ? state.environment_samples : 1);
+    return Math.max(sized ? state.light_samples : 1, positionsOf(state, filtered), sky ? state.environment_samples : 1);
   }
 
   /** Takes one sample more. */
   step(state: State, evaluated: Evaluated, body: Body | null): void {
-    const count = Picture.samplesOf(state);
-    const [x, y] = pixelOffset(this.taken, state.pixel_samples);
+    const { filtered, provisional } = evaluated;
+    const [x, y] = provisional ? [0, 0] : positionOf(state, filtered, this.taken);
     const offset: [number, number] = [(2 * x) / this.width, (2 * y) / this.height];
-    this.prepare(state, body, this.taken, count, offset, 1);
+    this.prepare(state, evaluated, body, provisional ? -1 : this.taken, offset, 1);
     this.own.u_output.value = 0;
     this.draw(state, evaluated, body, this.sample);
     const [before, after] = this.sums;
@@ -173,7 +192,7 @@ export class Picture {
   /** The two directions of the active light at a place in picture coordinates; null beside the surface and in the shade. */
   directionsAt(state: State, evaluated: Evaluated, body: Body | null, at: { x: number; y: number }): { wi: Vec3; wo: Vec3 } | null {
     const [ex, ey] = extent(this.width, this.height);
-    this.prepare(state, body, -1, 1, [at.x / ex, at.y / ey], this.width);
+    this.prepare(state, { ...evaluated, filtered: false }, body, -1, [at.x / ex, at.y / ey], this.width);
     this.own.u_output.value = 1;
     this.draw(state, evaluated, body, this.pixel);
     const out = new Float32Array(4);
@@ -191,16 +210,20 @@ export class Picture {
   }
 
   /** Sets every uniform for a sample; index -1 is the middle of the lights. */
-  private prepare(state: State, body: Body | null, index: number, count: number, offset: [number, number], enlarge: number): void {
-    const own = this.own;
+  private prepare(state: State, evaluated: Evaluated, body: Body | null, index: number, offset: [number, number], enlarge: number): void {
+    const { own } = this;
+    const { filtered } = evaluated;
+    const count = Picture.samplesOf(state, evaluated);
     const size = extent(this.width, this.height);
     const lights: Vector4[] = own.u_light.value;
     own.u_active.value = state.shape === 'map' || state.shape === 'screen' ? 0 : state.active;
     own.u_lights.value = Math.min(state.lights.length, LIGHTS_MAX);
     state.lights.slice(0, LIGHTS_MAX).forEach((light, i) => {
-      const [direction, irradiance] = lightSample(light, index, count);
+      const { direction, irradiance, radius } = lightSample(light, index, count, filtered);
       lights[i].set(...aboutVertical(direction, -state.spin_deg), irradiance);
+      own.u_light_radius.value[i] = radius;
     });
+    own.u_pixel_share.value = filtered ? 1 / positionsOf(state, filtered) : 0;
     this.prepareSky(state, index);
     own.u_turn.value.set(Math.cos(state.turn_deg * degrees), Math.sin(state.turn_deg * degrees));
     const view = viewOf(state, body);
@@ -212,7 +235,7 @@ export class Picture {
     own.u_extent.value.set(size[0] / enlarge, size[1] / enlarge);
     own.u_offset.value.set(offset[0] * size[0], offset[1] * size[1]);
     if (state.shape === 'patch') this.preparePatch(state);
-    if (state.shape === 'map') own.u_wi.value.set(...lightSample(state.lights[0], index, count)[0]);
+    if (state.shape === 'map') own.u_wi.value.set(...lightSample(state.lights[0], index, count, filtered).direction);
     if (state.shape === 'screen') this.prepareScreen(state, index, count);
   }
 
@@ -255,17 +278,18 @@ export class Picture {
 
   private program(state: State, evaluated: Evaluated, body: Body | null): Pass {
     const solid = state.shape === 'snake' || state.shape === 'model';
-    const key = `${evaluated.source} ${solid ? body?.geometry.uuid : state.shape} ${evaluated.interpolation}`;
+    const surrounded = this.sky !== null && lightsSurface(state);
+    const key = `${keyOf(evaluated)} ${solid ? body?.geometry.uuid : state.shape} ${surrounded}`;
     let pass = this.programs.get(key);
     if (!pass) {
       const surface = solid ? body?.fragment : FLAT[state.shape as keyof typeof FLAT];
       if (surface === undefined) throw new Error(`the shape ${state.shape} is not there yet`);
-      const text = evaluation(evaluated.source, evaluated.interpolation) + SHADE + surface;
+      const text = (surrounded ? '#define SURROUNDED\n' : '') + evaluationOf(evaluated) + SHADE + surface;
       const made: RawShaderMaterial = material(solid ? (body?.vertex ?? '') : FILL_VERTEX, text, { ...this.own }, solid);
       pass = new Pass(made, solid ? body?.geometry : undefined);
       this.programs.set(key, pass);
     }
-    Object.assign(pass.material.uniforms, evaluated.uniforms, solid ? body?.uniforms : {});
+    Object.assign(pass.material.uniforms, evaluated.uniforms, solid ? body?.uniforms : {}, solid && surrounded ? body?.occlusion() : {});
     return pass;
   }
 }
@@ -273,11 +297,23 @@ export class Picture {
 /** Whether a camera sees the surface: maps and screens have no surroundings. */
 const lightsSurface = (state: State): boolean => state.shape !== 'map' && state.shape !== 'screen';
 
-/** Direction and irradiance of one sample of a light. */
-function lightSample(light: State['lights'][number], index: number, count: number): [Vec3, number] {
-  if (index < 0 || light.diameter_deg === 0) return [normalise(light.direction), light.irradiance];
+/** How many positions in a pixel are drawn. */
+const positionsOf = ({ pixel_samples }: State, filtered: boolean): number => (!filtered ? pixel_samples : pixel_samples < QUARTERS.length ? 1 : QUARTERS.length);
+
+/** The position of a sample within its pixel. */
+function positionOf(state: State, filtered: boolean, index: number): [number, number] {
+  const count = positionsOf(state, filtered);
+  return filtered && count > 1 ? QUARTERS[index % count] : pixelOffset(index, count);
+}
+
+/** One sample of a light: its direction and irradiance, and the angular radius in radians for which a filtered look-up there stands. */
+function lightSample(light: State['lights'][number], index: number, count: number, filtered: boolean): { direction: Vec3; irradiance: number; radius: number } {
+  const whole = 0.5 * degrees * light.diameter_deg;
+  if (index < 0 || light.diameter_deg === 0 || (filtered && light.diameter_deg <= ONE_LOOK_UP_DEG)) {
+    return { direction: normalise(light.direction), irradiance: light.irradiance, radius: whole };
+  }
   const direction = directionTo(light.direction, light.diameter_deg, sunflower(index, count));
-  return [direction, light.irradiance * sampleIrradiance(light.direction, light.diameter_deg, count)];
+  return { direction, irradiance: light.irradiance * sampleIrradiance(light.direction, light.diameter_deg, count), radius: whole / Math.sqrt(count) };
 }
 
 /** Rows turned top to bottom. */

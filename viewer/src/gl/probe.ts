@@ -3,9 +3,8 @@
 import { DataTexture, FloatType, NearestFilter, RGBAFormat, Vector3, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 import type { Xyz } from '../light/illuminants';
 import type { Vec3 } from '../light/samples';
-import { evaluation } from './library';
 import { displayPass, material, Pass } from './passes';
-import { byteTarget, flipped, floatTarget, type Evaluated } from './picture';
+import { byteTarget, evaluationOf, flipped, floatTarget, keyOf, type Evaluated } from './picture';
 import type { Ask } from './quadrature';
 import { FILL_VERTEX } from './shade';
 import type { Uniforms } from './upload';
@@ -41,10 +40,17 @@ void main() {
 const MAP = `${OUT}
 uniform vec3 u_wi;
 uniform float u_side;
+uniform float u_radius;
 void main() {
   vec2 at = 2.0 * gl_FragCoord.xy / u_side - 1.0;
   float cos2 = 1.0 - dot(at, at);
-  vec3 f = cos2 > 0.0 ? reflected(u_wi, vec3(at, sqrt(cos2))) : vec3(0.0);
+  vec3 f = vec3(0.0);
+#ifdef FILTERED
+  float pixel = 4.0 / (12.0 * u_side * u_side);
+  if (cos2 > 0.0) f = reflected_over(u_wi, vec3(at, sqrt(cos2)), footprint_of_light(u_wi, u_radius) + pixel * vec3(1.0, 0.0, 1.0));
+#else
+  if (cos2 > 0.0) f = reflected(u_wi, vec3(at, sqrt(cos2)));
+#endif
   out_value = vec4(f, answered ? 0.0 : 1.0);
 }
 `;
@@ -67,6 +73,7 @@ export class Probe {
     u_wi: { value: new Vector3() },
     u_wo: { value: new Vector3() },
     u_side: { value: 1 },
+    u_radius: { value: 0 },
   };
 
   constructor(private readonly renderer: WebGLRenderer) {}
@@ -88,8 +95,9 @@ export class Probe {
   }
 
   /** The map of the BRDF as 8-bit colours, top row first, with the exposure that shows it; and its brightest luminance. */
-  map(evaluated: Evaluated, wi: Vec3, side: number, exposure: number | null): { pixels: Uint8Array; exposure: number } {
+  map(evaluated: Evaluated, wi: Vec3, lightRadius: number, side: number, exposure: number | null): { pixels: Uint8Array; exposure: number } {
     this.own.u_wi.value.set(...wi);
+    this.own.u_radius.value = lightRadius;
     this.own.u_side.value = side;
     const target = this.target('map', side, side);
     this.program(evaluated, 'map', MAP).draw(this.renderer, target);
@@ -120,7 +128,7 @@ export class Probe {
     const list = listTexture(rows, count);
     this.own.u_list.value = list;
     const target = this.target(name, count, 1);
-    this.program(evaluated, name, text).draw(this.renderer, target);
+    this.program({ ...evaluated, filtered: false }, name, text).draw(this.renderer, target);
     const out = new Float32Array(4 * count);
     this.renderer.readRenderTargetPixels(target, 0, 0, count, 1, out);
     list.dispose();
@@ -139,10 +147,10 @@ export class Probe {
   }
 
   private program(evaluated: Evaluated, name: string, text: string): Pass {
-    const key = `${evaluated.source} ${evaluated.interpolation} ${name}`;
+    const key = `${keyOf(evaluated)} ${name}`;
     let pass = this.programs.get(key);
     if (!pass) {
-      pass = new Pass(material(FILL_VERTEX, evaluation(evaluated.source, evaluated.interpolation) + text, { ...this.own }));
+      pass = new Pass(material(FILL_VERTEX, evaluationOf(evaluated) + text, { ...this.own }));
       this.programs.set(key, pass);
     }
     Object.assign(pass.material.uniforms, evaluated.uniforms);

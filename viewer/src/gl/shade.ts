@@ -15,15 +15,18 @@ void main() {
 
 /**
  * Two directions of the surroundings in each pass: one where they are bright, one about the mirror direction, each weighted
- * as what both ways together would draw there. They cast no shadows. The densities are those of the program's pictures.
+ * as what both ways together would draw there, where nothing of the body stands in the way. The densities are those of the program's
+ * pictures.
  */
 const SKY = `
+#ifdef SURROUNDED
 uniform highp sampler2D u_sky_map;
 uniform highp sampler2D u_sky_rows;
 // The integral of the radiance over directions; 0 without surroundings.
 uniform float u_sky;
 uniform vec2 u_spin;
 uniform float u_index;
+float open_towards(vec3 direction);
 const float SKY_LEVEL = 3e-3;
 const float SKY_REACH = 2.0;
 
@@ -92,9 +95,10 @@ void add_sky(vec3 t, vec3 b, vec3 n, vec3 wo) {
     vec2 off = wi.xy + wo.xy;
     float by_lobe = wi.z / (3.14159265 * log(ratio) * (dot(off, off) + SKY_LEVEL * SKY_LEVEL));
     float irradiance = radiance / (radiance / u_sky + by_lobe);
-    if (radiance > 0.0) sum += reflected(wi, wo) * irradiance * wi.z;
+    if (radiance > 0.0 && open_towards(wi.x * t + wi.y * b + wi.z * n) > 0.0) sum += reflected(wi, wo) * irradiance * wi.z;
   }
 }
+#endif
 `;
 
 /**
@@ -109,6 +113,10 @@ uniform int u_output;
 uniform int u_active;
 uniform int u_lights;
 uniform vec4 u_light[${LIGHTS_MAX}];
+// The angular radius in radians of the directions for which each light's stands: filtered look-ups take their mean.
+uniform float u_light_radius[${LIGHTS_MAX}];
+// Which part of a pixel a look-up stands for; 0 where it is a point.
+uniform float u_pixel_share;
 uniform vec2 u_turn;
 struct Point {
   vec3 tangent;
@@ -124,13 +132,24 @@ bool seen = false;
 
 float lit(int light);
 
-void add(int light, vec3 wi, vec3 wo, float weight) {
+#ifdef FILTERED
+// The pixel's share of (u, v): the covariance of what changes evenly across it.
+vec3 pixel_footprint(vec2 across, vec2 down) {
+  return u_pixel_share / 12.0 * vec3(across.x * across.x + down.x * down.x, across.x * across.y + down.x * down.y, across.y * across.y + down.y * down.y);
+}
+#endif
+
+void add(int light, vec3 wi, vec3 wo, float weight, vec3 pixel) {
   if (!(wi.z > 0.0 && wo.z > 0.0)) return;
   if (u_output == 1) {
     if (light == u_active) directions = vec4(wi.xy, wo.xy);
     return;
   }
+#ifdef FILTERED
+  sum += reflected_over(wi, wo, footprint_of_light(wi, u_light_radius[light]) + pixel) * weight;
+#else
   sum += reflected(wi, wo) * weight;
+#endif
 }
 
 void finish() {
@@ -138,27 +157,41 @@ void finish() {
 }
 
 ${SKY}
-void shade(Point p) {
-  seen = true;
+// Called for every pixel, for the sake of derivatives; \`hit\` tells whether the surface is there.
+void shade(Point p, bool hit) {
+  seen = hit;
   vec3 t = u_turn.x * p.tangent + u_turn.y * p.bitangent;
   vec3 b = u_turn.x * p.bitangent - u_turn.y * p.tangent;
   vec3 wo = vec3(dot(t, p.to_viewer), dot(b, p.to_viewer), dot(p.normal, p.to_viewer));
+#ifdef FILTERED
+  // Not across an edge: there pixels are sampled.
+  bool smooth_pixel = 0.2887 * (length(dFdx(p.normal)) + length(dFdy(p.normal))) < 0.348;
+#endif
   for (int i = 0; i < ${LIGHTS_MAX}; i++) {
     if (i >= u_lights) break;
     vec3 direction = u_light[i].xyz;
     vec3 wi = vec3(dot(t, direction), dot(b, direction), dot(p.normal, direction));
-    if (wi.z > 0.0 && wo.z > 0.0) {
+    vec3 pixel = vec3(0.0);
+#ifdef FILTERED
+    vec2 change = wi.xy + wo.xy;
+    pixel = pixel_footprint(dFdx(change), dFdy(change));
+    if (!smooth_pixel) pixel = vec3(0.0);
+#endif
+    if (hit && wi.z > 0.0 && wo.z > 0.0) {
       float open = lit(i);
-      if (open > 0.0) add(i, wi, wo, u_light[i].w * wi.z * open);
+      if (open > 0.0) add(i, wi, wo, u_light[i].w * wi.z * open, pixel);
     }
   }
-  if (u_sky > 0.0 && u_output == 0 && wo.z > 0.0) add_sky(t, b, p.normal, wo);
+#ifdef SURROUNDED
+  if (hit && u_sky > 0.0 && u_output == 0 && wo.z > 0.0) add_sky(t, b, p.normal, wo);
+#endif
 }
 `;
 
 /** Lights reach every point of a convex shape. */
 export const ALWAYS_LIT = `
 float lit(int light) { return 1.0; }
+float open_towards(vec3 direction) { return 1.0; }
 `;
 
 /** Rays of the camera for shapes that cast their own. */

@@ -2,29 +2,38 @@
 
 import {
   ClampToEdgeWrapping,
-  DataArrayTexture,
+  CompressedArrayTexture,
   DataTexture,
   FloatType,
   HalfFloatType,
   LinearFilter,
+  LinearMipmapNearestFilter,
   NearestFilter,
   RGBAFormat,
   Vector2,
   Vector4,
+  type CompressedPixelFormat,
   type IUniform,
 } from 'three';
-import type { FloatImage, Layers, PackedSpectral, PackedTables, SpectralParams, TableParams } from '../atlas/pack';
-import { BINDING } from './library';
+import { lobeGaussians } from '../atlas/gaussians';
+import { levelled, type Level } from '../atlas/levels';
+import { hasMeans, hasSplines, isSpectral, type FloatImage, type Layers, type Packed, type SpectralParams, type TableParams } from '../atlas/pack';
+import { BINDING, GAUSSIANS_BINDING } from './library';
 
 export type Uniforms = Record<string, IUniform>;
 
-export function halfLayers({ width, height, count, texels }: Layers): DataArrayTexture {
-  const texture = new DataArrayTexture(texels, width, height, count);
-  texture.format = RGBAFormat;
-  texture.type = HalfFloatType;
-  texture.minFilter = texture.magFilter = LinearFilter;
+/** What the tables of a specimen were made ready for. */
+export type Readiness = 'plain' | 'filtered' | 'splines';
+
+/** Layers with their levels. A texture of several levels is, to three, one that came compressed. */
+function layersTexture({ width, height, count, texels, coarser = [] }: Layers & { coarser?: Level[] }): CompressedArrayTexture {
+  const levels = [{ width, height, texels }, ...coarser].map((level) => ({ data: level.texels, width: level.width, height: level.height }));
+  // Its format says that it is not.
+  const texture = new CompressedArrayTexture(levels as never, width, height, count, RGBAFormat as unknown as CompressedPixelFormat, HalfFloatType);
+  texture.magFilter = LinearFilter;
+  // The shader names a level, and reads it linearly.
+  texture.minFilter = coarser.length ? LinearMipmapNearestFilter : LinearFilter;
   texture.wrapS = texture.wrapT = ClampToEdgeWrapping;
-  texture.generateMipmaps = false;
   texture.needsUpdate = true;
   return texture;
 }
@@ -57,11 +66,28 @@ function blockOf(params: TableParams | SpectralParams): Record<string, unknown> 
   };
 }
 
-export function upload(packed: PackedTables | PackedSpectral): Uploaded {
-  const textures = [halfLayers(packed.tables), halfLayers(packed.cross), floatTexture(packed.lobe)];
-  const values = [blockOf(packed.params), ...textures];
+/** Tables for linear look-ups at points. */
+export const upload = (packed: Packed): Uploaded => uploaded(packed, packed.tables, packed.cross, 0);
+
+/** Tables for filtered look-ups too, and for those by splines where they are promised for these and these are asked for. */
+export async function uploadReady(packed: Packed, readiness: Readiness): Promise<Uploaded> {
+  if (readiness === 'plain' || !hasMeans(packed)) return upload(packed);
+  const splines = readiness === 'splines' && hasSplines(packed);
+  const [channels, count, patches] = isSpectral(packed) ? ([4, packed.count, packed.patches] as const) : ([3, undefined, undefined] as const);
+  const tables = await levelled(packed.tables, { splines, channels, count });
+  const cross = await levelled(packed.cross, { splines: false, channels, count: patches });
+  return uploaded(packed, tables, cross, splines ? 1 : 0);
+}
+
+function uploaded(packed: Packed, tables: Layers, cross: Layers, look_up: number): Uploaded {
+  const block = blockOf({ ...packed.params, look_up, table_scales: tables.scales, cross_scales: cross.scales });
+  const textures = [layersTexture(tables), layersTexture(cross), floatTexture(packed.lobe)];
+  const values: unknown[] = [block, ...textures];
+  const uniforms: Uniforms = Object.fromEntries(BINDING.map((name, i) => [name, { value: values[i] }]));
+  const gaussians = isSpectral(packed) ? null : floatTexture(lobeGaussians(packed.lobe));
+  if (gaussians) uniforms[GAUSSIANS_BINDING] = { value: gaussians };
   return {
-    uniforms: Object.fromEntries(BINDING.map((name, i) => [name, { value: values[i] }])),
-    dispose: () => textures.forEach((texture) => texture.dispose()),
+    uniforms,
+    dispose: () => [...textures, ...(gaussians ? [gaussians] : [])].forEach((texture) => texture.dispose()),
   };
 }

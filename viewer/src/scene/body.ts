@@ -11,6 +11,10 @@ export interface Body {
   /** Follows evaluation and shading: defines `lit` and `main`. */
   fragment: string;
   uniforms: Uniforms;
+  /** What light of the surroundings meets on its way. */
+  occlusion(): Uniforms;
+  /** Has what lights see drawn anew. */
+  forgetShadows(): void;
   /** Draws what each light sees; `lights` are the picture's own uniforms. */
   drawShadows(renderer: WebGLRenderer, lights: Uniforms): void;
 }

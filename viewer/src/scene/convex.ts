@@ -14,14 +14,12 @@ void main() {
   vec3 nearest = origin - along * direction;
   float apart2 = dot(nearest, nearest);
   float radius2 = ${(BALL_RADIUS * BALL_RADIUS).toFixed(8)};
-  if (apart2 < radius2) {
-    vec3 place = nearest - sqrt(radius2 - apart2) * direction;
-    vec3 normal = normalize(place);
-    vec3 east = vec3(normal.z, 0.0, -normal.x);
-    float size = length(east);
-    vec3 tangent = size > 1e-9 ? east / size : vec3(1.0, 0.0, 0.0);
-    shade(Point(tangent, cross(normal, tangent), normal, -direction));
-  }
+  vec3 place = nearest - sqrt(max(0.0, radius2 - apart2)) * direction;
+  vec3 normal = normalize(place);
+  vec3 east = vec3(normal.z, 0.0, -normal.x);
+  float size = length(east);
+  vec3 tangent = size > 1e-9 ? east / size : vec3(1.0, 0.0, 0.0);
+  shade(Point(tangent, cross(normal, tangent), normal, -direction), apart2 < radius2);
   finish();
 }
 `;
@@ -38,12 +36,9 @@ void main() {
   vec3 origin, direction;
   camera_ray(origin, direction);
   float approach = -dot(u_normal, direction);
-  if (approach > 0.0) {
-    vec3 place = origin + direction * (dot(u_normal, origin) / approach);
-    if (max(abs(dot(u_tangent, place)), abs(dot(u_bitangent, place))) <= u_half_width) {
-      shade(Point(u_tangent, u_bitangent, u_normal, -direction));
-    }
-  }
+  vec3 place = origin + direction * (dot(u_normal, origin) / max(approach, 1e-9));
+  bool hit = approach > 0.0 && max(abs(dot(u_tangent, place)), abs(dot(u_bitangent, place))) <= u_half_width;
+  shade(Point(u_tangent, u_bitangent, u_normal, -direction), hit);
   finish();
 }
 `;

@@ -1,12 +1,14 @@
 // Pictures without a camera: the map of the BRDF over directions, and the screen on which a sample throws its light.
 
+import { ALWAYS_LIT } from '../gl/shade';
+
 /** Picture coordinates: x to the right, y up, the square [-1, 1] in the middle. */
 const PLACE = `
 in vec2 v_clip;
 uniform vec2 u_extent;
 uniform vec2 u_offset;
 vec2 picture_place() { return v_clip * u_extent + u_offset; }
-float lit(int light) { return 1.0; }
+${ALWAYS_LIT}
 `;
 
 /** f in 1/sr over all viewing directions, for the direction of the light u_wi. */
@@ -16,9 +18,13 @@ uniform vec3 u_wi;
 void main() {
   vec2 at = picture_place();
   float cos2 = 1.0 - dot(at, at);
+  vec3 pixel = vec3(0.0);
+#ifdef FILTERED
+  pixel = pixel_footprint(dFdx(at), dFdy(at));
+#endif
   if (cos2 > 0.0) {
     seen = true;
-    add(0, u_wi, vec3(at, sqrt(cos2)), 1.0);
+    add(0, u_wi, vec3(at, sqrt(cos2)), 1.0, pixel);
   }
   finish();
 }
@@ -46,7 +52,7 @@ void main() {
     vec3 bb = u_turn.x * vec3(0.0, 1.0, 0.0) - u_turn.y * t;
     vec3 wo = vec3(dot(tt, to_screen), dot(bb, to_screen), dot(u_sample_normal, to_screen));
     vec3 wi = vec3(u_turn.x * u_beam_wi.x + u_turn.y * u_beam_wi.y, u_turn.x * u_beam_wi.y - u_turn.y * u_beam_wi.x, u_beam_wi.z);
-    add(0, wi, wo, u_beam_power * wo.z * to_screen.z / r2);
+    add(0, wi, wo, u_beam_power * wo.z * to_screen.z / r2, vec3(0.0));
   }
   finish();
 }

@@ -8,6 +8,7 @@ import { mergeGeometries, mergeVertices } from 'three/examples/jsm/utils/BufferG
 import type { Vec3 } from '../light/samples';
 import type { Body } from './body';
 import type { View } from './frames';
+import { OCCLUSION, occlusion } from './occlusion';
 import { SHADOWS, ShadowMaps } from './shadows';
 import { tangents } from './tangents';
 
@@ -67,22 +68,22 @@ void main() {
 
 const FRAGMENT = `
 ${SHADOWS}
+${OCCLUSION}
 in vec3 v_normal;
 in vec4 v_tangent;
 uniform mat4 u_from_clip;
 uniform vec2 u_size;
 void main() {
-  seen = true;
   vec3 normal = normalize(v_normal);
   vec2 clip = 2.0 * gl_FragCoord.xy / u_size - 1.0;
   vec4 near = u_from_clip * vec4(clip, -1.0, 1.0);
   vec3 to_viewer = normalize(near.xyz / near.w - v_place);
   shadow_place(v_place, normal);
   vec3 t = v_tangent.xyz - normal * dot(normal, v_tangent.xyz);
-  if (dot(t, t) > 1e-12) {
-    t = normalize(t);
-    shade(Point(t, cross(normal, t) * (v_tangent.w < 0.0 ? -1.0 : 1.0), normal, to_viewer));
-  }
+  bool has_direction = dot(t, t) > 1e-12;
+  t = normalize(has_direction ? t : vec3(1.0, 0.0, 0.0));
+  shade(Point(t, cross(normal, t) * (v_tangent.w < 0.0 ? -1.0 : 1.0), normal, to_viewer), has_direction);
+  seen = true;
   finish();
 }
 `;
@@ -103,6 +104,8 @@ export function modelBody(geometry: BufferGeometry, vDown: boolean): Body {
     vertex: VERTEX,
     fragment: FRAGMENT,
     uniforms: shadows.uniforms,
+    occlusion: occlusion(geometry),
+    forgetShadows: () => shadows.forget(),
     drawShadows: (renderer, lights) => shadows.draw(renderer, lights),
   };
 }

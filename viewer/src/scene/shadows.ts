@@ -75,6 +75,11 @@ export class ShadowMaps {
     for (let i = 0; i < LIGHTS_MAX; i++) this.uniforms[`u_shadow${i}`] = { value: null };
   }
 
+  /** Has every map drawn anew. */
+  forget(): void {
+    this.drawn.length = 0;
+  }
+
   /** Draws the maps of lights that moved. */
   draw(renderer: WebGLRenderer, lights: Uniforms): void {
     const directions: Vector4[] = lights.u_light.value;

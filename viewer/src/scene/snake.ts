@@ -6,6 +6,7 @@ import { dot, normalise, type Vec3 } from '../light/samples';
 import type { Body } from './body';
 import { SNAKE_VIEW } from './frames';
 import { chanceTexture, SCALES } from './scales';
+import { OCCLUSION, occlusion } from './occlusion';
 import { SHADOWS, ShadowMaps } from './shadows';
 
 const ELEVATION_DEG = 52;
@@ -162,6 +163,7 @@ void main() {
 
 const FRAGMENT = `
 ${SHADOWS}
+${OCCLUSION}
 ${SCALES}
 in vec3 v_normal;
 in vec3 v_tangent;
@@ -169,20 +171,19 @@ in vec2 v_uv;
 uniform mat4 u_from_clip;
 uniform vec2 u_size;
 void main() {
-  seen = true;
   vec3 smooth_normal = normalize(v_normal);
   shadow_place(v_place, smooth_normal);
   vec3 t = normalize(v_tangent - smooth_normal * dot(smooth_normal, v_tangent));
   vec3 b = cross(smooth_normal, t);
   vec2 rise;
-  if (scale_slopes(v_uv, rise)) {
-    vec3 normal = normalize(smooth_normal - rise.x * t - rise.y * b);
-    vec3 tangent = normalize(t - normal * dot(normal, t));
-    vec2 clip = 2.0 * gl_FragCoord.xy / u_size - 1.0;
-    vec4 near = u_from_clip * vec4(clip, -1.0, 1.0);
-    vec3 to_viewer = normalize(near.xyz / near.w - v_place);
-    shade(Point(tangent, cross(normal, tangent), normal, to_viewer));
-  }
+  bool on_scale = scale_slopes(v_uv, rise);
+  vec3 normal = normalize(smooth_normal - rise.x * t - rise.y * b);
+  vec3 tangent = normalize(t - normal * dot(normal, t));
+  vec2 clip = 2.0 * gl_FragCoord.xy / u_size - 1.0;
+  vec4 near = u_from_clip * vec4(clip, -1.0, 1.0);
+  vec3 to_viewer = normalize(near.xyz / near.w - v_place);
+  shade(Point(tangent, cross(normal, tangent), normal, to_viewer), on_scale);
+  seen = true;
   finish();
 }
 `;
@@ -196,6 +197,8 @@ export function snakeBody(): Body {
     vertex: VERTEX,
     fragment: FRAGMENT,
     uniforms: { ...shadows.uniforms, u_chance: { value: chanceTexture(scaleRings, COLUMNS) } },
+    occlusion: occlusion(geometry),
+    forgetShadows: () => shadows.forget(),
     drawShadows: (renderer, lights) => shadows.draw(renderer, lights),
   };
 }

@@ -60,10 +60,11 @@ export function mapView(): MapView {
     const [light, seen] = [toAngles(wi), toAngles(wo)];
     words.textContent = `light θ ${light.theta_deg.toFixed(0)}°, φ ${light.phi_deg.toFixed(0)}° · viewer θ ${seen.theta_deg.toFixed(0)}°, φ ${seen.phi_deg.toFixed(0)}°`;
     canvas.setAttribute('aria-label', `Map of the BRDF over viewing directions; ${words.textContent}`);
-    const key = JSON.stringify([wi, engine.loaded?.specimen.name, state.interpolation, state.illuminant, state.laser_nm, state.sun_deg, state.scale, state.tables, state.pigment, engine.loaded?.spectral !== null]);
+    const { diameter_deg } = state.lights[state.active];
+    const key = JSON.stringify([wi, diameter_deg, evaluated.filtered, engine.loaded?.specimen.name, state.interpolation, state.illuminant, state.laser_nm, state.sun_deg, state.scale, state.tables, state.pigment, engine.loaded?.spectral !== null]);
     if (key === shownKey) return;
     shownKey = key;
-    const { pixels } = engine.probe.map(evaluated, wi, SIDE, null);
+    const { pixels } = engine.probe.map(evaluated, wi, (diameter_deg * Math.PI) / 360, SIDE, null);
     image ??= context.createImageData(SIDE, SIDE);
     image.data.set(pixels);
     context.putImageData(image, 0, 0);
