@@ -11,7 +11,7 @@ const at = (...parts) => join(here, ...parts);
 const licence = async (name) => `${name}\n\n${(await readFile(at('node_modules', name, 'LICENSE'), 'utf8')).trim()}`;
 const mit = (await licence('uplot')).split('Permission is')[1];
 const fflate = `fflate, as three carries it\n\nCopyright (c) 2020 Arjun Barrett\n\nPermission is${mit}`;
-const licences = [await licence('three'), await licence('uplot'), fflate].join('\n\n----\n\n').replaceAll('*/', '* /');
+const licences = [await licence('three'), await licence('three-mesh-bvh'), await licence('uplot'), fflate].join('\n\n----\n\n').replaceAll('*/', '* /');
 
 await mkdir(at('dist'), { recursive: true });
 await build({

@@ -399,6 +399,7 @@ export class App {
       pixels: () => engine.pixels(),
       xyz: () => engine.values(),
       exposure: () => engine.exposure(),
+      gpuMs: () => engine.clock.ms,
       brdfXyz: async (...angles: [number, number, number, number]): Promise<Xyz | null> => {
         await settled();
         const evaluated = engine.evaluated(false, false);

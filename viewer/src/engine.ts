@@ -73,8 +73,7 @@ export class Engine {
     this.renderer.debug.onShaderError = (context, program) => {
       throw new GraphicsError(`The graphics driver refuses the shader: ${context.getProgramInfoLog(program) ?? 'it does not say why'}.`);
     };
-    // The fourth channel of a picture: -1 where there is no surface.
-    this.renderer.setClearColor(0x000000, -1);
+    this.clearToNothing();
     this.floats = gl.getExtension('EXT_color_buffer_float') !== null;
     if (!this.floats && gl.getExtension('EXT_color_buffer_half_float') === null) {
       throw new GraphicsError('This page sums light in floating-point numbers, which this graphics driver cannot draw to.');
@@ -198,10 +197,16 @@ export class Engine {
   /** After the GPU's memory was lost and given back: what lay in it is uploaded anew as it is used. */
   restored(): void {
     this.clock = new GpuClock(this.gl);
+    this.clearToNothing();
     this.useColours();
     for (const body of [this.snake, this.model]) body?.forgetShadows();
     this.metered = null;
     this.restart();
+  }
+
+  /** The fourth channel of a picture: -1 where there is no surface. */
+  private clearToNothing(): void {
+    this.renderer.setClearColor(0x000000, -1);
   }
 
   /** The widest colours that both screen and browser have. */

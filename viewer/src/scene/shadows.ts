@@ -75,9 +75,12 @@ export class ShadowMaps {
     for (let i = 0; i < LIGHTS_MAX; i++) this.uniforms[`u_shadow${i}`] = { value: null };
   }
 
-  /** Has every map drawn anew. */
+  /** Has every map made and drawn anew. */
   forget(): void {
     this.drawn.length = 0;
+    for (const target of this.targets) target?.dispose();
+    this.targets.length = 0;
+    for (let i = 0; i < LIGHTS_MAX; i++) this.uniforms[`u_shadow${i}`].value = null;
   }
 
   /** Draws the maps of lights that moved. */
