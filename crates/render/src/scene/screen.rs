@@ -130,15 +130,18 @@ pub(crate) struct BeamPiece {
     pub divergence: f64,
 }
 
-/// The beam as one piece where neither its spot nor its divergence is wider than `diameter_max_deg`, the spot as seen from the
-/// screen's middle; else as `light_samples` even ones.
+/// Divergence in degrees up to which each piece of a beam brings all its directions: measured to err less than sixteen pieces that share
+/// them out (docs/accuracy.md, "Lights with a size").
+const WHOLE_DIVERGENCE_MAX_DEG: f64 = 10.0;
+
+/// The beam as one piece where its spot, as seen from the screen's middle, is no wider than `diameter_max_deg`; else, and where its directions
+/// are shared out, as `light_samples` even ones.
 pub(crate) fn beam_pieces(scene: &Scene, setup: &ScreenSetup, diameter_max_deg: f64) -> Vec<BeamPiece> {
     let Shape::Screen { distance_mm, beam_diameter_mm, .. } = scene.shape else { return Vec::new() };
     let diverging_deg = scene.lights.first().map_or(0.0, |light| light.angular_diameter_deg);
     let is_narrow = (beam_diameter_mm / distance_mm).to_degrees() <= diameter_max_deg;
-    let count = if is_narrow && diverging_deg <= diameter_max_deg { 1 } else { scene.light_samples };
-    // Where the whole divergence is too wide, the rays of `setup` bring a direction each, and each stands for its share.
-    let is_shared = diverging_deg > diameter_max_deg;
+    let is_shared = diverging_deg > WHOLE_DIVERGENCE_MAX_DEG;
+    let count = if is_narrow && !is_shared { 1 } else { scene.light_samples };
     let share = |diameter: f64| 0.5 * diameter / (count as f64).sqrt();
     let divergence = if is_shared { share(diverging_deg.to_radians()) } else { 0.5 * diverging_deg.to_radians() };
     let axis = to_local(&setup.sample, [0.0, 0.0, 1.0]);
