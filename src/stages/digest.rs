@@ -35,8 +35,7 @@ pub(crate) fn record_file(folder: &Path, path: String) -> Result<FileRecord> {
     Ok(FileRecord { path, bytes, sha256 })
 }
 
-/// In hexadecimal.
-pub(crate) fn hex(digest: &[u8]) -> String {
+fn hex(digest: &[u8]) -> String {
     digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

@@ -172,7 +172,7 @@ pub struct SpecimenResult {
 }
 
 impl SpecimenResult {
-    /// What an overview shows of it, its warnings included.
+    /// What an overview shows of it, its warnings included, and what was measured of it, which the viewer looks for.
     pub fn in_short(self) -> Self {
         const TOLD_OF_SCANS: [&str; 2] = ["file_name", "warnings"];
         let in_short = |scan: serde_json::Value| match scan {
@@ -188,7 +188,6 @@ impl SpecimenResult {
             optics: None,
             power_sums: Vec::new(),
             albedo: Vec::new(),
-            measured: None,
             goniometry: None,
             spectral: self.spectral.map(|spectral| SpectralResult { errors: Vec::new(), ..spectral }),
             budget: None,

@@ -42,13 +42,24 @@ fn mutated(bytes: &[u8], other: &[u8], random: &mut fastrand::Rng) -> Vec<u8> {
 
 #[test]
 fn no_reader_panics_on_its_corpus_or_near_it() {
-    let mut random = fastrand::Rng::with_seed(19);
+    replay(19, MUTATIONS);
+}
+
+#[test]
+#[ignore = "slow: as the one above, a hundred times as many"]
+fn no_reader_panics_far_from_its_corpus() {
+    replay(20, 100 * MUTATIONS);
+}
+
+/// Every reader on its corpus and so many mutations of each file.
+fn replay(seed: u64, mutations: usize) {
+    let mut random = fastrand::Rng::with_seed(seed);
     for (name, reader) in READERS {
         let corpus = corpus(name);
         assert!(corpus.len() >= 3, "{name} has a corpus");
         for (_, bytes) in &corpus {
             reader(bytes);
-            for _ in 0..MUTATIONS {
+            for _ in 0..mutations {
                 let other = &corpus[random.usize(0..corpus.len())].1;
                 reader(&mutated(bytes, other, &mut random));
             }

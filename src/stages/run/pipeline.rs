@@ -136,7 +136,7 @@ impl Run<'_> {
         }
         if !to_make.is_empty() {
             self.open_gpu()?;
-            self.make(specimens, &to_make, work_folder, &mut taken)?;
+            self.make(specimens, to_make, work_folder, &mut taken)?;
         }
         Ok(taken.into_iter().flatten().collect())
     }
@@ -165,7 +165,7 @@ impl Run<'_> {
     fn make(
         &self,
         specimens: &[&SpecimenConfig],
-        to_make: &[(usize, Option<Value>)],
+        to_make: Vec<(usize, Option<Value>)>,
         work_folder: &Path,
         taken: &mut [Option<Taken>],
     ) -> Result<()> {
@@ -184,11 +184,11 @@ impl Run<'_> {
             self.helpers.progress.stage("specimens", to_make.len() as u64);
         }
         let is_of_many = asked::is_of_many(self.config);
-        let work = |piece: usize| workshop.compute(specimens[to_make[piece].0]);
-        side_by_side(to_make.len(), at_once, work, |piece, computed| {
-            let (index, ref made_from) = to_make[piece];
-            let seconds = computed.seconds;
-            let one = self.finish(&workshop, specimens[index], made_from.clone(), computed)?;
+        let (places, mut made_from): (Vec<usize>, Vec<Option<Value>>) = to_make.into_iter().unzip();
+        let work = |piece: usize| workshop.compute(specimens[places[piece]]);
+        side_by_side(places.len(), at_once, work, |piece, computed| {
+            let (index, seconds) = (places[piece], computed.seconds);
+            let one = self.finish(&workshop, specimens[index], made_from[piece].take(), computed)?;
             (self.helpers.finished)(&Finished::of(&one, [index + 1, specimens.len()], seconds));
             if at_once > 1 {
                 self.helpers.progress.advance(1);

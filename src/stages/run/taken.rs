@@ -3,9 +3,8 @@
 use std::path::PathBuf;
 
 use serde::Serialize;
-use serde_json::Value;
 
-use super::choose::Found;
+use super::choose::{Found, digest};
 use super::describe::failed_result;
 use crate::stages::archive::result_file::SpecimenRecord;
 use crate::stages::cache::store::CacheUse;
@@ -59,7 +58,8 @@ pub(super) struct Unit {
     /// As a version's index lists them.
     pub(super) files: Vec<FileRecord>,
     pub(super) inputs: Vec<InputRecord>,
-    pub(super) made_from: Value,
+    /// Digest of what they were made from.
+    pub(super) made_from_sha256: String,
     /// Whether the newest version holds them.
     pub(super) is_published: bool,
 }
@@ -110,7 +110,7 @@ impl Taken {
             failures,
             stages: Vec::new(),
             gpu: Compared { rows: gpu, spectral: gpu_spectral },
-            unit: Some(Unit { folder, files, inputs, made_from, is_published }),
+            unit: Some(Unit { folder, files, inputs, made_from_sha256: digest(&made_from), is_published }),
             shares: Vec::new(),
             used: CacheUse::default(),
         }

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::time::Instant;
 
-use super::choose::{FoundScenes, Newest, digest};
+use super::choose::{FoundScenes, Newest};
 use super::made_from::scene_value;
 use super::taken::Taken;
 use super::underway::Run;
@@ -186,7 +186,7 @@ fn shared_scenes(
         } else if let Some(result) = made.iter().find(|result| result.picture.name == scene.name) {
             let digest_of = |name: &String| {
                 let unit = taken.iter().find(|taken| taken.result.name == *name)?.unit.as_ref()?;
-                Some((name.clone(), json!(digest(&unit.made_from))))
+                Some((name.clone(), json!(unit.made_from_sha256)))
             };
             let specimens: Option<serde_json::Map<_, _>> = specimens_of(scene).iter().map(digest_of).collect();
             let made_from = json!({ "scene": scene_value(scene), "specimens": specimens });

@@ -112,12 +112,48 @@ fn weighed(quadrature: &SpectralQuadrature, spectrum: &[f64]) -> Xyz {
     xyz
 }
 
-/// XYZ of the BRDF for many pairs of directions, in parallel.
+/// Bytes that the weights of pairs evaluated at once may take together: each holds those of all its lines at every wavelength, a gigabyte
+/// for a scan of 8192 samples a side.
+const WEIGHTS_BYTES: usize = 512 << 20;
+
+/// XYZ of the BRDF for many pairs of directions, in parallel, as many at once as their weights leave room for.
 ///
 /// # Errors
 /// As [`brdf_xyz`].
 pub fn brdf_xyz_batch(fields: &[HeightField], optics: &OpticsConfig, pairs: &[(Vec3, Vec3)]) -> Result<Vec<Xyz>> {
-    pairs.par_iter().map(|&(wi, wo)| brdf_xyz(fields, optics, wi, wo)).collect()
+    let at_once = (WEIGHTS_BYTES / weights_bytes(fields, optics, pairs)?.max(1)).max(1);
+    let mut xyz = Vec::with_capacity(pairs.len());
+    for pairs in pairs.chunks(at_once) {
+        let some: Result<Vec<Xyz>> = pairs.par_iter().map(|&(wi, wo)| brdf_xyz(fields, optics, wi, wo)).collect();
+        xyz.extend(some?);
+    }
+    Ok(xyz)
+}
+
+/// Most bytes that the weights of one pair take: a complex number for each sample along an axis, line and wavelength, of the one
+/// window that is held at a time.
+fn weights_bytes(fields: &[HeightField], optics: &OpticsConfig, pairs: &[(Vec3, Vec3)]) -> Result<usize> {
+    let half_range_nm = fields.iter().map(half_height_range_nm).fold(0.0, f64::max);
+    let count =
+        |&(wi, wo): &(Vec3, Vec3)| resolving_count(optics, wave_vector_change(wi, wo), half_range_nm, FULL_STEP);
+    let wavelengths = pairs.iter().map(count).max().unwrap_or(0);
+    let coherence = optics.body_coherence();
+    let sigma_nm = optics.wavelength_nm.map(|nm| coherence.sigma_nm_at(nm)).into_iter().fold(f64::INFINITY, f64::min);
+    let mut most = 0;
+    for field in fields {
+        let Some(&placement) = placements(field, optics)?.first() else { continue };
+        let of_axis = |axis: usize| {
+            let (count, pitch_nm) = (field.size()[axis], field.pitch_nm[axis]);
+            let axis = window_axis(placement, axis, count, pitch_nm, optics.sigma_nm);
+            let lines = match placement {
+                Placement::TileMean => tile_lines(&Along { axis: &axis, count, pitch_nm, sigma_nm }, 0.0).count(),
+                Placement::Inside { .. } | Placement::TileCentre => 1,
+            };
+            axis.position_nm.len() * lines
+        };
+        most = most.max(of_axis(0) + of_axis(1));
+    }
+    Ok(most * wavelengths * size_of::<Complex<f64>>())
 }
 
 /// The BRDF in 1/sr at each wavelength.
@@ -548,5 +584,16 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn weights_of_a_large_scan_are_bounded_whatever_the_number_of_threads() {
+        let optics = OpticsConfig::ideal(Illuminant::D65, 4_000.0, Edge::Tile, Windows::Grid);
+        let bytes = |side: usize| {
+            let flat = HeightField { heights_nm: ndarray::Array2::zeros((side, side)), pitch_nm: [60.0; 2] };
+            weights_bytes(&[flat], &optics, &[([0.0, 0.0, 1.0], [0.6, 0.0, 0.8])]).unwrap()
+        };
+        // Samples and lines both grow with the side.
+        assert!((bytes(1024) / bytes(256)).abs_diff(16) < 4 && bytes(1024) > 20 << 20, "{}", bytes(1024));
     }
 }
