@@ -141,7 +141,8 @@ pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
         atlas: config.atlas_name.clone(),
         threads,
         slowdown,
-        seconds: parts.iter().map(|part| part.seconds).sum(),
+        // An empty sum is -0.
+        seconds: parts.iter().map(|part| part.seconds).fold(0.0, |sum, seconds| sum + seconds),
         parts,
         unchanged,
         cache: [entries as u64, bytes],
@@ -325,14 +326,16 @@ impl Plan {
         };
         let parts: Vec<String> =
             self.parts.iter().map(|part| format!("{} {}", part.what, in_seconds(part.seconds))).collect();
-        let mut text = format!(
-            "tables in about {:.2} s, {reference}\nthe whole run in about {} on this machine, which now takes {:.1} times as long as the one that the \
-             constants are from: {}\n",
-            self.slowdown * tables_s,
-            in_seconds(self.seconds),
-            self.slowdown,
-            if parts.is_empty() { "nothing is to be made".to_owned() } else { parts.join(", ") }
-        );
+        let whole = match parts.is_empty() {
+            true => "the whole run: nothing is to be made\n".to_owned(),
+            false => format!(
+                "the whole run in about {} on this machine, which now takes {:.1} times as long as the one that the constants are from: {}\n",
+                in_seconds(self.seconds),
+                self.slowdown,
+                parts.join(", ")
+            ),
+        };
+        let mut text = format!("tables in about {:.2} s, {reference}\n{whole}", self.slowdown * tables_s);
         if !self.unchanged.is_empty() {
             text += &format!("there already, and taken over: {}\n", self.unchanged.join(", "));
         }

@@ -22,10 +22,12 @@ const ERRORS_NS: [f64; 3] = [0.15e9, 0.04e9, 1400.0];
 const SPECTRAL_ERRORS_NS: [f64; 2] = [0.08e9, 240.0];
 const LOOK_AROUND_NS: f64 = 0.15e9;
 const WRITE_NS: [f64; 2] = [0.12e9, 0.04e9];
-/// A software driver on the processor: its start, each specimen, each scene, and timing frames. Hardware takes a part of it.
+/// A software driver on the processor: its start, each specimen, each scene, what is sent there, and timing frames. Hardware takes a part of it.
 const GPU_START_NS: f64 = 2e9;
 const GPU_SPECIMEN_NS: f64 = 0.4e9;
 const GPU_SCENE_NS: f64 = 0.7e9;
+/// For each number of a table that is sent there.
+const GPU_NS_PER_VALUE: f64 = 200.0;
 const GPU_FRAMES_NS: f64 = 5.5e9;
 
 /// Share of a picture's pixels that show the object.
@@ -79,7 +81,10 @@ pub fn specimen_parts(config: &RunConfig, known: &Known, threads: usize, slowdow
         parts.push(("errors", of_tables + of_spectral));
     }
     if config.gpu != GpuCheck::Off {
-        parts.push(("the check on the GPU", GPU_SPECIMEN_NS + GPU_SCENE_NS * scenes.len() as f64));
+        parts.push((
+            "the check on the GPU",
+            GPU_SPECIMEN_NS + GPU_SCENE_NS * scenes.len() as f64 + GPU_NS_PER_VALUE * values(tables, 3.0),
+        ));
     }
     parts.into_iter().map(|(what, ns)| Part { what, seconds: 1e-9 * ns * slowdown / threads as f64 }).collect()
 }

@@ -14,8 +14,8 @@ const SIDE: usize = 128;
 /// Nanoseconds of a point of them, both ways, on the machine of `tables::forecast`.
 const NS_PER_POINT: f64 = 12.0;
 
-/// How long is measured: past a scheduler's slice, so that what others take of the machine counts.
-const TIMED: Duration = Duration::from_millis(40);
+/// How long is measured: past some slices of a scheduler, so that what others take of the machine counts.
+const TIMED: Duration = Duration::from_millis(100);
 
 /// How many times as long the same work takes here and now, with all threads at it. What else the machine does counts too, so it is
 /// another figure each time: it predicts, and decides nothing.
