@@ -177,18 +177,19 @@ fn forty() -> impl Iterator<Item = (Structure, [f64; 2])> {
     })
 }
 
-/// What a thousand calls of `verify` with seeds of chance do on an intact atlas of forty specimens: no alarm where at most one call in
-/// ten thousand has one, but with a probability of a tenth.
+/// What calls of `verify` with seeds of chance do on an intact atlas of forty specimens: no alarm, where at most one call in ten thousand has
+/// one. A thousand seeds on the first two of them, fifty on all: each of forty times a thousand would take half an hour of two cores.
 #[test]
-#[ignore = "slow: forty specimens, a thousand seeds"]
-fn a_thousand_seeds_raise_no_alarm_on_forty_specimens() {
+#[ignore = "slow: a thousand seeds, forty specimens"]
+fn seeds_of_chance_raise_no_alarm_on_forty_specimens() {
     let mut random = fastrand::Rng::with_seed(20_261_130);
     let seeds: Vec<u64> = (0..1000).map(|_| random.u64(..)).collect();
-    for (structure, pitch_nm) in forty() {
+    for (index, (structure, pitch_nm)) in forty().enumerate() {
         let surface = intact(structure, [96, 64], pitch_nm);
         // Each specimen has its part of the chance that a call fails.
         let alarms_of = |seeds: &[u64]| alarms(&surface, &surface.set, seeds, 64, FALSE_ALARMS_MAX / 40.0).0;
-        let count: usize = seeds.chunks(50).map(alarms_of).sum();
+        let taken = if index < 2 { &seeds[..] } else { &seeds[..50] };
+        let count: usize = taken.chunks(50).map(alarms_of).sum();
         assert_eq!(count, 0, "{structure:?}");
     }
 }
