@@ -120,6 +120,8 @@ export class App {
       tick(now);
     });
     this.pending = this.pending.then(() => this.load(true));
+    // A specimen that cannot be read says so when it is chosen.
+    void page.coherence.find(engine).then(() => (this.stale.controls = true), () => undefined);
   }
 
   /** Draws coarsely: whoever compiles shaders and draws on the processor shows something soon. */
@@ -210,6 +212,7 @@ export class App {
     if (stale.controls) {
       stale.controls = false;
       for (const control of page.controls) control.update(engine.state);
+      for (const input of page.specimens.querySelectorAll('input')) input.checked = input.value === engine.state.specimen;
       page.stage.update(engine.state);
       page.facts.textContent = this.specimenFacts();
     }

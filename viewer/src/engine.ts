@@ -114,12 +114,20 @@ export class Engine {
     return (this.viewer ??= this.files.optionalJson<ViewerFile>('viewer.json').catch(() => null));
   }
 
+  private readonly described = new Map<string, Promise<Specimen>>();
+  /** What the atlas says of a specimen. */
+  specimen(name: string): Promise<Specimen> {
+    const found = this.described.get(name) ?? readSpecimen(this.files, name);
+    this.described.set(name, found);
+    return found;
+  }
+
   /** Loads the state's specimen, or the first one, and what the state needs of it. */
   async loadSpecimen(progress: Progress): Promise<void> {
     const names = this.index.specimens.map((specimen) => specimen.name);
     const name = names.includes(this.state.specimen) ? this.state.specimen : names[0];
     if (this.loaded?.specimen.name !== name) {
-      const specimen = await readSpecimen(this.files, name);
+      const specimen = await this.specimen(name);
       const packed = await packTables(this.files, specimen, progress);
       this.unload();
       this.loaded = { specimen, tables: packed && onGpu(packed), spectral: null };

@@ -87,7 +87,7 @@ export interface Specimen {
   schema: number;
   name: string;
   species?: string;
-  provenance?: { file_name: string; size: [number, number]; pitch_nm: [number, number] }[];
+  provenance?: { file_name: string; sha256?: string; size: [number, number]; pitch_nm: [number, number] }[];
   statistics?: {
     rms_height_nm: number;
     peak_to_valley_nm: number;

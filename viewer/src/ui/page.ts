@@ -2,6 +2,7 @@
 
 import type { State } from '../state';
 import { aboutView } from './about';
+import { coherenceControl, type CoherenceControl } from './coherence';
 import { chromaticityView } from './chromaticity';
 import { button, list, section, segments, slider, toggle, type Change, type Control } from './controls';
 import { h } from './dom';
@@ -22,6 +23,7 @@ export interface Page {
   views: View[];
   controls: Control[];
   specimens: HTMLElement;
+  coherence: CoherenceControl;
   status: HTMLElement;
   badge: HTMLElement;
   loading: HTMLProgressElement;
@@ -54,6 +56,7 @@ export function buildPage(actions: Actions): Page {
     controls.push(control);
     return control.element;
   };
+  const coherence = coherenceControl(change);
   const specimens = h('div', { className: 'specimens', role: 'radiogroup', 'aria-label': 'Specimen' });
   const status = h('p', { className: 'status', role: 'status' });
   const badge = h('p', { className: 'badge', hidden: true });
@@ -66,7 +69,7 @@ export function buildPage(actions: Actions): Page {
   const panel = h(
     'aside',
     { className: 'controls', 'aria-label': 'Controls' },
-    section('Specimen', true, specimens, facts),
+    section('Specimen', true, specimens, keep(coherence), facts),
     section('Shape', true, keep(shapes(change)), ...screenControls(current, change).map(keep)),
     section('Light', wide, keep(lightPad(current, change)), ...lightControls(current, change).map(keep), lampButtons(current, change)),
     section('Surface', false, ...surfaceControls(current, change).map(keep)),
@@ -106,7 +109,7 @@ export function buildPage(actions: Actions): Page {
     h('main', { className: 'stage' }, picture.element, h('div', { className: 'under' }, gripRow, motion(change, keep))),
     aside,
   );
-  return { element, stage: picture, map, spectrum, views, controls, specimens, status, badge, loading, facts };
+  return { element, stage: picture, map, spectrum, views, controls, specimens, coherence, status, badge, loading, facts };
 }
 
 const iconButton = (icon: () => Node, word: string, title: string, onclick: () => void): HTMLElement =>
