@@ -179,7 +179,7 @@ export class Engine {
       }
       tables.uploaded[readiness] = ready;
       changed = true;
-      this.restart();
+      if (tables === this.ofPicture()) this.restart();
     }
     return changed;
   }

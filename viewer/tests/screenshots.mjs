@@ -6,7 +6,7 @@ const folder = process.argv[2] ?? '.';
 const SNAKE = {
   specimen: 'sunbeam_snake_like',
   shape: 'snake',
-  lights: [{ direction: [0.3, 0.2, 1], diameter_deg: 3, irradiance: 1 }],
+  lights: [{ direction: [0.3, 0.2, 1], diameter_deg: 2, irradiance: 1 }],
   pointer: { x: 0.14, y: -0.12 },
 };
 const SIZES = {
@@ -18,7 +18,7 @@ const SIZES = {
 const [browser, served] = [await browse(), await serve(process.env.ATLAS ?? join(ROOT, 'out/atlas/bundled'))];
 for (const name of process.argv.length > 3 ? process.argv.slice(3) : Object.keys(SIZES)) {
   const { page, close } = await open(browser, `${served.url}#${encodeURIComponent(JSON.stringify(SNAKE))}`, SIZES[name]);
-  await page.waitForFunction(() => document.body.innerText.includes('16 / 16'), null, { timeout: 600_000 });
+  await page.waitForFunction(() => /\b(\d+) \/ \1 samples/.test(document.body.innerText) && !document.body.innerText.includes('1 / 1 samples'), null, { timeout: 600_000 });
   await page.screenshot({ path: join(folder, `${name}.png`), timeout: 120_000 });
   await close();
 }

@@ -3,11 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use serde_json::json;
+use serde_json::{Value, json};
 
+use crate::stages::viewer::halves::{self, Scales};
 use crate::stages::viewer::page::report_beside;
 use diffraction_brdf::atlas::{self, AtlasIndex, FileRecord, INDEX_FILE};
 use diffraction_brdf::error::{Error, Result};
+use diffraction_brdf::exr_image;
 use diffraction_brdf::files;
 use diffraction_brdf::json;
 
@@ -17,6 +19,12 @@ const VIEWER_FILE: &str = "viewer.json";
 const HEIGHTS_FILE: &str = "heights.png";
 /// Name of the report, which gets a link to the page.
 const REPORT_FILE: &str = "report.html";
+/// Name of the report's numbers, which hold what was measured.
+const REPORT_NUMBERS: &str = "report.json";
+/// Pictures that the page shows.
+const PICTURES: [&str; 3] = [HEIGHTS_FILE, "spectrum.png", "preview.png"];
+/// What the atlas says of a specimen.
+const SPECIMEN_FILE: &str = "specimen.json";
 const FIX: &str = "Restore the atlas from a copy, or run the pipeline again to publish a new version.";
 
 /// A version of an atlas as the page reads it.
@@ -56,7 +64,8 @@ impl Content {
             (name.clone(), records.contains_key(&path).then_some(path).into())
         };
         let heights: serde_json::Map<_, _> = specimens.iter().map(heights).collect();
-        let told = json!({ "schema": 1, "specimens": specimens, "heights": heights });
+        let measured = measured(folder, &records, &specimens)?;
+        let told = json!({ "schema": 1, "specimens": specimens, "heights": heights, "measured": measured });
         let viewer = json::pretty(&told).expect("strings always become JSON").into_bytes();
         let index_bytes = files::read(&folder.join(INDEX_FILE))?;
         Ok(Self { folder: folder.to_owned(), index, index_bytes, records, specimens, viewer })
@@ -89,10 +98,32 @@ impl Content {
         Ok(Some(bytes))
     }
 
-    /// Paths of what the page needs, sorted: the index, what it is told, and what lies in each specimen's own folder, scenes aside.
+    /// A table as the half floats that the page makes of it, where they take less than its file; `None` for all else.
+    ///
+    /// # Errors
+    /// A file that is not as it was published, or that cannot be read.
+    pub(crate) fn halves(&self, path: &str) -> Result<Option<Vec<u8>>> {
+        let file = path.rsplit('/').next().unwrap_or(path);
+        let scales = match file.split('.').collect::<Vec<_>>()[..] {
+            ["table", _, "exr"] => Scales::Shared,
+            ["spectral", _, "exr"] => Scales::Each,
+            _ => return Ok(None),
+        };
+        let Some(stored) = self.read(path)? else { return Ok(None) };
+        let (table, _) = exr_image::read_rgb(&self.folder.join(path))?;
+        let packed = halves::pack(&table, scales)?;
+        Ok((packed.len() < stored.len()).then_some(packed))
+    }
+
+    /// Paths of what the page reads, sorted: the index, what it is told, and of each specimen's own folder tables, facts and the pictures
+    /// that it shows.
     pub(crate) fn needed(&self) -> Vec<String> {
+        let is_read = |file: &str| {
+            let is_image = file.ends_with(".exr") && !file.contains('/');
+            is_image || file == SPECIMEN_FILE || PICTURES.contains(&file)
+        };
         let shown = |path: &&String| {
-            let of = path.split_once('/').filter(|(_, file)| !file.contains('/'));
+            let of = path.split_once('/').filter(|(_, file)| is_read(file));
             of.is_some_and(|(name, _)| self.specimens.iter().any(|shown| shown == name))
         };
         let mut paths: Vec<String> = self.records.keys().filter(shown).cloned().collect();
@@ -100,6 +131,26 @@ impl Content {
         paths.sort_unstable();
         paths
     }
+}
+
+/// What was measured of each of these specimens, as the report has it: the page lays it over its spectra.
+fn measured(
+    folder: &Path,
+    records: &BTreeMap<String, FileRecord>,
+    specimens: &[String],
+) -> Result<serde_json::Map<String, Value>> {
+    if !records.contains_key(REPORT_NUMBERS) {
+        return Ok(serde_json::Map::new());
+    }
+    let path = folder.join(REPORT_NUMBERS);
+    let report: Value = serde_json::from_slice(&files::read(&path)?)
+        .map_err(|error| Error::bad_file(&path, format!("it is no JSON: {error}"), FIX))?;
+    let of = |name: &String| {
+        let found = report["specimens"].as_array()?.iter().find(|specimen| specimen["name"] == **name)?;
+        let columns = &found["measured"]["columns"];
+        columns.is_array().then(|| (name.clone(), columns.clone()))
+    };
+    Ok(specimens.iter().filter_map(of).collect())
 }
 
 /// The specimens of these names in the atlas's order; all where none is named.

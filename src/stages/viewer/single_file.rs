@@ -19,6 +19,10 @@ const FILES_ID: &str = "atlas-files";
 pub(crate) fn single_file(content: &Content) -> Result<String> {
     let mut files = serde_json::Map::new();
     for path in content.needed() {
+        if let Some(halves) = content.halves(&path)? {
+            files.insert(format!("{path}.halves"), STANDARD.encode(halves).into());
+            continue;
+        }
         let bytes = content.read(&path)?.ok_or_else(|| Error::Call(format!("{path}: the atlas does not list it")))?;
         files.insert(path, STANDARD.encode(bytes).into());
     }

@@ -9,6 +9,8 @@ export interface ExrImage {
   half: boolean;
   /** Of each channel the numbers row by row, top row first: bits of half floats, or 32-bit floats. */
   planes: (Uint16Array | Float32Array)[];
+  /** What each channel's numbers are to be multiplied by, beside what the atlas says; 1 where absent. */
+  scales?: number[];
 }
 
 /** What is wrong with a file that cannot be read. */
@@ -110,7 +112,7 @@ function readChannels(view: DataView, text: () => string, where: () => number, g
   return channels;
 }
 
-async function inflate(data: Uint8Array, due: number): Promise<Uint8Array> {
+export async function inflate(data: Uint8Array, due: number): Promise<Uint8Array> {
   const stream = new Blob([data as Uint8Array<ArrayBuffer>]).stream().pipeThrough(new DecompressionStream('deflate'));
   const out = new Uint8Array(due);
   let filled = 0;

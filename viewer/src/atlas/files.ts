@@ -8,6 +8,8 @@ export interface AtlasFiles {
   expect(digests: { path: string; sha256?: string }[]): void;
   /** The bytes of a file of the atlas, by its path within the version's folder. */
   bytes(path: string): Promise<Uint8Array>;
+  /** The half floats of a table, where they are there in place of its file: see halves.ts. */
+  halves(path: string): Promise<Uint8Array | null>;
   /** The same as JSON. */
   json<T>(path: string): Promise<T>;
   /** Whether a small file is there: asked of files that an atlas may lack. */
@@ -29,11 +31,11 @@ export function atlasFiles(page: Document): AtlasFiles {
   return filesFrom(get, async (path, bytes) => {
     const type = IMAGE_TYPES[path.split('.').pop() ?? ''] ?? 'application/octet-stream';
     return inside ? URL.createObjectURL(new Blob([(await bytes(path)) as Uint8Array<ArrayBuffer>], { type })) : `atlas/${path}`;
-  });
+  }, inside ? (path) => get(`${path}.halves`) : undefined);
 }
 
 /** Files by what asks for them, held against their digests once these are known. */
-export function filesFrom(get: Get, url: (path: string, bytes: AtlasFiles['bytes']) => Promise<string>): AtlasFiles {
+export function filesFrom(get: Get, url: (path: string, bytes: AtlasFiles['bytes']) => Promise<string>, halves: Get = async () => null): AtlasFiles {
   const digests = new Map<string, string>();
   const bytes = async (path: string): Promise<Uint8Array> => {
     const found = await get(path);
@@ -54,6 +56,7 @@ export function filesFrom(get: Get, url: (path: string, bytes: AtlasFiles['bytes
   };
   return {
     bytes,
+    halves,
     expect: (files) => files.forEach(({ path, sha256: digest }) => digest && digests.set(path, digest)),
     json: async <T>(path: string) => parse<T>(path, await bytes(path)),
     optionalJson: async <T>(path: string) => {

@@ -18,15 +18,16 @@ interface Curve {
   measured: number[];
 }
 
-interface Report {
-  specimens?: { name: string; measured?: { columns: { kind: string; scale: number; curves: Curve[] }[] } | null }[];
+/** What was measured in one way, as the report has it. */
+export interface MeasuredColumn {
+  kind: string;
+  scale: number;
+  curves: Curve[];
 }
 
-/** Every measured BRDF spectrum of a specimen; none where the atlas has no report, or nothing was measured. */
+/** Every measured BRDF spectrum of a specimen; none where nothing was measured. */
 export async function measuredSpectra(engine: Engine, name: string): Promise<MeasuredSpectrum[]> {
-  if (!engine.index.files.some((file) => file.path === 'report.json')) return [];
-  const report = await engine.files.optionalJson<Report>('report.json').catch(() => null);
-  const columns = report?.specimens?.find((specimen) => specimen.name === name)?.measured?.columns ?? [];
+  const columns = (await engine.viewerFile())?.measured?.[name] ?? [];
   return columns
     .filter(({ kind }) => kind === 'brdf')
     .flatMap(({ curves, scale }) => curves.map((curve) => ({ curve, scale })))

@@ -4,6 +4,7 @@
 import type { AtlasFiles } from './files';
 import { AtlasError } from './files';
 import { ExrError, readExr, type ExrImage } from './exr';
+import { readHalves } from './halves';
 import { fromHalf, toHalf } from './half';
 import type { Specimen, StoredArray, StoredMaterial } from './specimen';
 
@@ -126,9 +127,10 @@ const factorField = (factor: 'vector' | 'scalar'): number => (factor === 'vector
 
 async function image(files: AtlasFiles, folder: string, stored: StoredArray, size: [number, number]): Promise<ExrImage> {
   const path = `${folder}/${stored.file}`;
-  const bytes = await files.bytes(path);
+  const halves = await files.halves(path);
+  const bytes = halves ?? (await files.bytes(path));
   try {
-    const found = await readExr(bytes);
+    const found = await (halves ? readHalves(bytes) : readExr(bytes));
     for (const channel of ['R', 'G', 'B']) {
       if (!found.channels.includes(channel)) throw new ExrError(`it has no channel ${channel}`);
     }
@@ -142,6 +144,7 @@ async function image(files: AtlasFiles, folder: string, stored: StoredArray, siz
   }
 }
 
+const scaleOf = (exr: ExrImage, channel: string): number => exr.scales?.[exr.channels.indexOf(channel)] ?? 1;
 const plane = (exr: ExrImage, channel: string) => exr.planes[exr.channels.indexOf(channel)];
 
 /** Channels as half floats with one scale. Halves pass as they are; other numbers are scaled by their peak. */
@@ -187,7 +190,7 @@ async function layersOfXyz(
   await Promise.all(
     stored.map(async (array, n) => {
       const exr = await image(files, folder, array, size);
-      const { scale, bits } = asHalves([plane(exr, 'R'), plane(exr, 'G'), plane(exr, 'B')], array.scale);
+      const { scale, bits } = asHalves([plane(exr, 'R'), plane(exr, 'G'), plane(exr, 'B')], array.scale * scaleOf(exr, 'R'));
       interleave(layers, n, bits, [0, 1, 2]);
       layers.scales[n] = scale;
       done();
@@ -221,7 +224,7 @@ async function layersOfSpectral(
       ['R', 'G', 'B'].forEach((channel, c) => {
         const n = 3 * index + c;
         if (n >= count) return;
-        const { scale, bits } = asHalves([plane(exr, channel)], array.scale);
+        const { scale, bits } = asHalves([plane(exr, channel)], array.scale * scaleOf(exr, channel));
         interleave(layers, Math.floor(n / 4), bits, [n % 4]);
         layers.scales[n] = scale;
       });

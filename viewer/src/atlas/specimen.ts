@@ -1,6 +1,7 @@
 // What atlas.json and specimen.json say, as far as the page reads them.
 
 import type { AtlasFiles } from './files';
+import type { MeasuredColumn } from './measured';
 
 export interface AtlasIndex {
   name: string;
@@ -116,6 +117,8 @@ export interface ViewerFile {
   /** Those that the page shows. */
   specimens?: string[];
   heights?: Record<string, string | null>;
+  /** What was measured of a specimen. */
+  measured?: Record<string, MeasuredColumn[]>;
 }
 
 export const readIndex = (files: AtlasFiles): Promise<AtlasIndex> => files.json<AtlasIndex>('atlas.json');
