@@ -37,7 +37,7 @@ const STATES = {
 };
 const published = (name) => readPng(readFileSync(join(version, SPECIMEN, 'scenes', `${name}.png`)));
 const exposed = (name) => Math.log2(scenes.find((scene) => scene.name === name).exposure / Math.PI);
-const stateOf = (name) => ({ specimen: SPECIMEN, size_px: 96, tone: 'atlas', tables: null, environment: 'none', exposure: exposed(name), interpolation: 'bilinear', look_ups: 'filtered', ...STATES[name] });
+const stateOf = (name) => ({ specimen: SPECIMEN, size_px: 96, tone: 'atlas', tables: null, environment: 'none', exposure: exposed(name), interpolation: 'spline', look_ups: 'filtered', ...STATES[name] });
 
 for (const name of Object.keys(STATES)) {
   test(`one look-up for light and pixel is the mean of the program's 256 samples, ${name}`, async (t) => {

@@ -44,7 +44,7 @@ const MEAN_MAX = 0.5;
 function stateOf(name) {
   const { exposure } = scenes.find((scene) => scene.name === name);
   // The program's pictures are of linear look-ups at points.
-  const samples = { light_samples: 16, pixel_samples: 1, interpolation: 'bilinear', look_ups: 'points' };
+  const samples = { light_samples: 16, pixel_samples: 1, interpolation: 'spline', look_ups: 'points' };
   return { specimen: SPECIMEN, size_px: 256, tone: 'atlas', tables: null, ...samples, exposure: Math.log2(exposure / Math.PI), ...STATES[name] };
 }
 const published = (name) => readPng(readFileSync(join(version, SPECIMEN, 'scenes', `${name}.png`)));
