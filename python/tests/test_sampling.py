@@ -10,7 +10,7 @@ import numpy as np
 import diffraction_atlas as da
 from common import atlas
 
-SAMPLES = 1 << 15
+SAMPLES = 1 << 17
 #: How often a right sampler may be called wrong, for one test.
 SIGNIFICANCE = 1e-6
 #: Cells around the mirror direction: rings, whose `1 - cos` grow geometrically so that the lobe is told apart, and azimuths.
@@ -53,9 +53,8 @@ def chance(wi: np.ndarray, pdf: np.ndarray, frame: np.ndarray, count: int) -> fl
     """
     cell, solid = cell_of(wi, frame), solid_angles(frame)
     sums, squares = (np.bincount(cell, 1 / pdf**power, len(solid)) / count for power in (1, 2))
-    drawn = np.bincount(cell, minlength=len(solid))
-    # Cells that few samples fall into have no normal distribution.
-    told = drawn >= 30
+    # Means of few samples, or of many that a few outweigh, such as those between the orders of a grating, have no normal distribution.
+    told = count * sums**2 >= 50 * np.maximum(squares, 1e-300)
     chi2 = ((sums - solid)[told] ** 2 / ((squares - sums**2)[told] / count)).sum()
     freedom = told.sum()
     z = ((chi2 / freedom) ** (1 / 3) - (1 - 2 / (9 * freedom))) / math.sqrt(2 / (9 * freedom))
