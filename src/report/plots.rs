@@ -18,7 +18,8 @@ const ROW: f64 = 19.0;
 pub(crate) fn error_plot(rows: &[ErrorRow], tolerance: Option<f64>) -> String {
     const LEFT: f64 = 318.0;
     const TOP: f64 = 20.0;
-    let span = WIDTH - LEFT - 18.0;
+    // The last label, "10000 %", reaches so far beyond its line.
+    let span = WIDTH - LEFT - 30.0;
     let values: Vec<f64> = rows
         .iter()
         .flat_map(|row| [row.p50, row.p95, row.p99, row.worst])
@@ -255,6 +256,23 @@ mod tests {
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
         if !svg.is_empty() {
             roxmltree::Document::parse(svg).unwrap();
+        }
+    }
+
+    #[test]
+    fn labels_stay_within_the_picture() {
+        for worst in [9.0, 10.0, 99.0, 100.0] {
+            let plot = error_plot(&[row(Cause::Total, [1e-6, 1e-3, 1.0, worst])], Some(worst));
+            let document = roxmltree::Document::parse(&plot).unwrap();
+            let centred = document.descendants().filter(|node| node.attribute("text-anchor") == Some("middle"));
+            let ends = centred.map(|text| {
+                let x: f64 = text.attribute("x").unwrap().parse().unwrap();
+                // A digit is 0.64 of its height wide at most, a letter of a word 0.6 in the mean.
+                let letter = if text.attribute("class") == Some("small") { 0.6 * 10.5 } else { 0.64 * 12.0 };
+                x + 0.5 * letter * text.text().unwrap().chars().count() as f64
+            });
+            let widest = ends.fold(0.0, f64::max);
+            assert!(widest > 590.0 && widest < WIDTH, "{worst}: {widest}");
         }
     }
 
