@@ -308,7 +308,8 @@ fn ctrl_c_ends_it_in_good_order_and_a_browser_that_cannot_be_opened_is_only_said
     let bin = place.path("bin");
     std::fs::create_dir(&bin).unwrap();
     let serving = Serving::start_with(&place, "--quiet view out/small", |command| _ = command.env("PATH", &bin));
-    std::thread::sleep(Duration::from_millis(500));
+    // Long enough for the attempt on a busy machine.
+    std::thread::sleep(Duration::from_secs(3));
     assert_eq!(serving.ask("GET", "/").status, 200);
     let port = serving.port;
     let (status, said) = serving.interrupt("-INT");
