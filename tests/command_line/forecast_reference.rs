@@ -102,6 +102,8 @@ fn the_whole_run_is_predicted_and_what_is_there_is_not() {
     let sum: f64 = parts.iter().map(|part| part["seconds"].as_f64().unwrap()).sum();
     assert!((sum / seconds(&first) - 1.0).abs() < 1e-9 && parts.len() >= 6, "{first}");
     assert!(first["slowdown"].as_f64().unwrap() > 0.0);
+    let [fewest, most] = [0, 1].map(|end| first["seconds_range"][end].as_f64().unwrap());
+    assert!(fewest <= seconds(&first) && seconds(&first) <= most, "{first}");
     let text = place.call("plan m.toml").ended(0).stdout;
     assert!(text.contains("the whole run in about ") && text.contains("the reference "), "{text}");
     place.publish(&crate::place::usual());

@@ -17,7 +17,9 @@ use crate::stages::pictures::scenes::reference_samples;
 use crate::stages::run::outlook::outlook;
 use crate::stages::run::reference_forecast::{ReferenceForecast, reference_forecast};
 use crate::stages::run::warnings::{scan_warnings, sigma_taken};
-use crate::stages::run::whole_forecast::{Known, Part, shared_parts, specimen_parts, summed};
+use crate::stages::run::whole_forecast::{Known, Part, mean_of, shared_parts, specimen_parts, summed};
+use diffraction_brdf::front_factor::Factor;
+use diffraction_brdf::material::Material;
 use diffraction_build::ground::speed::slowdown;
 use diffraction_build::tables::coverage::budget::{Budget, Cost};
 use diffraction_build::tables::forecast::{Forecast, forecast_of};
@@ -48,8 +50,10 @@ struct Plan {
     threads: usize,
     /// How many times as long as on the machine of the forecasts' constants the same work takes here and now.
     slowdown: f64,
-    /// Predicted seconds of the whole run, without what is there already.
+    /// Predicted seconds of the whole run, without what is there already: the mean of the two below.
     seconds: f64,
+    /// The same where the texels tried first suffice for every specimen, and where they do for none.
+    seconds_range: [f64; 2],
     /// What they are spent on, the longest first.
     parts: Vec<Part>,
     /// Specimens that are there already: they take next to nothing.
@@ -73,8 +77,9 @@ struct SpecimenPlan {
     unit: Option<UnitPlan>,
     /// Texels a side that its tables have where the ones tried first do not suffice; `None` where the size is known.
     size_max: Option<usize>,
+    /// Parts of making it where the texels tried first suffice, and where they do not.
     #[serde(skip)]
-    parts: Vec<Part>,
+    parts: [Vec<Part>; 2],
     /// Whether something is wrong with its scans.
     #[serde(skip)]
     has_fault: bool,
@@ -120,7 +125,7 @@ pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
                 forecast: None,
                 unit: None,
                 size_max: None,
-                parts: Vec::new(),
+                parts: Default::default(),
                 has_fault: false,
                 reference: None,
                 budget: None,
@@ -135,14 +140,16 @@ pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
         outlook(&config)?.into_iter().filter(|outlook| !outlook.make).map(|outlook| outlook.name).collect();
     let made = || specimens.iter().filter(|specimen| !unchanged.contains(&specimen.name));
     let shared = if made().next().is_some() { shared_parts(&config, threads, slowdown) } else { Vec::new() };
-    let parts = summed(made().flat_map(|specimen| specimen.parts.clone()).chain(shared));
+    let [fewest, most] = [0, 1]
+        .map(|which| summed(made().flat_map(|specimen| specimen.parts[which].clone()).chain(shared.iter().copied())));
+    let parts = mean_of(&fewest, &most);
     let (entries, bytes) = store::size(&config.cache.folder)?;
     let plan = Plan {
         atlas: config.atlas_name.clone(),
         threads,
         slowdown,
-        // An empty sum is -0.
-        seconds: parts.iter().map(|part| part.seconds).fold(0.0, |sum, seconds| sum + seconds),
+        seconds: seconds_of(&parts),
+        seconds_range: [seconds_of(&fewest), seconds_of(&most)],
         parts,
         unchanged,
         cache: [entries as u64, bytes],
@@ -162,6 +169,11 @@ pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
         .filter_map(|s| s.failure.as_ref().map(|failure| format!("{}: {failure}", s.name)))
         .collect();
     Ok(if failures.is_empty() { Outcome::Done } else { Outcome::Failures(failures) })
+}
+
+fn seconds_of(parts: &[Part]) -> f64 {
+    // An empty sum is -0.
+    parts.iter().map(|part| part.seconds).fold(0.0, |sum, seconds| sum + seconds)
 }
 
 fn plan_specimen(
@@ -214,12 +226,23 @@ fn plan_specimen(
     let of_files = ingested.provenance.iter().flat_map(|scan| scan.warnings.clone());
     let warnings = of_first.chain(of_files).chain(scan_warnings(&ingested, &ingested.optics)).chain(obstacle).collect();
     let samples: usize = ingested.fields.iter().map(|field| field.heights_nm.len()).sum();
-    let held_bytes = (samples * size_of::<f64>()) as u64 + forecast.memory_bytes;
+    let at_most = match size_max {
+        None => None,
+        Some(size) => {
+            let tables = TablesConfig { size: Some(size), ..tables.clone() };
+            let input = input.with(&ingested.optics, &tables);
+            Some(forecast_of(&input, &plan::plan(&input)?, threads))
+        }
+    };
+    let held_bytes = (samples * size_of::<f64>()) as u64 + at_most.as_ref().unwrap_or(&forecast).memory_bytes;
     let scenes = asked::pictured_scenes(config, &specimen.name);
-    let known = Known { samples, tables: &forecast, spectral: spectral.as_ref(), reference, scenes: &scenes };
-    let parts = specimen_parts(config, &known, threads, slowdown);
+    let may_exceed = ingested.optics.material == Material::Ideal || ingested.optics.factor == Factor::Scalar;
+    let spectral = spectral.as_ref();
+    let fewest = Known { samples, tables: &forecast, tried: None, may_exceed, spectral, reference, scenes: &scenes };
+    let most = at_most.as_ref().map_or(fewest, |tables| Known { tables, tried: Some(&forecast), ..fewest });
+    let parts = [fewest, most].map(|known| specimen_parts(config, &known, threads, slowdown));
     let unit = UnitPlan {
-        seconds: parts.iter().map(|part| part.seconds).sum(),
+        seconds: seconds_of(&mean_of(&parts[0], &parts[1])),
         memory_mib: held_bytes.div_ceil(1 << 20) + PROGRAM_MIB,
     };
     Ok(SpecimenPlan {
@@ -329,8 +352,9 @@ impl Plan {
         let whole = match parts.is_empty() {
             true => "the whole run: nothing is to be made\n".to_owned(),
             false => format!(
-                "the whole run in about {} on this machine, which now takes {:.1} times as long as the one that the constants are from: {}\n",
+                "the whole run in about {}{} on this machine, which now takes {:.1} times as long as the one that the constants are from: {}\n",
                 in_seconds(self.seconds),
+                self.range_text(),
                 self.slowdown,
                 parts.join(", ")
             ),
@@ -344,6 +368,19 @@ impl Plan {
             text += &format!("the cache holds {entries} entries, {}, which may save more\n", bytes_in_words(bytes));
         }
         text + &self.far_too_expensive()
+    }
+
+    /// How much more or less it is by what cannot be known before tables are built; nothing where all is known.
+    fn range_text(&self) -> String {
+        let [fewest, most] = self.seconds_range;
+        if most <= 1.1 * fewest {
+            return String::new();
+        }
+        format!(
+            " ({} where the texels tried first suffice, {} where they never do)",
+            in_seconds(fewest),
+            in_seconds(most)
+        )
     }
 
     /// Specimens that take far more than most, with the reason and what to do.

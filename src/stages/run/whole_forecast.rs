@@ -5,30 +5,44 @@ use serde::Serialize;
 use super::reference_forecast::ReferenceForecast;
 use crate::stages::config::{FrameTiming, GpuCheck, RunConfig};
 use diffraction_build::tables::forecast::Forecast;
-use diffraction_render::scene::model::Scene;
+use diffraction_render::scene::model::{LookUps, Scene};
 
-/// Nanoseconds on one thread of the machine that `tables::forecast` speaks of, fitted to runs of the bundled specimens, of eight real
-/// scans and of one small one. Another machine scales them alike (`ground::speed`).
+/// Nanoseconds on one thread of the machine that `tables::forecast` speaks of, fitted to runs of the bundled specimens and of eight real
+/// scans. Another machine scales them alike (`ground::speed`).
+const READ_NS: f64 = 0.08e9;
 const NS_PER_SAMPLE_READ: f64 = 300.0;
 /// Counting texels, rounding, storing, reading back: for each number of a table.
-const NS_PER_VALUE_STORED: f64 = 120.0;
-const NS_PER_SPECTRAL_VALUE: f64 = 130.0;
-const NS_PER_PIXEL: f64 = 3000.0;
-const NS_PER_LOOK_UP: f64 = 8.0;
+const NS_PER_VALUE_STORED: f64 = 65.0;
+/// Looking whether the texels that were tried suffice.
+const TRIED_NS: f64 = 0.9e9;
+const NS_PER_SPECTRAL_VALUE: f64 = 180.0;
+/// A look-up in a picture: what it costs whatever the tables, and for each of them.
+const NS_PER_LOOK_UP: f64 = 6_000.0;
+const NS_PER_TABLE_LOOKED_UP: f64 = 600.0;
+/// Splines and coarser levels of the tables that pictures are made of: for each number of a table.
+const NS_PER_VALUE_PICTURED: f64 = 90.0;
 /// What the forecast of the reference leaves out: the direct sum that it is held against.
 const REFERENCE_FACTOR: f64 = 1.15;
-/// Errors take a part that does not change, one for each table, and one for each sample of the scans.
-const ERRORS_NS: [f64; 3] = [0.15e9, 0.04e9, 1400.0];
+/// Errors take a part that does not change, one for each table, and one for each sample of the scans; and a share of the reference,
+/// whose directions theirs are among.
+const ERRORS_NS: [f64; 3] = [0.25e9, 0.04e9, 1200.0];
+const ERRORS_SHARE: f64 = 0.3;
 const SPECTRAL_ERRORS_NS: [f64; 2] = [0.08e9, 240.0];
-const LOOK_AROUND_NS: f64 = 0.15e9;
-const WRITE_NS: [f64; 2] = [0.12e9, 0.04e9];
-/// A software driver on the processor: its start, each specimen, each scene, what is sent there, and timing frames. Hardware takes a part of it.
+/// The albedo from hundreds of directions, which surfaces that may reflect more than arrives are limited by: for each texel of a table.
+const NS_PER_TEXEL_LIMITED: f64 = 340.0;
+const LOOK_AROUND_NS: f64 = 0.2e9;
+const WRITE_NS: [f64; 2] = [0.25e9, 0.04e9];
+/// A software driver on the processor: its start, each specimen, each scene, what is sent there, and timing frames. On hardware most of
+/// it remains: the processor's own pictures and the bounds of each pixel.
 const GPU_START_NS: f64 = 2e9;
 const GPU_SPECIMEN_NS: f64 = 0.4e9;
-const GPU_SCENE_NS: f64 = 0.7e9;
+const GPU_SCENE_NS: f64 = 0.45e9;
 /// For each number of a table that is sent there.
-const GPU_NS_PER_VALUE: f64 = 200.0;
-const GPU_FRAMES_NS: f64 = 5.5e9;
+const GPU_NS_PER_VALUE: f64 = 75.0;
+const GPU_FRAMES_NS: f64 = 13e9;
+
+/// Degrees up to which a light is one look-up: wider ones are divided.
+const ONE_LOOK_UP_DEG: f64 = 2.0;
 
 /// Share of a picture's pixels that show the object.
 const SEEN: f64 = 0.7;
@@ -49,6 +63,10 @@ pub struct Known<'a> {
     pub samples: usize,
     /// Its tables; of spectral ones alone, those.
     pub tables: &'a Forecast,
+    /// Those on fewer texels that are built before and do not suffice.
+    pub tried: Option<&'a Forecast>,
+    /// Whether its surface may reflect more than arrives, as ideal ones and those under the scalar factor do.
+    pub may_exceed: bool,
     /// Its spectral tables, where there are both kinds.
     pub spectral: Option<&'a Forecast>,
     /// Its reference, where one is asked for.
@@ -59,15 +77,17 @@ pub struct Known<'a> {
 
 /// Parts of making a specimen, on `threads` threads of a machine that takes `slowdown` times as long.
 pub fn specimen_parts(config: &RunConfig, known: &Known, threads: usize, slowdown: f64) -> Vec<Part> {
-    let Known { samples, tables, spectral, reference, scenes } = *known;
+    let Known { samples, tables, tried, may_exceed, spectral, reference, scenes } = *known;
     let on_all = |forecast: &Forecast| 1e9 * forecast.seconds * threads as f64;
     let values = |forecast: &Forecast, channels: f64| channels * forecast.texels as f64 * forecast.tables as f64;
     let pictures = scenes.iter().map(|scene| picture_ns(scene, tables.tables)).sum::<f64>();
+    let made_ready = if scenes.is_empty() { 0.0 } else { values(tables, 3.0) * NS_PER_VALUE_PICTURED };
+    let tried_ns = tried.map_or(0.0, |tried| on_all(tried) + TRIED_NS);
     let mut parts = vec![
-        ("reading scans", samples as f64 * NS_PER_SAMPLE_READ),
-        ("tables", on_all(tables) + values(tables, 3.0) * NS_PER_VALUE_STORED),
+        ("reading scans", READ_NS + samples as f64 * NS_PER_SAMPLE_READ),
+        ("tables", tried_ns + on_all(tables) + values(tables, 3.0) * NS_PER_VALUE_STORED),
         ("looking around", LOOK_AROUND_NS),
-        ("pictures", pictures + WRITE_NS[0] + WRITE_NS[1] * scenes.len() as f64),
+        ("pictures", made_ready + pictures + WRITE_NS[0] + WRITE_NS[1] * scenes.len() as f64),
     ];
     if let Some(spectral) = spectral {
         parts.push(("spectral tables", on_all(spectral) + values(spectral, 1.0) * NS_PER_SPECTRAL_VALUE));
@@ -77,8 +97,10 @@ pub fn specimen_parts(config: &RunConfig, known: &Known, threads: usize, slowdow
         let of_spectral = if spectral.is_some() { fixed_ns + sample_ns * samples as f64 } else { 0.0 };
         let [fixed_ns, table_ns, sample_ns] = ERRORS_NS;
         let of_tables = fixed_ns + table_ns * tables.tables as f64 + sample_ns * samples as f64;
-        parts.push(("the reference", REFERENCE_FACTOR * 1e9 * reference.seconds * threads as f64));
-        parts.push(("errors", of_tables + of_spectral));
+        let reference_ns = 1e9 * reference.seconds * threads as f64;
+        let limit_ns = if may_exceed { values(tables, 1.0) * NS_PER_TEXEL_LIMITED } else { 0.0 };
+        parts.push(("the reference", REFERENCE_FACTOR * reference_ns));
+        parts.push(("errors", of_tables + ERRORS_SHARE * reference_ns + of_spectral + limit_ns));
     }
     if config.gpu != GpuCheck::Off {
         parts.push((
@@ -106,9 +128,21 @@ fn picture_ns(scene: &Scene, tables: usize) -> f64 {
     let of_side = |side_px: usize| SEEN * (side_px * side_px) as f64;
     let frames = scene.animation.map_or(0.0, |animation| animation.frames as f64 * of_side(animation.size_px));
     let pixels = of_side(scene.size_px) + frames;
-    let lights = scene.lights.len() + usize::from(scene.environment.is_some());
-    let look_ups = pixels * (lights.max(1) * scene.light_samples.max(scene.pixel_samples) * tables) as f64;
-    pixels * NS_PER_PIXEL + look_ups * NS_PER_LOOK_UP
+    let samples = scene.light_samples.max(scene.pixel_samples);
+    let of_light = |diameter_deg: f64| match scene.look_ups {
+        LookUps::Filtered if diameter_deg <= ONE_LOOK_UP_DEG => 1,
+        LookUps::Filtered | LookUps::Points => samples,
+    };
+    let of_lights: usize = scene.lights.iter().map(|light| of_light(light.angular_diameter_deg)).sum();
+    let of_surroundings = if scene.environment.is_some() { samples } else { 0 };
+    let look_ups = pixels * (of_lights + of_surroundings).max(1) as f64;
+    look_ups * (NS_PER_LOOK_UP + NS_PER_TABLE_LOOKED_UP * tables as f64)
+}
+
+/// The same parts of a run under two assumptions, each with the mean of both.
+pub fn mean_of(one: &[Part], other: &[Part]) -> Vec<Part> {
+    let both = one.iter().chain(other).map(|part| Part { seconds: 0.5 * part.seconds, ..*part });
+    summed(both)
 }
 
 /// All parts of one kind together, the longest first.

@@ -16,6 +16,8 @@
 //! - **Front.** `1 + wi·wo` is off by `8 u`, squared in `G`; see `front_error` for reflectance and shadowing.
 //! - **Summing.** `n` terms in 32 bits: `n u Σ |term|`.
 
+use std::borrow::Cow;
+
 use ndarray::{Array3, Axis};
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
@@ -40,14 +42,18 @@ pub(super) const ULP: f64 = 2.0 * U;
 const SHARE_ERROR: f64 = 1.0 / 512.0;
 
 /// Tables with what their upload does to them.
+#[derive(Debug)]
 pub(super) struct Layers<'a> {
-    pub(super) tables: &'a [Array3<f32>],
+    pub(super) tables: Cow<'a, [Array3<f32>]>,
     scales: Vec<f32>,
 }
 
 impl<'a> Layers<'a> {
-    pub(super) fn of(tables: &'a [Array3<f32>]) -> Self {
-        Self { tables, scales: tables.iter().map(|table| half_scale(peak(table))).collect() }
+    /// Looks through every texel for the largest: once for many bounds.
+    pub(super) fn of(tables: impl Into<Cow<'a, [Array3<f32>]>>) -> Self {
+        let tables = tables.into();
+        let scales = tables.iter().map(|table| half_scale(peak(table))).collect();
+        Self { tables, scales }
     }
 }
 
@@ -61,8 +67,8 @@ pub(super) struct BasisValues {
 /// picture.
 pub fn bound_image(surface: Surface, samples: &ShadingSamples) -> Array3<f32> {
     let set = surface.tables;
-    let tables = Layers::of(&set.tables);
-    let cross = Layers::of(set.lobe.as_ref().map_or(&[], |lobe| &lobe.cross));
+    let tables = Layers::of(&set.tables[..]);
+    let cross = Layers::of(set.lobe.as_ref().map_or(&[][..], |lobe| &lobe.cross));
     let mut image = Array3::zeros((samples.rows, samples.columns, 3));
     image.axis_iter_mut(Axis(0)).into_par_iter().enumerate().for_each(|(row, mut line)| {
         for (column, mut pixel) in line.outer_iter_mut().enumerate() {
@@ -288,7 +294,7 @@ fn cell_error(layers: &Layers, basis: &BasisValues, first: [usize; 2], at: [f64;
     error
 }
 
-fn corner_shares([row, column]: [f64; 2]) -> [f64; 4] {
+pub(super) fn corner_shares([row, column]: [f64; 2]) -> [f64; 4] {
     [(1.0 - row) * (1.0 - column), (1.0 - row) * column, row * (1.0 - column), row * column]
 }
 

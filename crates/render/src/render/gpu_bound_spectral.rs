@@ -11,10 +11,10 @@
 //!   in 32 bits, at a place off by `12 u` of the number of texels.
 
 use super::gpu_bound::{
-    BasisValues, Layers, RIM_SHARE, U, ULP, cells, chebyshev_values, diffuse_factor_error, filtered_error, front_error,
+    BasisValues, Layers, RIM_SHARE, U, ULP, cells, chebyshev_values, corner_shares, diffuse_factor_error,
+    filtered_error, front_error,
 };
 use diffraction_brdf::direction::{Vec3, normalised_abs_w, wave_vector_change};
-use diffraction_brdf::evaluate::{Interpolation, sample};
 use diffraction_brdf::front_factor::{Factor, FrontFactor, image_radius2};
 use diffraction_brdf::shader::peak;
 use diffraction_brdf::spectral::{SpectralLobe, SpectralTables};
@@ -23,12 +23,12 @@ use ndarray::{Array3, Axis};
 /// Relative error of what is multiplied: powers of `r`, `1/|w'|`, and the sums.
 const PRODUCTS: f64 = 64.0 * U;
 
-/// Spectral tables, unpacked once for many bounds.
+/// Spectral tables, unpacked and looked through once for many bounds.
 #[derive(Debug)]
 pub struct SpectralBound<'a> {
     tables: &'a SpectralTables,
-    grey: Vec<Array3<f32>>,
-    patches: Vec<Array3<f32>>,
+    grey: Layers<'a>,
+    patches: Layers<'a>,
 }
 
 impl<'a> SpectralBound<'a> {
@@ -37,8 +37,8 @@ impl<'a> SpectralBound<'a> {
         let cross = tables.lobe.as_ref().and_then(|lobe| lobe.cross.as_ref());
         Self {
             tables,
-            grey: unpacked(&tables.images, tables.count),
-            patches: cross.map_or(Vec::new(), |cross| unpacked(&cross.images, cross.count)),
+            grey: Layers::of(unpacked(&tables.images, tables.count)),
+            patches: Layers::of(cross.map_or(Vec::new(), |cross| unpacked(&cross.images, cross.count))),
         }
     }
 
@@ -57,7 +57,7 @@ impl<'a> SpectralBound<'a> {
         let (Some(material), true) = (material, r > 0.0 && r <= 1.0 + 1e-9) else { return f64::NAN };
         let front = FrontFactor { material, ..set.front_factor };
         let q = wave_vector_change(wi, wo).map(|part| part * r);
-        let (mut value, mut error) = self.expansion(&Layers::of(&self.grey), q, 2.0);
+        let (mut value, mut error) = expansion(&self.grey, q, 2.0);
         if let Some(cross) = set.lobe.as_ref().and_then(|lobe| lobe.cross.as_ref()) {
             let (more, off) = self.cross(cross.radius_max, q);
             (value, error) = (value + more, error + off);
@@ -73,15 +73,6 @@ impl<'a> SpectralBound<'a> {
         r.powi(4) * of_tables + of_lobe + f64::from(f32::MIN_POSITIVE)
     }
 
-    /// Value and error of an expansion over `[-half_width, half_width]²`.
-    fn expansion(&self, layers: &Layers, q: Vec3, half_width: f64) -> (f64, f64) {
-        let side = layers.tables[0].dim().0;
-        let at = [-q[1], q[0]].map(|x| (0.5 + 0.5 * x / half_width).clamp(0.0, 1.0) * (side - 1) as f64);
-        let basis = basis(layers.tables.len(), q);
-        let sampled = layers.tables.iter().zip(&basis.values).map(|(table, b)| b * sample_grey(table, at));
-        (sampled.sum(), filtered_error(layers, &basis, at, side as f64 / (1 << 21) as f64)[0])
-    }
-
     /// The same for the cross term, over `|w'|`.
     fn cross(&self, radius: f64, q: Vec3) -> (f64, f64) {
         let (reach, w) = (q[0].abs().max(q[1].abs()), q[2].abs());
@@ -89,13 +80,22 @@ impl<'a> SpectralBound<'a> {
         if reach >= radius + rim {
             return (0.0, 0.0);
         }
-        let (value, mut error) = self.expansion(&Layers::of(&self.patches), q, radius);
+        let (value, mut error) = expansion(&self.patches, q, radius);
         if reach > radius - rim {
             // Both answers are right: all of it may be there or not.
-            error += self.patches.iter().map(|patch| f64::from(peak(patch))).sum::<f64>();
+            error += self.patches.tables.iter().map(|patch| f64::from(peak(patch))).sum::<f64>();
         }
         (value / w, error / w)
     }
+}
+
+/// Value and error of an expansion over `[-half_width, half_width]²`.
+fn expansion(layers: &Layers, q: Vec3, half_width: f64) -> (f64, f64) {
+    let side = layers.tables[0].dim().0;
+    let at = [-q[1], q[0]].map(|x| (0.5 + 0.5 * x / half_width).clamp(0.0, 1.0) * (side - 1) as f64);
+    let basis = basis(layers.tables.len(), q);
+    let sampled = layers.tables.iter().zip(&basis.values).map(|(table, b)| b * sample_grey(table, at));
+    (sampled.sum(), filtered_error(layers, &basis, at, side as f64 / (1 << 21) as f64)[0])
 }
 
 /// Chebyshev polynomials at `t'` with their errors.
@@ -106,11 +106,17 @@ fn basis(count: usize, q: Vec3) -> BasisValues {
     chebyshev_values(count, t, t_error.min(1.0))
 }
 
-/// A grey table at a position in texels (row, column).
+/// A grey table at a position in texels (row, column), between four texels.
 fn sample_grey(table: &Array3<f32>, at: [f64; 2]) -> f64 {
-    let (rows, columns, _) = table.dim();
-    let three = table.broadcast((rows, columns, 3)).expect("one channel spreads over three");
-    sample(three, Interpolation::Bilinear, at)[0]
+    let last = [table.dim().0, table.dim().1].map(|count| count - 1);
+    let first: [usize; 2] = std::array::from_fn(|axis| (at[axis] as usize).min(last[axis].saturating_sub(1)));
+    let shares = corner_shares(std::array::from_fn(|axis| at[axis] - first[axis] as f64));
+    let corners = [[0, 0], [0, 1], [1, 0], [1, 1]];
+    let texel = |corner: [usize; 2]| {
+        let [row, column] = std::array::from_fn(|axis| (first[axis] + corner[axis]).min(last[axis]));
+        f64::from(table[[row, column, 0]])
+    };
+    corners.into_iter().zip(shares).map(|(corner, share)| share * texel(corner)).sum()
 }
 
 /// Power times form, and its error, for the form's width in (u, v) and `|w'|`.
