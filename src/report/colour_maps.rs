@@ -43,13 +43,18 @@ pub(crate) const INFERNO: ColourMap = [
     [0xfc, 0xff, 0xa4],
 ];
 
-/// The colour at `position`, 0 for the first and 1 for the last; held at the ends. NaN gives grey,
+/// Colours that pictures take of a map: with grey and the colours of marks few enough for a PNG with a palette, a third of one without.
+const SHADES: usize = 240;
+
+/// The nearest of [`SHADES`] even steps to `position`, 0 for the first colour and 1 for the last; held at the ends. NaN gives grey,
 /// which neither map contains.
 pub fn colour(map: &ColourMap, position: f64) -> [u8; 3] {
     if position.is_nan() {
         return [128, 128, 128];
     }
-    let place = position.clamp(0.0, 1.0) * (map.len() - 1) as f64;
+    let last = (SHADES - 1) as f64;
+    let step = (position.clamp(0.0, 1.0) * last).round() / last;
+    let place = step * (map.len() - 1) as f64;
     let below = (place as usize).min(map.len() - 2);
     let share = place - below as f64;
     std::array::from_fn(|channel| {

@@ -403,6 +403,12 @@ export class App {
       xyz: () => engine.values(),
       exposure: () => engine.exposure(),
       gpuMs: () => engine.clock.ms,
+      /** What the views show of the spot: directions, XYZ, and the spectrum with what was measured there. */
+      spot: async () => {
+        await settled();
+        const answer = this.answer();
+        return answer && { ...answer, spectrum: answer.spectrum && { ...answer.spectrum, values: Array.from(answer.spectrum.values) } };
+      },
       brdfXyz: async (...angles: [number, number, number, number]): Promise<Xyz | null> => {
         await settled();
         const evaluated = engine.evaluated(false, false);

@@ -1,14 +1,20 @@
 import { createHash } from 'node:crypto';
 import { describe, expect, it } from 'vitest';
 import { atlasFiles } from '../src/atlas/files';
+import { encoded } from './encoded';
 
 const text = '{"name":"x"}';
-const page = (files: Record<string, string>) =>
-  ({ getElementById: () => ({ textContent: JSON.stringify(files) }) }) as unknown as Document;
+const page = (files: Record<string, string>) => {
+  const element = ([path, content]: [string, string]) => {
+    const bytes = new TextEncoder().encode(content);
+    return { textContent: encoded(bytes), dataset: { path, bytes: String(bytes.length) } };
+  };
+  return { querySelectorAll: () => Object.entries(files).map(element) } as unknown as Document;
+};
 const sha256 = createHash('sha256').update(text).digest('hex');
 
 describe('files inside the page', () => {
-  const files = atlasFiles(page({ 'a/specimen.json': btoa(text), 'b.json': btoa('no json') }));
+  const files = atlasFiles(page({ 'a/specimen.json': text, 'b.json': 'no json' }));
 
   it('come as bytes and as JSON', async () => {
     expect(new TextDecoder().decode(await files.bytes('a/specimen.json'))).toBe(text);

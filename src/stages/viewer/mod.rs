@@ -5,4 +5,5 @@ pub(crate) mod halves;
 pub(crate) mod page;
 pub(crate) mod server;
 pub(crate) mod single_file;
+mod text;
 pub(crate) mod written;

@@ -6,10 +6,11 @@ use sha2::{Digest, Sha256};
 
 use crate::stages::viewer::content::Content;
 use crate::stages::viewer::page;
+use crate::stages::viewer::text::encoded;
 use diffraction_brdf::error::{Error, Result};
 
-/// Id of the element that holds the atlas's files: an object of base64 by path.
-const FILES_ID: &str = "atlas-files";
+/// Class of the elements that hold the atlas's files, each with its path and its length in bytes.
+const FILE_CLASS: &str = "atlas-file";
 
 /// The page with its program, its looks and the atlas's files in it. It may load nothing: its policy allows its own script by
 /// digest, and what the script makes.
@@ -17,17 +18,28 @@ const FILES_ID: &str = "atlas-files";
 /// # Errors
 /// A file of the atlas that is not as it was published.
 pub(crate) fn single_file(content: &Content) -> Result<String> {
-    let mut files = serde_json::Map::new();
+    let mut data = String::new();
     for path in content.needed() {
-        if let Some(halves) = content.halves(&path)? {
-            files.insert(format!("{path}.halves"), STANDARD.encode(halves).into());
-            continue;
-        }
-        let bytes = content.read(&path)?.ok_or_else(|| Error::Call(format!("{path}: the atlas does not list it")))?;
-        files.insert(path, STANDARD.encode(bytes).into());
+        let (path, bytes) = match content.halves(&path)? {
+            Some(halves) => (format!("{path}.halves"), halves),
+            None => match content.read(&path)? {
+                Some(bytes) => (path, bytes),
+                None => return Err(Error::Call(format!("{path}: the atlas does not list it"))),
+            },
+        };
+        data += &file_element(&path, &bytes);
     }
-    let data = serde_json::to_string(&files).expect("strings always become JSON");
     assemble(page::INDEX, page::SCRIPT, page::STYLE, &data)
+}
+
+/// A file as an element that nothing runs.
+fn file_element(path: &str, bytes: &[u8]) -> String {
+    let path = path.replace('&', "&amp;").replace('"', "&quot;").replace('<', "&lt;");
+    let length = bytes.len();
+    let text = encoded(bytes);
+    format!(
+        "<script type=\"text/plain\" class=\"{FILE_CLASS}\" data-path=\"{path}\" data-bytes=\"{length}\">{text}</script>"
+    )
 }
 
 fn assemble(index: &str, script: &str, style: &str, data: &str) -> Result<String> {
@@ -39,8 +51,6 @@ fn assemble(index: &str, script: &str, style: &str, data: &str) -> Result<String
          style-src 'unsafe-inline'; img-src data: blob:; connect-src data: blob:; media-src blob:; worker-src blob:; \
          base-uri 'none'; form-action 'none'\">"
     );
-    let data = data.replace('<', "\\u003c");
-    let data = format!("<script type=\"application/json\" id=\"{FILES_ID}\">{data}</script>");
     let (before, tag, after) = element(index, "<script", "</script>", "viewer.js")?;
     let module = if tag.contains("type=\"module\"") { " type=\"module\"" } else { "" };
     // Where it stood a plain script would run before what follows it; a deferred one runs at the end, as this does.
@@ -102,9 +112,14 @@ mod tests {
 
     #[test]
     fn nothing_is_referred_to_and_the_data_come_before_the_program() {
-        let page = assemble(INDEX, "run()", "p{color:red}", "{\"a\":\"AAAA\"}").unwrap();
+        let page = assemble(INDEX, "run()", "p{color:red}", &file_element("a/\"b\".png", b"A")).unwrap();
         assert!(!page.contains("src=") && !page.contains("href="), "{page}");
-        let order = ["<style>p{color:red}</style>", "<p>a</p>", "id=\"atlas-files\">{\"a\":\"AAAA\"}", "<script>run()"];
+        let order = [
+            "<style>p{color:red}</style>",
+            "<p>a</p>",
+            "data-path=\"a/&quot;b&quot;.png\" data-bytes=\"1\"> @</script>",
+            "<script>run()",
+        ];
         let places: Vec<usize> = order.iter().map(|part| page.find(part).expect(part)).collect();
         assert!(places.is_sorted(), "{places:?} in {page}");
         assert!(page.contains(&format!("'sha256-{}'", STANDARD.encode(Sha256::digest(b"run()")))));
@@ -112,8 +127,8 @@ mod tests {
 
     #[test]
     fn what_would_end_the_script_is_written_otherwise() {
-        let page = assemble(INDEX, "const a = '</Script><!--<'", "", "{}").unwrap();
-        assert_eq!(page.matches("</script>").count(), 2, "{page}");
+        let page = assemble(INDEX, "const a = '</Script><!--<'", "", "").unwrap();
+        assert_eq!(page.matches("</script>").count(), 1, "{page}");
         assert!(page.contains(r"'<\/Script><\x21--<'"), "{page}");
     }
 

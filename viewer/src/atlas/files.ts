@@ -1,5 +1,7 @@
 // Where an atlas's files come from: the page itself, or the folder beside it.
 
+import { decoded } from './text';
+
 /** A file that is not there or cannot be read, in words for the reader of the page. */
 export class AtlasError extends Error {}
 
@@ -23,10 +25,10 @@ const IMAGE_TYPES: Record<string, string> = { png: 'image/png', svg: 'image/svg+
 /** Asks for a file by its path within the version's folder; null where there is none. */
 export type Get = (path: string) => Promise<Uint8Array | null>;
 
-/** The files in the page's own element `atlas-files`, or else those under `atlas/`. */
+/** The files in the page's own elements of the class `atlas-file`, or else those under `atlas/`. */
 export function atlasFiles(page: Document): AtlasFiles {
-  const element = page.getElementById('atlas-files');
-  const inside = element?.textContent ? (JSON.parse(element.textContent) as Record<string, string>) : null;
+  const elements = Array.from(page.querySelectorAll<HTMLElement>('script.atlas-file'), (element) => [element.dataset.path ?? '', element] as const);
+  const inside = elements.length > 0 ? new Map(elements) : null;
   const get = inside ? insidePage(inside) : under('atlas/');
   return filesFrom(get, async (path, bytes) => {
     const type = IMAGE_TYPES[path.split('.').pop() ?? ''] ?? 'application/octet-stream';
@@ -74,14 +76,13 @@ async function sha256(bytes: Uint8Array): Promise<string | null> {
   return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
-function insidePage(files: Record<string, string>): Get {
+function insidePage(elements: Map<string, HTMLElement>): Get {
   return async (path) => {
-    const text = files[path];
-    if (text === undefined) return null;
-    const binary = atob(text);
-    const out = new Uint8Array(binary.length);
-    for (let i = 0; i < binary.length; i++) out[i] = binary.charCodeAt(i);
-    return out;
+    const element = elements.get(path);
+    if (!element) return null;
+    const found = decoded(element.textContent ?? '', Number(element.dataset.bytes));
+    if (!found) throw new AtlasError(`The atlas's file ${path} is cut short in this page. Export the page again.`);
+    return found;
   };
 }
 

@@ -1,5 +1,6 @@
 //! PNG pictures: encoding, pictures side by side, error heat maps.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use ndarray::{Array2, Array3};
@@ -23,7 +24,7 @@ const INFERNO: [[u8; 3]; 9] = [
     [252, 255, 164],
 ];
 
-/// Bytes of an 8-bit sRGB PNG of an image `[rows, columns, 3]`. No time stamp, so the same image
+/// Bytes of an 8-bit sRGB PNG of an image `[rows, columns, 3]`, with a palette where its colours are no more than 256. No time stamp, so the same image
 /// gives the same bytes. Fails on an image without pixels or wider than the format allows.
 pub fn encode_png(image: &Array3<u8>) -> Result<Vec<u8>> {
     let (rows, columns, channels) = image.dim();
@@ -37,21 +38,59 @@ pub fn encode_png(image: &Array3<u8>) -> Result<Vec<u8>> {
     let (Ok(width), Ok(height)) = (u32::try_from(columns), u32::try_from(rows)) else {
         return Err(refuse("its sides exceed 32 bits".into()));
     };
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     let standard = image.as_standard_layout();
     let pixels = standard.as_slice().expect("standard layout is contiguous");
-    encoder
-        .write_header()
-        .and_then(|mut writer| {
-            writer.write_image_data(pixels)?;
-            writer.finish()
-        })
-        .map_err(|error| refuse(error.to_string()))?;
-    Ok(bytes)
+    let encoded = |kind: Kind, pixels: &[u8]| {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, width, height);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        match kind {
+            Kind::Rgb => encoder.set_color(png::ColorType::Rgb),
+            Kind::Indexed(palette) => {
+                encoder.set_color(png::ColorType::Indexed);
+                encoder.set_palette(palette.as_flattened());
+                encoder.set_compression(png::Compression::High);
+                // Neighbouring colours of a map have neighbouring numbers.
+                encoder.set_filter(png::Filter::Paeth);
+            }
+        }
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(pixels)?;
+        writer.finish()?;
+        Ok(bytes)
+    };
+    let bytes = match indexed(pixels.as_chunks().0) {
+        Some((palette, places)) => encoded(Kind::Indexed(&palette), &places),
+        None => encoded(Kind::Rgb, pixels),
+    };
+    bytes.map_err(|error: png::EncodingError| refuse(error.to_string()))
+}
+
+/// How pixels are told.
+enum Kind<'a> {
+    /// By three bytes each.
+    Rgb,
+    /// By a byte each: the place of its colour among these.
+    Indexed(&'a [[u8; 3]]),
+}
+
+/// Most colours of a palette.
+const PALETTE_MAX: usize = 256;
+
+/// The colours of an image from dark to bright, and the place of each pixel's; `None` where they are too many for a palette.
+fn indexed(pixels: &[[u8; 3]]) -> Option<(Vec<[u8; 3]>, Vec<u8>)> {
+    let mut colours = BTreeSet::new();
+    for pixel in pixels {
+        if colours.insert(*pixel) && colours.len() > PALETTE_MAX {
+            return None;
+        }
+    }
+    let mut palette: Vec<[u8; 3]> = colours.into_iter().collect();
+    // Rec. 709's luma, in tenths of a per cent.
+    palette.sort_by_key(|[r, g, b]| 213 * u32::from(*r) + 715 * u32::from(*g) + 72 * u32::from(*b));
+    let places: BTreeMap<[u8; 3], u8> = palette.iter().copied().zip(0..=u8::MAX).collect();
+    Some((palette, pixels.iter().map(|pixel| places[pixel]).collect()))
 }
 
 /// Bytes of an animated PNG of `frames` images `[rows, columns, 3]` of one size, shown for ever at `fps` frames per
@@ -163,7 +202,9 @@ mod tests {
     }
 
     fn decode(bytes: &[u8]) -> Array3<u8> {
-        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
         assert_eq!(reader.info().srgb, Some(png::SrgbRenderingIntent::Perceptual));
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
         let frame = reader.next_frame(&mut pixels).unwrap();
@@ -177,6 +218,24 @@ mod tests {
         let bytes = encode_png(&image).unwrap();
         assert_eq!(decode(&bytes), image);
         assert_eq!(encode_png(&image).unwrap(), bytes);
+    }
+
+    #[test]
+    fn few_colours_make_a_palette_and_one_more_does_not() {
+        let of = |colours: usize| {
+            Array3::from_shape_fn((16, 32, 3), |(r, c, k)| {
+                let place = (32 * r + c) % colours;
+                [place as u8, 255 - (place / 2) as u8, (place >> 8) as u8][k]
+            })
+        };
+        for (colours, kind) in
+            [(1, png::ColorType::Indexed), (256, png::ColorType::Indexed), (257, png::ColorType::Rgb)]
+        {
+            let bytes = encode_png(&of(colours)).unwrap();
+            assert_eq!(decode(&bytes), of(colours));
+            let reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();
+            assert_eq!(reader.info().color_type, kind, "{colours} colours");
+        }
     }
 
     #[test]
