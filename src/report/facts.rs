@@ -8,6 +8,7 @@ use crate::report::table_facts::{format_of, grid_short, made_from, rim, spectral
 use crate::stages::results::{Period, SpecimenResult, Statistics};
 use diffraction_build::accuracy::power_sums::DirectionalAlbedo;
 use diffraction_build::height::statistics::{STEEP_SLOPE, WAVES_MIN, least_uv_radius};
+use diffraction_build::tables::model::Storage;
 
 /// A name and what is to be said about it.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,13 +90,21 @@ pub(crate) fn cost(specimen: &SpecimenResult) -> Option<String> {
     let spectral = specimen.spectral.as_ref().map_or_else(String::new, |spectral| {
         format!(" {} more tables answer for single wavelengths and other lights.", spectral.tables)
     });
+    let textures = match built.rounding.filter(|_| built.storage == Storage::Float) {
+        None => format!("{} as textures of four 16-bit numbers", numbers::bytes(halves)),
+        Some(rounding) => format!(
+            "stored as 32-bit floats; {} as textures of four, or {} of four 16-bit ones, which shift one colour in twenty by {} or more",
+            numbers::bytes(2 * halves),
+            numbers::bytes(halves),
+            numbers::percent(rounding.half)
+        ),
+    };
     Some(format!(
         "{} tables of {}: a linear look-up is a fetch of each, a spline four, and up to two more near the mirror direction. {} of \
-         files, {} as textures of four 16-bit numbers.{spectral}",
+         files, {textures}.{spectral}",
         built.tables,
         grid_short(built),
-        numbers::bytes(built.stored_bytes),
-        numbers::bytes(halves)
+        numbers::bytes(built.stored_bytes)
     ))
 }
 

@@ -124,14 +124,18 @@ fn a_folder_is_told_file_by_file() {
     offset.heights_nm.rows_mut().into_iter().for_each(|mut line| line += 60.0 * random.f64());
     diffraction_build::height::write::write_scan_tiff(&place.path("scans/lines.tif"), &offset).unwrap();
     std::fs::write(place.path("scans/map.topostats"), b"\x89HDF\r\n\x1a\nmore").unwrap();
+    for name in ["scans/notes.MD", "scans/.hidden", "scans/log.csv"] {
+        std::fs::write(place.path(name), "taken on Monday").unwrap();
+    }
     let called = place.call("inspect scans").ended(1);
+    assert!(called.stderr.contains("2 more, named as notes"), "{}", called.stderr);
     let row = |name: &str| called.stdout.lines().find(|line| line.contains(name)).unwrap().to_owned();
     assert_eq!(called.stdout.lines().count(), 4, "{}", called.stdout);
     assert!(row("good.tif").contains("  good for all directions"), "{}", called.stdout);
     assert!(row("lines.tif").contains("level = \"rows\""), "{}", called.stdout);
     assert!(row("map.topostats").contains("cannot be read"), "{}", called.stdout);
     assert!(called.stderr.contains("HDF5") && called.stderr.contains("tools/convert.py"), "{}", called.stderr);
-    assert!(place.call("inspect .").ended(2).stderr.contains("no file to look at"));
+    assert!(place.call("inspect .").ended(2).stderr.contains("no scan to look at"));
 }
 
 #[test]

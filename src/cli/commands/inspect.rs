@@ -10,6 +10,7 @@ use crate::cli::destination;
 use crate::cli::lengths::PitchNm;
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
+use crate::cli::terminal;
 use crate::error::Result;
 use crate::stages::archive::specimen_file;
 use diffraction_brdf::atlas;
@@ -73,7 +74,7 @@ pub(crate) struct InspectArgs {
 ///
 /// # Errors
 /// A file that is neither scan nor atlas.
-pub(crate) fn run(args: &InspectArgs, _global: &Global) -> Result<Outcome> {
+pub(crate) fn run(args: &InspectArgs, global: &Global) -> Result<Outcome> {
     if let Some(path) = &args.save_heights {
         destination::check_file(path, &[&args.file], args.force)?;
     }
@@ -87,22 +88,43 @@ pub(crate) fn run(args: &InspectArgs, _global: &Global) -> Result<Outcome> {
     match args.file.is_dir() {
         false => inspect_scan(args),
         true if output::is_atlas(&args.file) => inspect_atlas(args),
-        true => inspect_many::run(&files_in(&args.file)?, &read_config(args), WAVELENGTH_MIN_NM, args.json),
+        true => {
+            let (files, others) = files_in(&args.file)?;
+            if others > 0 && !global.quiet {
+                terminal::say(&format!(
+                    "{others} more, named as notes, tables and pictures are, were left out: to look at one, name it\n"
+                ));
+            }
+            inspect_many::run(&files, &read_config(args), WAVELENGTH_MIN_NM, args.json)
+        }
     }
 }
 
-/// The files of a folder that are not hidden, in the order of their names.
-fn files_in(folder: &Path) -> Result<Vec<PathBuf>> {
+/// What lies beside scans and is none: notes, tables, pictures, programs.
+const NO_SCANS: [&str; 22] = [
+    "bib", "csv", "doc", "docx", "htm", "html", "ini", "jpeg", "jpg", "json", "log", "md", "odt", "ods", "pdf", "png",
+    "py", "toml", "xls", "xlsx", "yaml", "yml",
+];
+
+/// The files of a folder that are not hidden and whose names may be scans', in the order of their names; and how many others there are.
+fn files_in(folder: &Path) -> Result<(Vec<PathBuf>, usize)> {
     let unread = |error| Error::disk(folder, "list", error);
     let entries = std::fs::read_dir(folder).map_err(unread)?.collect::<std::io::Result<Vec<_>>>().map_err(unread)?;
     let is_hidden = |path: &PathBuf| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
+    let is_none = |path: &PathBuf| {
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        ending.is_some_and(|ending| NO_SCANS.contains(&ending.as_str()))
+    };
     let mut files: Vec<PathBuf> = entries.into_iter().map(|entry| entry.path()).filter(|path| path.is_file()).collect();
     files.retain(|path| !is_hidden(path));
+    let all = files.len();
+    files.retain(|path| !is_none(path));
     files.sort();
     if files.is_empty() {
-        return Err(Error::Call(format!("{}: no atlas, and no file to look at lies in it", folder.display())).into());
+        return Err(Error::Call(format!("{}: no atlas, and no scan to look at lies in it", folder.display())).into());
     }
-    Ok(files)
+    let others = all - files.len();
+    Ok((files, others))
 }
 
 /// What the scan's reader calls the options.

@@ -31,22 +31,16 @@ pub(super) fn table_warnings(set: &TableSet, stored: &StoredTables, tables: &Tab
     warnings
 }
 
-/// Of the number format: that the automatic choice is floats although halves do for most, or that
-/// halves were asked for and are too coarse.
+/// Of the number format: that halves were asked for and are too coarse.
 fn format_warning(storage: Storage, tables: &TablesConfig, rounding: Rounding) -> Option<String> {
     let Rounding { half, allowed, .. } = rounding;
-    let shift = format!("one colour in twenty by {half:.1e} or more");
-    let left = format!("the tolerance of {:.0e} leaves {allowed:.1e} to storage", tables.tolerance);
-    match (storage, tables.storage) {
-        (Storage::Float, None) => Some(format!(
-            "stored as 32-bit floats: 16-bit ones would shift {shift}, and {left}; textures of 16-bit floats, as on GPUs, \
-             show that shift"
-        )),
-        (Storage::Half, Some(_)) if half > allowed => {
-            Some(format!("16-bit floats shift {shift}, and {left}: tables.storage = \"auto\" would take 32-bit ones"))
-        }
-        _ => None,
-    }
+    (storage == Storage::Half && tables.storage.is_some() && half > allowed).then(|| {
+        format!(
+            "16-bit floats shift one colour in twenty by {half:.1e} or more, and the tolerance of {:.0e} leaves {allowed:.1e} to storage: tables.storage = \"auto\" \
+             would take 32-bit ones",
+            tables.tolerance
+        )
+    })
 }
 
 /// Ratio of two scans' rms heights or pitches from which on they are doubted to show one surface.
