@@ -8,6 +8,7 @@ use diffraction_atlas::stages::archive::shader_export::{ShaderLanguage, ShaderSo
 use diffraction_atlas::stages::archive::specimen_file;
 use diffraction_brdf::direction::{Vec3, dot};
 use diffraction_brdf::evaluate::{Interpolation, brdf_xyz};
+use diffraction_brdf::shader_sampling::ShaderSampler;
 use diffraction_brdf::shader_spectral::promised_spectral_image;
 use diffraction_brdf::{Atlas, Splines};
 use diffraction_build::ground::colour::xyz_to_linear_srgb;
@@ -95,6 +96,10 @@ fn spectral_tables_are_exported_with_their_shader() {
     }
     let atlas = Atlas::open(&published().config.atlas_root).unwrap();
     let brdf = atlas.brdf("wave").unwrap();
+    let sampling = ShaderSampler::new(brdf.tables()).image();
+    let index: serde_json::Value = serde_json::from_slice(&read("textures.json")).unwrap();
+    assert_eq!(index["sampling"]["width_height_layers"], serde_json::json!([sampling.size[1], sampling.size[0], 1]));
+    assert_eq!(read("sampling.r32f"), bytemuck::cast_slice::<_, u8>(&sampling.texels));
     let image = promised_spectral_image(brdf.spectral().unwrap()).unwrap();
     assert_eq!(read("spectral_params.bin"), bytemuck::bytes_of(&image.params));
     assert_eq!(read("spectral_tables.rgba16f"), bytemuck::cast_slice::<_, u8>(&image.tables.texels));

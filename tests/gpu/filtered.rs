@@ -44,13 +44,13 @@ const NORMALS_WIDE: [f64; 3] = [1e-2, 3.2e-3, 2.4e-3];
 /// Colours are narrower at single wavelengths.
 const WAVELENGTH_SHARE: f64 = 2.0;
 
-struct Specimen {
-    brdf: Brdf,
+pub struct Specimen {
+    pub brdf: Brdf,
     spectral: SpectralTables,
 }
 
 /// The tables of the bundled manifest for the corn snake.
-fn snake() -> &'static Specimen {
+pub fn snake() -> &'static Specimen {
     static SPECIMEN: OnceLock<Specimen> = OnceLock::new();
     SPECIMEN.get_or_init(|| {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("specimens/corn_snake_like.tif");

@@ -14,6 +14,7 @@ mod exported;
 mod filtered;
 mod frame;
 mod published;
+mod sampled;
 mod sets;
 mod shader_export;
 mod shader_include;

@@ -23,13 +23,14 @@ fn accepted(tool: &str, arguments: &[&str], file: &Path) -> Option<bool> {
     Some(output.status.success())
 }
 
-const SOURCES: [ShaderSource; 4] = ShaderSource::ALL;
+const SOURCES: [ShaderSource; 5] = ShaderSource::ALL;
 
 /// Name of a source's entry point, and a field of its uniform.
 fn names(source: ShaderSource) -> [&'static str; 2] {
     match source {
         ShaderSource::Tables => ["shade_material", "radius_max"],
         ShaderSource::TablesFiltered => ["shade_material_filtered", "radius_max"],
+        ShaderSource::TablesSampled => ["shade_material_sampled", "radius_max"],
         ShaderSource::Spectral => ["shade_spectral", "cross_radius"],
         ShaderSource::SpectralFiltered => ["shade_spectral_filtered", "cross_radius"],
     }
@@ -95,6 +96,10 @@ fn msl_holds_the_functions_and_the_bindings() {
             ShaderSource::TablesFiltered,
             ["fragment shade_material_filteredOutput shade_material_filtered(", "metal::float3 brdf_xyz_filtered("],
         ),
+        (
+            ShaderSource::TablesSampled,
+            ["fragment shade_material_sampledOutput shade_material_sampled(", "metal::float4 brdf_sample("],
+        ),
         (ShaderSource::Spectral, ["fragment shade_spectralOutput shade_spectral(", "float brdf_spectral("]),
         (
             ShaderSource::SpectralFiltered,
@@ -117,6 +122,7 @@ fn every_text_holds_the_evaluation_under_its_own_names() {
     for (source, own) in [
         (ShaderSource::Tables, ["brdf_xyz(", "lobe_at("]),
         (ShaderSource::TablesFiltered, ["brdf_xyz_filtered(", "gaussian_mean("]),
+        (ShaderSource::TablesSampled, ["brdf_sample(", "brdf_pdf("]),
         (ShaderSource::Spectral, ["brdf_spectral(", "power_at("]),
         (ShaderSource::SpectralFiltered, ["brdf_spectral_filtered(", "gaussian_mean("]),
     ] {
@@ -135,6 +141,7 @@ fn bindings_are_where_the_readmes_say() {
     for (source, readme) in [
         (ShaderSource::Tables, README),
         (ShaderSource::TablesFiltered, README),
+        (ShaderSource::TablesSampled, README),
         (ShaderSource::Spectral, SPECTRAL_README),
         (ShaderSource::SpectralFiltered, SPECTRAL_README),
     ] {
@@ -154,6 +161,12 @@ fn bindings_are_where_the_readmes_say() {
             binding_is_stated(&text(ShaderLanguage::GlslEs300), ShaderLanguage::GlslEs300, "`_group_0_binding_5_fs`");
             binding_is_stated(&text(ShaderLanguage::Hlsl), ShaderLanguage::Hlsl, "`t5`");
             binding_is_stated(&text(ShaderLanguage::Msl), ShaderLanguage::Msl, "`texture(3)`");
+        }
+        if source == ShaderSource::TablesSampled {
+            binding_is_stated(&text(ShaderLanguage::Glsl450), ShaderLanguage::Glsl450, "binding 6");
+            binding_is_stated(&text(ShaderLanguage::GlslEs300), ShaderLanguage::GlslEs300, "`_group_0_binding_6_fs`");
+            binding_is_stated(&text(ShaderLanguage::Hlsl), ShaderLanguage::Hlsl, "`t6`");
+            binding_is_stated(&text(ShaderLanguage::Msl), ShaderLanguage::Msl, "`texture(4)`");
         }
         let hlsl = text(ShaderLanguage::Hlsl);
         assert!(!hlsl.contains("nagaSampler") && hlsl.contains("SamplerState bilinear : register(s4);"));

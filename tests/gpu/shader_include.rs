@@ -24,6 +24,11 @@ fn call(source: ShaderSource, prefix: &str, vector: &str) -> String {
     match source {
         ShaderSource::Tables => format!("{prefix}brdf_xyz({arguments}).y"),
         ShaderSource::TablesFiltered => format!("{prefix}brdf_xyz_filtered({arguments}, {vector}(1e-4, 0.0, 1e-4)).y"),
+        ShaderSource::TablesSampled => {
+            format!(
+                "{prefix}brdf_sample({arguments}).w + {prefix}brdf_pdf({arguments}) + {prefix}brdf_xyz({arguments}).y"
+            )
+        }
         ShaderSource::Spectral => format!("{prefix}brdf_spectral({arguments}, 550.0)"),
         ShaderSource::SpectralFiltered => {
             format!("{prefix}brdf_spectral_filtered({arguments}, 550.0, {vector}(1e-4, 0.0, 1e-4))")
@@ -155,6 +160,8 @@ fn bindings_begin_where_they_are_told() {
             && !text(ShaderLanguage::Wgsl, 8).contains("@binding(5)")
     );
     assert!(text(ShaderLanguage::Glsl450, 8).contains("binding = 13"));
+    let sampled = include(ShaderSource::TablesSampled, ShaderLanguage::Glsl450, &config(FIRST, 8)).unwrap();
+    assert!(sampled.contains("binding = 14") && sampled.contains("uniform sampler2D sunbeam_sampling;"));
     assert!(text(ShaderLanguage::Hlsl, 8).contains("SamplerState sunbeam_bilinear : register(s12);"));
     let es = text(ShaderLanguage::GlslEs300, 0);
     assert!(es.contains("uniform highp sampler2DArray sunbeam_tables;") && !es.contains("_group_0_"), "{es}");

@@ -4,6 +4,7 @@ use diffraction_brdf::shader::{LAYERS_MAX, TABLES_WGSL, TableParams};
 use diffraction_brdf::shader_spectral::{SPECTRAL_WGSL, SpectralParams};
 use diffraction_render::render::gpu_filtered::FilteredQuery;
 use diffraction_render::render::gpu_layout::{FrameLight, FrameParams, Run, ShadingSample};
+use diffraction_render::render::gpu_sampled::SampledQuery;
 use diffraction_render::render::gpu_spectral::SpectralQuery;
 use diffraction_render::render::wgsl;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
@@ -91,6 +92,8 @@ fn structs_of_spectral_tables_have_the_same_bytes() {
     let query = layout_in_rust!(SpectralQuery { wi, wavelength_nm, wo, own_index, index });
     assert_eq!(layout_in_shader(&check, "SpectralQuery"), query);
     let query = layout_in_rust!(FilteredQuery { wi, wavelength_nm, wo, angular_radius, normals, more });
+    let drawn = module(&wgsl::sampled_check());
+    assert_eq!(layout_in_shader(&drawn, "SampledQuery"), layout_in_rust!(SampledQuery { wo, more }));
     for source in [wgsl::filtered_check(), wgsl::filtered_spectral_check()] {
         assert_eq!(layout_in_shader(&module(&source), "FilteredQuery"), query);
     }

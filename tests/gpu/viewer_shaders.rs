@@ -9,7 +9,8 @@ use diffraction_atlas::stages::archive::shader_export::{ShaderLanguage, ShaderSo
 #[test]
 fn the_stored_glsl_is_what_the_wgsl_gives() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("viewer/src/generated");
-    for source in ShaderSource::ALL {
+    // The page draws no samples.
+    for source in ShaderSource::ALL.into_iter().filter(|source| *source != ShaderSource::TablesSampled) {
         let path = folder.join(format!("{}.glsl", source.name()));
         let fresh = shader(source, ShaderLanguage::GlslEs300).unwrap();
         if std::env::var_os("WRITE_GENERATED").is_some() {

@@ -42,7 +42,7 @@
 //! [`Brdf::eval_filtered`] takes a light with a size, or a pixel of a curved surface, in one look-up: a [`Footprint`].
 //! [`shader::TABLES_WGSL`] evaluates the same tables on a GPU, and [`shader::table_image`] puts them into the layout that it
 //! reads. [`shader_spectral::SPECTRAL_WGSL`] and [`shader_spectral::spectral_image`] do so for spectral tables:
-//! `brdf_spectral(wi, wo, wavelength_nm)` in WGSL.
+//! `brdf_spectral(wi, wo, wavelength_nm)` in WGSL. [`shader_sampling::TABLES_SAMPLED_WGSL`] draws directions there.
 //!
 //! # Features
 //!
@@ -81,6 +81,7 @@ mod reader;
 mod sampling;
 pub mod shader;
 pub mod shader_floats;
+pub mod shader_sampling;
 pub mod shader_spectral;
 pub mod specimen;
 pub mod spectral;

@@ -17,7 +17,8 @@ pub(super) type Specimens<'a> = [(&'a str, PathBuf)];
 
 /// Shaders in every language, alone and to include, and each specimen's bytes.
 pub(super) fn export_shaders(out: &Path, specimens: &Specimens, texels: Texels, include: &IncludeConfig) -> Result<()> {
-    write_shaders(out, [ShaderSource::Tables, ShaderSource::TablesFiltered], include, "README.md", README)?;
+    let sources = [ShaderSource::Tables, ShaderSource::TablesFiltered, ShaderSource::TablesSampled];
+    write_shaders(out, &sources, include, "README.md", README)?;
     for (name, from) in specimens {
         let to = out.join(name);
         let (file, tables) = specimen_file::load(from)?;
@@ -25,23 +26,17 @@ pub(super) fn export_shaders(out: &Path, specimens: &Specimens, texels: Texels, 
         if let Some(stored) = &file.spectral {
             write_spectral_data(&to, &read_spectral(from, stored, tables.front_factor)?, texels)?;
             let sources = [ShaderSource::Spectral, ShaderSource::SpectralFiltered];
-            write_shaders(out, sources, include, "README_spectral.md", SPECTRAL_README)?;
+            write_shaders(out, &sources, include, "README_spectral.md", SPECTRAL_README)?;
         }
     }
     Ok(())
 }
 
-/// Two shaders that share a uniform block, with what an engine needs to know of them.
-fn write_shaders(
-    out: &Path,
-    sources: [ShaderSource; 2],
-    config: &IncludeConfig,
-    name: &str,
-    readme: &str,
-) -> Result<()> {
+/// Shaders that share a uniform block, with what an engine needs to know of them.
+fn write_shaders(out: &Path, sources: &[ShaderSource], config: &IncludeConfig, name: &str, readme: &str) -> Result<()> {
     let includes = out.join("include");
     files::create_folder(&includes)?;
-    for source in sources {
+    for &source in sources {
         for language in ShaderLanguage::ALL {
             files::replace(&out.join(source.file_name(language)), &shader(source, language)?)?;
         }

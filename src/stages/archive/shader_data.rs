@@ -1,4 +1,4 @@
-//! A specimen's tables as the bytes that the exported shaders read: a uniform block and three textures, ready to upload.
+//! A specimen's tables as the bytes that the exported shaders read: a uniform block and textures, ready to upload.
 
 use std::path::Path;
 
@@ -12,6 +12,7 @@ use diffraction_brdf::shader::{GAUSSIANS, HalfLayers, TableParams, promised_imag
 use diffraction_brdf::shader_floats::{
     FloatLayers, float_layers, float_layers_of_spectral, promised_floats, promised_spectral_floats,
 };
+use diffraction_brdf::shader_sampling::ShaderSampler;
 use diffraction_brdf::shader_spectral::{SpectralParams, promised_spectral_image};
 use diffraction_build::optics::pigment::Surface;
 
@@ -70,6 +71,8 @@ pub(crate) fn write_shader_data(folder: &Path, surface: Surface, texels: Texels)
     files::replace(&folder.join("params.bin"), bytemuck::bytes_of(&params))?;
     files::replace(&folder.join("lobe.rgba32f"), bytemuck::cast_slice(&image.coherent))?;
     files::replace(&folder.join("lobe_gaussians.rgba32f"), bytemuck::cast_slice(&image.gaussians))?;
+    let sampling = ShaderSampler::new(surface.tables).image();
+    files::replace(&folder.join("sampling.r32f"), bytemuck::cast_slice(&sampling.texels))?;
     let index = json!({
         "params": { "binding": 0, "file": "params.bin", "kind": "uniform buffer" },
         "tables": write_levels(folder, "tables", 1, texels, &tables)?,
@@ -78,6 +81,8 @@ pub(crate) fn write_shader_data(folder: &Path, surface: Surface, texels: Texels)
             "width_height_layers": [columns, rows, 1], "filter": "none: texels are fetched" },
         "lobe_gaussians": { "binding": 5, "file": "lobe_gaussians.rgba32f", "kind": "2D texture", "format": "RGBA32F",
             "width_height_layers": [GAUSSIANS, rows, 1], "filter": "none: texels are fetched" },
+        "sampling": { "binding": 6, "file": "sampling.r32f", "kind": "2D texture", "format": "R32F",
+            "width_height_layers": [sampling.size[1], sampling.size[0], 1], "filter": "none: texels are fetched" },
     });
     json::write(&folder.join(INDEX), &index)
 }

@@ -20,6 +20,8 @@ pub enum ShaderSource {
     Tables,
     /// Those of XYZ, as means over footprints.
     TablesFiltered,
+    /// Those of XYZ, as means over footprints, and directions drawn from them.
+    TablesSampled,
     /// Spectral ones.
     Spectral,
     /// Spectral ones, as means over footprints.
@@ -28,13 +30,15 @@ pub enum ShaderSource {
 
 impl ShaderSource {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Tables, Self::TablesFiltered, Self::Spectral, Self::SpectralFiltered];
+    pub const ALL: [Self; 5] =
+        [Self::Tables, Self::TablesFiltered, Self::TablesSampled, Self::Spectral, Self::SpectralFiltered];
 
     /// Name of its files without what tells the language.
     pub fn name(self) -> &'static str {
         match self {
             Self::Tables => "tables",
             Self::TablesFiltered => "tables_filtered",
+            Self::TablesSampled => "tables_sampled",
             Self::Spectral => "spectral",
             Self::SpectralFiltered => "spectral_filtered",
         }
@@ -45,6 +49,7 @@ impl ShaderSource {
         match self {
             Self::Tables => SHADE_MATERIAL,
             Self::TablesFiltered => wgsl::SHADE_MATERIAL_FILTERED,
+            Self::TablesSampled => wgsl::SHADE_MATERIAL_SAMPLED,
             Self::Spectral => SHADE_SPECTRAL,
             Self::SpectralFiltered => wgsl::SHADE_SPECTRAL_FILTERED,
         }
@@ -55,6 +60,7 @@ impl ShaderSource {
         match self {
             Self::Tables => material(),
             Self::TablesFiltered => wgsl::material_filtered(),
+            Self::TablesSampled => wgsl::material_sampled(),
             Self::Spectral => spectral_material(),
             Self::SpectralFiltered => wgsl::spectral_material_filtered(),
         }
@@ -223,7 +229,7 @@ fn msl(wgsl: &str, entry: Option<&str>) -> Result<String> {
             buffer: (slot == 0).then_some(0),
             texture: match slot {
                 1..=3 => Some(slot - 1),
-                5 => Some(3),
+                5 | 6 => Some(slot - 2),
                 _ => None,
             },
             sampler: (slot == 4).then_some(msl::BindSamplerTarget::Resource(0)),

@@ -80,7 +80,7 @@ pub fn include(source: ShaderSource, language: ShaderLanguage, config: &IncludeC
 pub fn block(source: ShaderSource, config: &IncludeConfig) -> Result<(serde_json::Value, String)> {
     check_prefix(&config.prefix)?;
     let (module, _) = parsed(&source.wgsl())?;
-    let name = if matches!(source, ShaderSource::Tables | ShaderSource::TablesFiltered) {
+    let name = if matches!(source, ShaderSource::Tables | ShaderSource::TablesFiltered | ShaderSource::TablesSampled) {
         "TableParams"
     } else {
         "SpectralParams"
@@ -219,7 +219,7 @@ fn glsl_evaluation(text: &str, IncludeConfig { prefix, first_binding }: &Include
         ["#version", "smooth in ", "flat in ", "layout(location = "].iter().any(|start| line.starts_with(start))
     };
     let kept: Vec<&str> = text[..end].lines().filter(|line| !is_of_entry(line)).collect();
-    let bindings = ["params", "tables", "cross_terms", "lobe", "bilinear", "lobe_gaussians"];
+    let bindings = ["params", "tables", "cross_terms", "lobe", "bilinear", "lobe_gaussians", "sampling"];
     let named = |word: &str| {
         let number = word.strip_prefix("_group_0_binding_")?.strip_suffix("_fs")?.parse::<usize>().ok()?;
         bindings.get(number.checked_sub(*first_binding as usize)?).map(|name| format!("{prefix}{name}"))

@@ -13,7 +13,7 @@ use crate::front_factor::{Factor, FrontFactor, image_radius2};
 use crate::table_set::Lobe;
 
 /// Strips across the lobe.
-const STRIPS: usize = 32;
+pub(super) const STRIPS: usize = 32;
 /// Cells along a strip.
 const CELLS: usize = 32;
 /// What every cell and every strip gets at least, as a share of the mean.
@@ -27,9 +27,9 @@ pub(super) struct LobeDensity {
     columns: usize,
     radius_max: f64,
     factor: Factor,
-    reflectance: Reflectance,
+    pub(super) reflectance: Reflectance,
     /// What strips reflect, by the viewer's node.
-    strips: Vec<[f64; STRIPS]>,
+    pub(super) strips: Vec<[f64; STRIPS]>,
 }
 
 /// A strip for one viewer: `φ` from `first` on in cells of `step`.
@@ -196,7 +196,7 @@ pub(super) fn projection(wo: Vec3) -> ([f64; 2], f64) {
 
 /// The reflectance by the cosine at the half vector, in steps of 1/64: that of mirrored directions.
 #[derive(Debug, Clone)]
-struct Reflectance(Vec<f64>);
+pub(super) struct Reflectance(pub(super) Vec<f64>);
 
 impl Reflectance {
     fn new(front_factor: FrontFactor) -> Self {

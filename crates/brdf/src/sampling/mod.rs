@@ -29,6 +29,7 @@
 //! below 40 times the directional albedo at any angle.
 
 mod choice;
+mod image;
 mod lobe;
 mod nodes;
 mod tables;
@@ -38,6 +39,7 @@ use std::f64::consts::{PI, TAU};
 use crate::direction::Vec3;
 use crate::front_factor::{Factor, FrontFactor};
 use crate::table_set::{Basis, TableSet};
+pub(crate) use image::NumbersForShaders;
 use lobe::LobeDensity;
 use nodes::{NODES, node_of};
 use tables::TableDensity;
@@ -84,13 +86,24 @@ struct Largest {
 
 impl Sampler {
     pub fn new(set: &TableSet) -> Self {
+        Self::coarse(set, usize::MAX)
+    }
+
+    /// With no more than so many cells of tables side by side.
+    pub fn coarse(set: &TableSet, cells_max: usize) -> Self {
         let lobe = set.lobe.as_ref().map(|lobe| LobeDensity::new(lobe, set.front_factor));
-        let tables = TableDensity::new(set);
+        let tables = TableDensity::new(set, cells_max);
         let shares = std::array::from_fn(|node| {
             let reflected = lobe.as_ref().map_or(0.0, |lobe| lobe.reflected(node));
             shares(reflected, tables.reflected(node))
         });
         Self { lobe, tables, shares, front_factor: set.front_factor, largest: Largest::new(set) }
+    }
+
+    /// What shaders draw by.
+    pub fn numbers_for_shaders(&self) -> NumbersForShaders {
+        let shares = self.shares.map(|Shares { even, lobe, tables }| [even, lobe, tables]);
+        NumbersForShaders::new(self.lobe.as_ref(), &self.tables, &shares)
     }
 
     /// A direction to the light; `None` where the viewer is not above the surface, or nothing was found to draw.

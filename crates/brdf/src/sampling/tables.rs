@@ -35,24 +35,24 @@ const PIECES: usize = 12;
 
 #[derive(Debug, Clone)]
 pub(super) struct TableDensity {
-    /// First column's u, first row's v, and the step between texels.
-    first: [f64; 2],
-    step: f64,
+    /// First column's u, first row's v, and a cell's side.
+    pub(super) first: [f64; 2],
+    pub(super) step: f64,
     /// Cells along v and along u.
-    rows: usize,
-    columns: usize,
+    pub(super) rows: usize,
+    pub(super) columns: usize,
     /// Rows of a band.
-    band: usize,
-    nodes: Vec<Node>,
+    pub(super) band: usize,
+    pub(super) nodes: Vec<Node>,
 }
 
 /// For one polar angle of the viewer.
 #[derive(Debug, Clone)]
-struct Node {
+pub(super) struct Node {
     /// Sums of the cells up to each column edge, `[row][columns + 1]`.
-    rows: Vec<f32>,
+    pub(super) rows: Vec<f32>,
     /// The same of bands of rows.
-    bands: Vec<f32>,
+    pub(super) bands: Vec<f32>,
     /// X + Y + Z that the tables reflect of an even sky, averaged over azimuth.
     reflected: f64,
 }
@@ -96,9 +96,12 @@ impl Chord {
 }
 
 impl TableDensity {
-    pub fn new(set: &TableSet) -> Self {
+    /// Cells as fine as the texels, or blocks of these where more than `cells_max` lie side by side.
+    pub fn new(set: &TableSet, cells_max: usize) -> Self {
         let (texel_rows, texel_columns, _) = set.tables[0].dim();
-        let [rows, columns] = [texel_rows - 1, texel_columns - 1];
+        let texel_cells = [texel_rows - 1, texel_columns - 1];
+        let block = texel_cells[0].max(texel_cells[1]).div_ceil(cells_max);
+        let [rows, columns] = texel_cells.map(|cells| cells.div_ceil(block));
         let origin = set.restriction.as_ref().map_or([0; 2], |restriction| restriction.first);
         let step = 4.0 / (set.size() - 1) as f64;
         let first = [-2.0 + step * origin[1] as f64, 2.0 - step * origin[0] as f64];
@@ -128,10 +131,10 @@ impl TableDensity {
             }
         }
         let nodes = texels.iter().zip(reflected).map(|(texels, reflected)| {
-            let (rows, bands) = sums(texels, [rows, columns], band);
+            let (rows, bands) = sums(&cells(texels, texel_cells, block), [rows, columns], band);
             Node { rows, bands, reflected }
         });
-        Self { first, step, rows, columns, band, nodes: nodes.collect() }
+        Self { first, step: block as f64 * step, rows, columns, band, nodes: nodes.collect() }
     }
 
     /// X + Y + Z that the tables reflect of an even sky, at a node.
@@ -302,10 +305,24 @@ fn inverse(sums: &[f32], sum: f64) -> f64 {
     (after - 1) as f64 + if above > below { ((sum - below) / (above - below)).clamp(0.0, 1.0) } else { 0.0 }
 }
 
-/// Sums along rows of cells, and along bands of rows. A cell has the largest value of its corners, so that no look-up in it
-/// lies far above.
-fn sums(texels: &[f32], [rows, columns]: [usize; 2], band: usize) -> (Vec<f32>, Vec<f32>) {
+/// Cells of `block` by `block` texels each. Between four texels there is the largest of them, so that no look-up lies far above; a
+/// block has their root mean square, with which weights of an even density in it vary least.
+fn cells(texels: &[f32], [rows, columns]: [usize; 2], block: usize) -> Vec<f32> {
     let texel = |row: usize, column: usize| texels[row * (columns + 1) + column];
+    let [out_rows, out_columns] = [rows, columns].map(|cells| cells.div_ceil(block));
+    let mut squares = vec![0f64; out_rows * out_columns];
+    for row in 0..rows {
+        for column in 0..columns {
+            let upper = texel(row, column).max(texel(row, column + 1));
+            let lower = texel(row + 1, column).max(texel(row + 1, column + 1));
+            squares[row / block * out_columns + column / block] += f64::from(upper.max(lower)).powi(2);
+        }
+    }
+    squares.into_iter().map(|sum| sum.sqrt() as f32 / block as f32).collect()
+}
+
+/// Sums along rows of cells, and along bands of rows.
+fn sums(cells: &[f32], [rows, columns]: [usize; 2], band: usize) -> (Vec<f32>, Vec<f32>) {
     let mut along = Vec::with_capacity(rows * (columns + 1));
     let mut bands = Vec::new();
     for first in (0..rows).step_by(band) {
@@ -314,9 +331,7 @@ fn sums(texels: &[f32], [rows, columns]: [usize; 2], band: usize) -> (Vec<f32>, 
             let mut sum = 0.0;
             along.push(0.0);
             for column in 0..columns {
-                let upper = texel(row, column).max(texel(row, column + 1));
-                let lower = texel(row + 1, column).max(texel(row + 1, column + 1));
-                sum += f64::from(upper.max(lower));
+                sum += f64::from(cells[row * columns + column]);
                 along.push(sum as f32);
                 total[column + 1] += sum;
             }

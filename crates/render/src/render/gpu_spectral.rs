@@ -42,9 +42,9 @@ pub fn upload_spectral(gpu: &Gpu, image: &SpectralImage) -> Result<GpuSpectral> 
         let [rows, columns] = image.power_size;
         let power = texture(gpu, wgpu::TextureFormat::R32Float, [columns, rows, 1]);
         write_layer(gpu, &power, [columns, rows], 0, bytemuck::cast_slice(&image.power));
-        let layout = table_layout(gpu, false);
+        let layout = table_layout(gpu, 0);
         let textures = [half_texture(gpu, &image.tables), half_texture(gpu, &image.cross), power];
-        let group = bind_tables(gpu, &layout, &uniform(gpu, bytemuck::bytes_of(&image.params)), &textures, None);
+        let group = bind_tables(gpu, &layout, &uniform(gpu, bytemuck::bytes_of(&image.params)), &textures, &[]);
         GpuSpectral { layout, group }
     })
 }

@@ -23,20 +23,24 @@ pub struct GpuTables {
 /// # Errors
 /// `Error::Gpu`, out of memory above all.
 pub fn upload(gpu: &Gpu, image: &TableImage) -> Result<GpuTables> {
-    gpu.guarded("upload the tables", || {
-        let tables = half_texture(gpu, &image.tables);
-        let cross = half_texture(gpu, &image.cross);
-        let [rows, columns] = image.coherent_size;
-        let coherent = texture(gpu, wgpu::TextureFormat::Rgba32Float, [columns, rows, 1]);
-        write_layer(gpu, &coherent, [columns, rows], 0, bytemuck::cast_slice(&image.coherent));
-        let rows = image.gaussians.len() / GAUSSIANS;
-        let gaussians = texture(gpu, wgpu::TextureFormat::Rgba32Float, [GAUSSIANS, rows, 1]);
-        write_layer(gpu, &gaussians, [GAUSSIANS, rows], 0, bytemuck::cast_slice(&image.gaussians));
-        let layout = table_layout(gpu, true);
-        let params = uniform(gpu, bytemuck::bytes_of(&image.params));
-        let group = bind_tables(gpu, &layout, &params, &[tables, cross, coherent], Some(&gaussians));
-        GpuTables { layout, group, table_count: image.tables.scales.len() }
-    })
+    gpu.guarded("upload the tables", || upload_with(gpu, image, &[]))
+}
+
+/// A table set with textures that are bound after the lobe's Gaussians.
+pub(super) fn upload_with(gpu: &Gpu, image: &TableImage, more: &[wgpu::Texture]) -> GpuTables {
+    let tables = half_texture(gpu, &image.tables);
+    let cross = half_texture(gpu, &image.cross);
+    let [rows, columns] = image.coherent_size;
+    let coherent = texture(gpu, wgpu::TextureFormat::Rgba32Float, [columns, rows, 1]);
+    write_layer(gpu, &coherent, [columns, rows], 0, bytemuck::cast_slice(&image.coherent));
+    let rows = image.gaussians.len() / GAUSSIANS;
+    let gaussians = texture(gpu, wgpu::TextureFormat::Rgba32Float, [GAUSSIANS, rows, 1]);
+    write_layer(gpu, &gaussians, [GAUSSIANS, rows], 0, bytemuck::cast_slice(&image.gaussians));
+    let more: Vec<&wgpu::Texture> = std::iter::once(&gaussians).chain(more).collect();
+    let layout = table_layout(gpu, more.len());
+    let params = uniform(gpu, bytemuck::bytes_of(&image.params));
+    let group = bind_tables(gpu, &layout, &params, &[tables, cross, coherent], &more);
+    GpuTables { layout, group, table_count: image.tables.scales.len() }
 }
 
 /// A uniform buffer with these bytes.
@@ -51,13 +55,14 @@ pub(super) fn uniform(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {
     params
 }
 
-/// Group 0 of a table shader: uniform, tables, cross terms and lobe; for filtered look-ups of X, Y, Z the lobe's Gaussians.
+/// Group 0 of a table shader: uniform, tables, cross terms and lobe; then what only some have, the lobe's Gaussians and what samples are
+/// drawn by.
 pub(super) fn bind_tables(
     gpu: &Gpu,
     layout: &wgpu::BindGroupLayout,
     params: &wgpu::Buffer,
     [tables, cross, lobe]: &[wgpu::Texture; 3],
-    gaussians: Option<&wgpu::Texture>,
+    more: &[&wgpu::Texture],
 ) -> wgpu::BindGroup {
     let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("bilinear"),
@@ -68,11 +73,11 @@ pub(super) fn bind_tables(
     let layers =
         wgpu::TextureViewDescriptor { dimension: Some(wgpu::TextureViewDimension::D2Array), ..Default::default() };
     let views = [tables.create_view(&layers), cross.create_view(&layers), lobe.create_view(&Default::default())];
-    let gaussians = gaussians.map(|texture| texture.create_view(&Default::default()));
+    let more: Vec<_> = more.iter().map(|texture| texture.create_view(&Default::default())).collect();
     let mut entries = vec![entry(0, params.as_entire_binding())];
     entries.extend((1..).zip(&views).map(|(binding, view)| entry(binding, wgpu::BindingResource::TextureView(view))));
     entries.push(entry(4, wgpu::BindingResource::Sampler(&sampler)));
-    entries.extend(gaussians.iter().map(|view| entry(5, wgpu::BindingResource::TextureView(view))));
+    entries.extend((5..).zip(&more).map(|(binding, view)| entry(binding, wgpu::BindingResource::TextureView(view))));
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("tables"), layout, entries: &entries })
 }
 
@@ -80,8 +85,8 @@ pub(super) fn entry(binding: u32, resource: wgpu::BindingResource<'_>) -> wgpu::
     wgpu::BindGroupEntry { binding, resource }
 }
 
-/// Bindings of tables.wgsl and spectral.wgsl, for both kinds of pipeline; with that of the lobe's Gaussians.
-pub(super) fn table_layout(gpu: &Gpu, has_gaussians: bool) -> wgpu::BindGroupLayout {
+/// Bindings of tables.wgsl and spectral.wgsl, for both kinds of pipeline; with so many textures more that are not filtered.
+pub(super) fn table_layout(gpu: &Gpu, more: usize) -> wgpu::BindGroupLayout {
     let image = |filterable, view_dimension| wgpu::BindingType::Texture {
         sample_type: wgpu::TextureSampleType::Float { filterable },
         view_dimension,
@@ -97,13 +102,11 @@ pub(super) fn table_layout(gpu: &Gpu, has_gaussians: bool) -> wgpu::BindGroupLay
         image(true, wgpu::TextureViewDimension::D2Array),
         image(false, wgpu::TextureViewDimension::D2),
         wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
-        image(false, wgpu::TextureViewDimension::D2),
     ];
-    let count = if has_gaussians { types.len() } else { types.len() - 1 };
+    let types = types.into_iter().chain(std::iter::repeat_n(image(false, wgpu::TextureViewDimension::D2), more));
     let visibility = wgpu::ShaderStages::COMPUTE | wgpu::ShaderStages::FRAGMENT;
     let entries: Vec<wgpu::BindGroupLayoutEntry> = (0u32..)
         .zip(types)
-        .take(count)
         .map(|(binding, ty)| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None })
         .collect();
     gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("tables"), entries: &entries })

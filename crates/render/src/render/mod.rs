@@ -9,6 +9,7 @@ pub mod gpu_bound_spectral;
 pub mod gpu_filtered;
 pub mod gpu_frame;
 pub mod gpu_layout;
+pub mod gpu_sampled;
 pub mod gpu_spectral;
 pub mod gpu_tables;
 pub mod gpu_thread;

@@ -1,6 +1,7 @@
 //! The shaders' sources: the entry points put behind the one that evaluates tables.
 
 use diffraction_brdf::shader::{TABLES_FILTERED_WGSL, TABLES_WGSL};
+use diffraction_brdf::shader_sampling::TABLES_SAMPLED_WGSL;
 use diffraction_brdf::shader_spectral::{SPECTRAL_FILTERED_WGSL, SPECTRAL_WGSL};
 
 /// Compute entry point [`SHADE_RUNS`].
@@ -105,4 +106,26 @@ pub fn material_filtered() -> String {
 /// As [`spectral_material`], over a footprint.
 pub fn spectral_material_filtered() -> String {
     [SPECTRAL_FILTERED_WGSL, SPECTRAL_MATERIAL_FILTERED].join("\n")
+}
+
+/// Fragment entry point [`SHADE_MATERIAL_SAMPLED`].
+const MATERIAL_SAMPLED: &str = include_str!("shaders/material_sampled.wgsl");
+/// Compute entry points [`DRAW_SAMPLES`] and [`EVAL_DENSITIES`].
+const SAMPLED_CHECK: &str = include_str!("shaders/sampled_check.wgsl");
+
+/// Fragment entry point of [`material_sampled`].
+pub const SHADE_MATERIAL_SAMPLED: &str = "shade_material_sampled";
+/// Compute entry points of [`sampled_check`]: one invocation per query.
+pub(crate) const DRAW_SAMPLES: &str = "draw_samples";
+/// The other one.
+pub(crate) const EVAL_DENSITIES: &str = "eval_densities";
+
+/// As [`material_filtered`], of a direction that is drawn.
+pub fn material_sampled() -> String {
+    [TABLES_SAMPLED_WGSL, MATERIAL_SAMPLED].join("\n")
+}
+
+/// Source that draws directions and evaluates their densities for uploaded queries.
+pub fn sampled_check() -> String {
+    [TABLES_SAMPLED_WGSL, SAMPLED_CHECK].join("\n")
 }
