@@ -49,7 +49,7 @@ fn export() -> (tempfile::TempDir, PathBuf) {
     exported(&["--form", "shaders"])
 }
 
-fn exported(words: &[&str]) -> (tempfile::TempDir, PathBuf) {
+pub fn exported(words: &[&str]) -> (tempfile::TempDir, PathBuf) {
     let out = tempfile::tempdir().unwrap();
     let exported = out.path().join("exported");
     let run = Command::new(env!("CARGO_BIN_EXE_diffraction-atlas"))

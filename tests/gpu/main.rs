@@ -9,6 +9,7 @@ mod skip;
 mod surfaces;
 
 mod agreement;
+mod containers;
 mod corruption;
 mod exported;
 mod filtered;

@@ -7,7 +7,7 @@ use crate::cli::destination;
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use crate::error::Result;
-use crate::stages::archive::shader_data::Texels;
+use crate::stages::archive::shader_data::{Container, Texels, TextureConfig};
 use crate::stages::archive::shader_include::IncludeConfig;
 use crate::stages::archive::specimen_file;
 use crate::stages::viewer::content::Content;
@@ -49,6 +49,9 @@ pub(crate) struct ExportArgs {
     /// With `--form shaders`: textures of 32-bit floats, for tables that 16 bits round too much
     #[arg(long)]
     pub float_texels: bool,
+    /// With `--form shaders`: textures as KTX 2.0 files with their levels, in place of bytes to upload
+    #[arg(long)]
+    pub ktx2: bool,
 }
 
 /// Other forms of an atlas.
@@ -72,6 +75,9 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
     if args.single_file && args.form != Form::Viewer {
         return Err(Error::Call("`--single-file` goes with `--form viewer` alone".into()).into());
     }
+    if (args.ktx2 || args.float_texels) && args.form != Form::Shaders {
+        return Err(Error::Call("`--ktx2` and `--float-texels` go with `--form shaders` alone".into()).into());
+    }
     match args.single_file {
         true => destination::check_file(&args.out, &[], args.force)?,
         false => destination::check_folder(&args.out, None)?,
@@ -89,7 +95,8 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
         Form::Shaders => {
             let include = IncludeConfig { prefix: args.prefix.clone(), first_binding: args.first_binding };
             let texels = if args.float_texels { Texels::Float } else { Texels::Half };
-            export_forms::export_shaders(out, &specimens, texels, &include)
+            let container = if args.ktx2 { Container::Ktx2 } else { Container::Raw };
+            export_forms::export_shaders(out, &specimens, TextureConfig { texels, container }, &include)
         }
         Form::Osl => export_forms::export_osl(out, &args.out, &specimens),
         Form::FloatTables | Form::Viewer => export_float(out, &specimens),

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::error::Result;
 use crate::stages::archive::osl::{self, write_osl};
-use crate::stages::archive::shader_data::{Texels, write_shader_data, write_spectral_data};
+use crate::stages::archive::shader_data::{TextureConfig, write_shader_data, write_spectral_data};
 use crate::stages::archive::shader_export::{README, SPECTRAL_README, ShaderLanguage, ShaderSource, shader};
 use crate::stages::archive::shader_include::{self, IncludeConfig};
 use crate::stages::archive::specimen_file;
@@ -16,15 +16,20 @@ use diffraction_build::optics::pigment::Surface;
 pub(super) type Specimens<'a> = [(&'a str, PathBuf)];
 
 /// Shaders in every language, alone and to include, and each specimen's bytes.
-pub(super) fn export_shaders(out: &Path, specimens: &Specimens, texels: Texels, include: &IncludeConfig) -> Result<()> {
+pub(super) fn export_shaders(
+    out: &Path,
+    specimens: &Specimens,
+    textures: TextureConfig,
+    include: &IncludeConfig,
+) -> Result<()> {
     let sources = [ShaderSource::Tables, ShaderSource::TablesFiltered, ShaderSource::TablesSampled];
     write_shaders(out, &sources, include, "README.md", README)?;
     for (name, from) in specimens {
         let to = out.join(name);
         let (file, tables) = specimen_file::load(from)?;
-        write_shader_data(&to, Surface { tables: &tables, pigment: file.pigment.as_ref() }, texels)?;
+        write_shader_data(&to, Surface { tables: &tables, pigment: file.pigment.as_ref() }, textures)?;
         if let Some(stored) = &file.spectral {
-            write_spectral_data(&to, &read_spectral(from, stored, tables.front_factor)?, texels)?;
+            write_spectral_data(&to, &read_spectral(from, stored, tables.front_factor)?, textures)?;
             let sources = [ShaderSource::Spectral, ShaderSource::SpectralFiltered];
             write_shaders(out, &sources, include, "README_spectral.md", SPECTRAL_README)?;
         }

@@ -6,6 +6,7 @@ mod diff_text;
 mod format_look_ups;
 pub mod format_md;
 mod format_spectral;
+mod ktx2;
 pub mod lock;
 pub(crate) mod osl;
 pub(crate) mod prune;
