@@ -131,6 +131,16 @@ fn float_texels_are_the_tables_themselves() {
     assert_eq!(index["tables"]["format"], "RGBA32F");
     let include = std::fs::read_to_string(exported.join("include/tables_filtered.450.glsl")).unwrap();
     assert!(include.contains("vec3 snake_brdf_xyz_filtered(") && exported.join("include/spectral_params.h").is_file());
+    for (name, needed) in [
+        ("snake_defs.mtlx", "function=\"mx_snake_bsdf\""),
+        ("snake_bsdf.glsl", "void mx_snake_bsdf("),
+        ("snake_materials.mtlx", "snake_folder=\"../wave\""),
+        ("snake_materials.usda", "@../wave/textures.json@"),
+        ("README.md", "snake_tables"),
+    ] {
+        let text = std::fs::read_to_string(exported.join("materialx").join(name)).unwrap();
+        assert!(text.contains(needed) && !text.contains("PREFIX"), "{name}");
+    }
 }
 
 /// OSL finds a texture by a literal alone, so shaders name the place of their export.

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::Result;
+use crate::stages::archive::materialx::write_materialx;
 use crate::stages::archive::osl::{self, write_osl};
 use crate::stages::archive::shader_data::{TextureConfig, write_shader_data, write_spectral_data};
 use crate::stages::archive::shader_export::{README, SPECTRAL_README, ShaderLanguage, ShaderSource, shader};
@@ -24,6 +25,8 @@ pub(super) fn export_shaders(
 ) -> Result<()> {
     let sources = [ShaderSource::Tables, ShaderSource::TablesFiltered, ShaderSource::TablesSampled];
     write_shaders(out, &sources, include, "README.md", README)?;
+    let names: Vec<&str> = specimens.iter().map(|(name, _)| *name).collect();
+    write_materialx(&out.join("materialx"), &include.prefix, &names)?;
     for (name, from) in specimens {
         let to = out.join(name);
         let (file, tables) = specimen_file::load(from)?;

@@ -8,6 +8,7 @@ pub mod format_md;
 mod format_spectral;
 mod ktx2;
 pub mod lock;
+pub(crate) mod materialx;
 pub(crate) mod osl;
 pub(crate) mod prune;
 pub mod publish;
