@@ -1,4 +1,5 @@
-//! How an engine of its own draws with exported shaders: `cargo run --release --example engine EXPORTED SPECIMEN OUT.png`.
+//! How an engine of its own draws with exported shaders: `cargo run --release --example engine EXPORTED SPECIMEN OUT.png`. Behind that may come a
+//! side in pixels, a multiple of 16, and where light and viewer are, as `X,Y,Z`; with `OUT.f32` it writes linear sRGB as 32-bit floats.
 //!
 //! Of this library only the PNG encoder is used. `EXPORTED` is what `diffraction-atlas export ATLAS --form shaders --out
 //! EXPORTED` wrote. A square of the specimen, seen from above under a point light.
@@ -18,7 +19,7 @@ pub const EYE: [f32; 3] = [0.6, -0.2, 3.0];
 
 /// The engine's half: directions for the exported fragment shader. Both are linear over the square, so that interpolating
 /// them is exact; the fragment shader normalises them.
-fn vertex_shader() -> String {
+fn vertex_shader(light: [f32; 3], eye: [f32; 3]) -> String {
     format!(
         "struct Out {{
             @builtin(position) position: vec4<f32>,
@@ -33,14 +34,19 @@ fn vertex_shader() -> String {
             let eye = vec3<f32>({:?}, {:?}, {:?});
             return Out(vec4<f32>(corner, 0.0, 1.0), light - place, eye - place);
         }}",
-        LIGHT[0], LIGHT[1], LIGHT[2], EYE[0], EYE[1], EYE[2]
+        light[0], light[1], light[2], eye[0], eye[1], eye[2]
     )
 }
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
-/// Linear sRGB of the square, `[rows, columns, 3]`, for a light of unit irradiance. The side is a multiple of 16.
+/// [`draw_from`] with the light and the viewer where they are here.
 pub fn draw(exported: &Path, specimen: &str, side: u32) -> Outcome<Array3<f32>> {
+    draw_from(exported, specimen, side, [LIGHT, EYE])
+}
+
+/// Linear sRGB of the square, `[rows, columns, 3]`, for a light of unit irradiance and a viewer at these places. The side is a multiple of 16.
+pub fn draw_from(exported: &Path, specimen: &str, side: u32, [light, eye]: [[f32; 3]; 2]) -> Outcome<Array3<f32>> {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let adapter = block_on(instance.request_adapter(&Default::default()))?;
     let (device, queue) = block_on(adapter.request_device(&Default::default()))?;
@@ -69,7 +75,7 @@ pub fn draw(exported: &Path, specimen: &str, side: u32) -> Outcome<Array3<f32>> 
         view_formats: &[],
     });
     let material = std::fs::read_to_string(exported.join("tables.wgsl"))?;
-    let pipeline = pipeline(&device, &material, target.format());
+    let pipeline = pipeline(&device, &vertex_shader(light, eye), &material, target.format());
     let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: None,
         layout: &pipeline.get_bind_group_layout(0),
@@ -149,7 +155,12 @@ fn texture(
     Ok(texture.create_view(&wgpu::TextureViewDescriptor { dimension: Some(dimension), ..Default::default() }))
 }
 
-fn pipeline(device: &wgpu::Device, material: &str, format: wgpu::TextureFormat) -> wgpu::RenderPipeline {
+fn pipeline(
+    device: &wgpu::Device,
+    vertices: &str,
+    material: &str,
+    format: wgpu::TextureFormat,
+) -> wgpu::RenderPipeline {
     let module = |source: String| {
         let source = wgpu::ShaderSource::Wgsl(source.into());
         device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source })
@@ -186,7 +197,7 @@ fn pipeline(device: &wgpu::Device, material: &str, format: wgpu::TextureFormat) 
         label: None,
         layout: Some(&layout),
         vertex: wgpu::VertexState {
-            module: &module(vertex_shader()),
+            module: &module(vertices.to_owned()),
             entry_point: Some("square"),
             compilation_options: Default::default(),
             buffers: &[],
@@ -217,12 +228,24 @@ fn block_on<T>(future: impl Future<Output = T>) -> T {
     }
 }
 
+/// Three numbers with commas between them.
+fn vector(text: &str) -> Outcome<[f32; 3]> {
+    let numbers: Vec<f32> = text.split(',').map(str::parse).collect::<Result<_, _>>()?;
+    numbers.try_into().map_err(|_| format!("{text:?}: three numbers are expected, such as 0,0,2").into())
+}
+
 fn main() -> Outcome<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [exported, specimen, out] = &arguments[..] else {
+    let [exported, specimen, out, more @ ..] = &arguments[..] else {
         return Err("name the exported folder, a specimen, and the PNG to write".into());
     };
-    let linear = draw(Path::new(exported), specimen, 512)?;
+    let side = more.first().map_or(Ok(512), |side| side.parse())?;
+    let place = |index: usize, default| more.get(index).map_or(Ok(default), |text| vector(text));
+    let linear = draw_from(Path::new(exported), specimen, side, [place(1, LIGHT)?, place(2, EYE)?])?;
+    if out.ends_with(".f32") {
+        let bytes: Vec<u8> = linear.iter().flat_map(|value| value.to_le_bytes()).collect();
+        return Ok(std::fs::write(out, bytes)?);
+    }
     // Exposed for the brightest hundredth, then the curve of sRGB.
     let mut greens: Vec<f32> = linear.iter().skip(1).step_by(3).copied().collect();
     greens.sort_by(f32::total_cmp);
