@@ -3,7 +3,7 @@
 use std::fs;
 
 use crate::evaluation::directions;
-use crate::place::{HEAD, LASERS, Place, ROUGH, contents};
+use crate::place::{HEAD, LASERS, Place, ROUGH, WAVE, contents};
 
 /// Every way by which a command could write onto one of its inputs.
 #[test]
@@ -125,6 +125,33 @@ fn an_export_that_failed_does_not_block_the_next() {
         let refused = place.call(line).ended(2);
         assert!(refused.stderr.contains("is there already"), "{}", refused.stderr);
     }
+}
+
+/// Tables of 32-bit floats are an atlas again, of the specimens that were named: every reader opens it, and finds the same values.
+#[test]
+fn float_tables_are_an_atlas() {
+    let place = Place::with_scans();
+    place.publish(&[HEAD, LASERS, ROUGH, WAVE].concat());
+    place.call("export out/small --form float-tables --specimen rough --out floats").ended(0);
+    let index: serde_json::Value = serde_json::from_slice(&fs::read(place.path("floats/atlas.json")).unwrap()).unwrap();
+    assert_eq!(index["specimens"].as_array().unwrap().len(), 1);
+    assert!(
+        fs::read_to_string(place.path("floats/FORMAT.md"))
+            .unwrap()
+            .contains("Numbers on this page are those of `rough`")
+    );
+    place.call("verify floats --samples 0").ended(0);
+    fs::write(place.path("some.csv"), "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n10,20,30,40\n0,0,0,0\n").unwrap();
+    let said = |atlas: &str| {
+        place.call(&format!("eval --directions some.csv --atlas {atlas} --specimen rough")).ended(0).stdout
+    };
+    assert_eq!(said("floats"), said("out/small"));
+    let file = place.path("floats/rough/table.000.exr");
+    let mut bytes = fs::read(&file).unwrap();
+    let last = bytes.len() - 1;
+    bytes[last] ^= 1;
+    fs::write(&file, bytes).unwrap();
+    place.call("verify floats --samples 0").ended(1);
 }
 
 /// Names of files, and texts in them, reach the terminal without what steers it.

@@ -2,22 +2,19 @@
 
 use std::path::{Path, PathBuf};
 
-use super::export_forms::{self, Specimens};
+use super::export_forms;
 use crate::cli::destination;
 use crate::cli::options::Global;
 use crate::cli::output::{self, Outcome};
 use crate::error::Result;
 use crate::stages::archive::shader_data::{Container, Texels, TextureConfig};
 use crate::stages::archive::shader_include::IncludeConfig;
-use crate::stages::archive::specimen_file;
 use crate::stages::viewer::content::Content;
 use crate::stages::viewer::single_file::single_file;
 use crate::stages::viewer::written::fill_folder;
 use diffraction_brdf::atlas;
 use diffraction_brdf::error::Error;
 use diffraction_brdf::files;
-use diffraction_brdf::storage::write_tables;
-use diffraction_build::tables::model::Storage;
 
 /// Arguments of `export`.
 #[derive(Debug, Clone, PartialEq, Eq, clap::Args)]
@@ -57,7 +54,7 @@ pub(crate) struct ExportArgs {
 /// Other forms of an atlas.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum Form {
-    /// The same tables as 32-bit floats, scales multiplied in
+    /// An atlas with the same tables as 32-bit floats, scales multiplied in
     FloatTables,
     /// Code that evaluates the tables in several shading languages, with the bytes to upload
     Shaders,
@@ -99,7 +96,7 @@ pub(crate) fn run(args: &ExportArgs, _global: &Global) -> Result<Outcome> {
             export_forms::export_shaders(out, &specimens, TextureConfig { texels, container }, &include)
         }
         Form::Osl => export_forms::export_osl(out, &args.out, &specimens),
-        Form::FloatTables | Form::Viewer => export_float(out, &specimens),
+        Form::FloatTables | Form::Viewer => export_forms::export_float(out, &index, &specimens),
     })?;
     output::print(&format!("exported {} to {}\n", specimens.len(), args.out.display()))?;
     Ok(Outcome::Done)
@@ -118,15 +115,4 @@ fn export_viewer(folder: &Path, args: &ExportArgs) -> Result<Outcome> {
     };
     output::print(&format!("exported the viewer to {}, {}\n", args.out.display(), output::bytes_in_words(bytes)))?;
     Ok(Outcome::Done)
-}
-
-fn export_float(out: &Path, specimens: &Specimens) -> Result<()> {
-    for (name, from) in specimens {
-        let to = out.join(name);
-        files::create_folder(&to)?;
-        let (file, set) = specimen_file::load(from)?;
-        let tables = write_tables(&to, &set, Storage::Float)?;
-        specimen_file::write(&to, &specimen_file::SpecimenFile { tables, ..file })?;
-    }
-    Ok(())
 }
