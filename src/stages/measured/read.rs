@@ -6,6 +6,7 @@ use super::config::MeasuredConfig;
 use super::export;
 use super::kind::{self, Kind, value_kind};
 use super::measurement::{Column, Measurement, ROWS_MAX, WAVELENGTH_NM, all_beyond, note_beyond, note_values};
+use diffraction_brdf::direction::angles_deg;
 use diffraction_brdf::error::{Error, Result};
 use diffraction_build::ground::csv::{self, Cell};
 
@@ -17,6 +18,8 @@ const COLUMNS_MAX: usize = 16;
 
 /// The columns of a geometry, in degrees, and of the wavelength.
 const PLACE: [&str; 5] = ["theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg", "wavelength_nm"];
+/// The same with vectors of any length to the light and to the detector, as `eval` writes where it read such.
+const PLACE_VECTORS: [&str; 7] = ["wi_x", "wi_y", "wi_z", "wo_x", "wo_y", "wo_z", "wavelength_nm"];
 
 /// Steepest direction: at the horizon nothing is lit or seen.
 pub(crate) const THETA_MAX_DEG: f64 = 89.9;
@@ -24,7 +27,7 @@ pub(crate) const THETA_MAX_DEG: f64 = 89.9;
 /// Reads a file of measured reflectance.
 ///
 /// The first line that is neither empty nor a comment (`#`) names the columns, in any order: the four angles in
-/// degrees, `wavelength_nm`, and one or more kinds of value, each as it is, with `_percent` behind it (shares
+/// degrees or six components of vectors, `wavelength_nm`, and one or more kinds of value, each as it is, with `_percent` behind it (shares
 /// only), or with `:` and a label. Columns of other names are not used, which is noted. Separated by commas,
 /// semicolons or tabs; beside the latter two a comma may be the decimal mark. Rows may stand in any order.
 ///
@@ -65,8 +68,8 @@ pub fn read(config: &MeasuredConfig) -> Result<Measurement> {
     Ok(measurement)
 }
 
-const FIX: &str = "The first line names the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, wavelength_nm and one or \
-                   more kinds of value; each other line holds a number for each. For a spectrometer's own export say the geometry \
+const FIX: &str = "The first line names the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg (or wi_x, wi_y, wi_z, wo_x, \
+                   wo_y, wo_z), wavelength_nm and one or more kinds of value; each other line holds a number for each. For a spectrometer's own export say the geometry \
                    and the kind in the manifest (docs/manifest.md, `measured`).";
 
 /// A file being read.
@@ -84,7 +87,9 @@ struct ValuePlace {
 
 /// Which cell holds what.
 struct Layout {
-    place: [usize; 5],
+    /// Names of the columns of geometry and wavelength, and their cells.
+    names: &'static [&'static str],
+    place: Vec<usize>,
     values: Vec<ValuePlace>,
     cells: usize,
     notes: Vec<String>,
@@ -103,15 +108,20 @@ impl Table<'_> {
         if let Some(index) = (1..names.len()).find(|&i| !names[i].is_empty() && names[..i].contains(&names[i])) {
             return Err(self.error(number, cells[index].0, &format!("the column `{}` stands twice", names[index])));
         }
-        let mut place = [0; 5];
-        for (slot, wanted) in place.iter_mut().zip(PLACE) {
-            *slot = names.iter().position(|name| name == wanted).ok_or_else(|| {
+        let is_there = |wanted: &&str| names.iter().any(|name| name == wanted);
+        let is_vectors = PLACE_VECTORS[..6].iter().any(is_there) && !PLACE[..4].iter().any(is_there);
+        let wanted: &[&str] = if is_vectors { &PLACE_VECTORS } else { &PLACE };
+        let cell_of = |wanted: &&str| {
+            names.iter().position(|name| name == wanted).ok_or_else(|| {
                 let (at, hint) = alike(&cells, &names, wanted);
                 self.error(number, at, &format!("the column `{wanted}` is missing{hint}"))
-            })?;
-        }
-        let mut layout = Layout { place, values: Vec::new(), cells: cells.len(), notes: Vec::new() };
-        for (index, &(at, name)) in cells.iter().enumerate().filter(|(index, _)| !place.contains(index)) {
+            })
+        };
+        let place: Vec<usize> = wanted.iter().map(cell_of).collect::<Result<_>>()?;
+        let is_place = |index: &usize| place.contains(index);
+        let others: Vec<usize> = (0..cells.len()).filter(|index| !is_place(index)).collect();
+        let mut layout = Layout { names: wanted, place, values: Vec::new(), cells: cells.len(), notes: Vec::new() };
+        for (index, (at, name)) in others.into_iter().map(|index| (index, cells[index])) {
             match value_kind(&names[index]).map_err(|what| self.error(number, at, &what))? {
                 Some((Kind::ConeReflectance, _)) if config.acceptance_deg <= 0.0 => {
                     let what = "`cone_reflectance` is the power within the detector's cone: give its full angle as \
@@ -140,15 +150,21 @@ impl Table<'_> {
     /// Takes a row over, unless its wavelength lies outside of what is compared; whether it did.
     fn row(&self, number: usize, line: &str, layout: &Layout, out: &mut Measurement) -> Result<bool> {
         let cells = csv::row_cells(line, self.separator, layout.cells).map_err(|what| self.error(number, 1, &what))?;
-        let mut place = [0.0; 5];
-        for (index, &cell) in layout.place.iter().enumerate() {
-            place[index] = self.place(number, cells[cell], index)?;
-        }
-        let [theta_i, phi_i, theta_r, phi_r, wavelength_nm] = place;
+        let place = layout.place.iter().zip(layout.names).map(|(&cell, name)| self.place(number, cells[cell], name));
+        let place: Vec<f64> = place.collect::<Result<_>>()?;
+        let (angles, wavelength_nm) = match place[..] {
+            [theta_i, phi_i, theta_r, phi_r, wavelength_nm] => ([theta_i, phi_i, theta_r, phi_r], wavelength_nm),
+            [wi_x, wi_y, wi_z, wo_x, wo_y, wo_z, wavelength_nm] => {
+                let [theta_i, phi_i] = self.angles_of(number, [wi_x, wi_y, wi_z])?;
+                let [theta_r, phi_r] = self.angles_of(number, [wo_x, wo_y, wo_z])?;
+                ([theta_i, phi_i, theta_r, phi_r], wavelength_nm)
+            }
+            _ => unreachable!("a layout has the columns of angles or of vectors"),
+        };
         if !(WAVELENGTH_NM[0]..=WAVELENGTH_NM[1]).contains(&wavelength_nm) {
             return Ok(false);
         }
-        out.angles_deg.push([theta_i, phi_i, theta_r, phi_r]);
+        out.angles_deg.push(angles);
         out.wavelength_nm.push(wavelength_nm);
         for (value_place, column) in layout.values.iter().zip(&mut out.columns) {
             let cell = cells[value_place.cell];
@@ -161,17 +177,27 @@ impl Table<'_> {
         Ok(true)
     }
 
-    /// An angle or a wavelength.
-    fn place(&self, number: usize, cell: Cell, index: usize) -> Result<f64> {
-        let value = self.number(number, cell, PLACE[index])?;
-        let [low, high] = match index {
-            0 | 2 => [-THETA_MAX_DEG, THETA_MAX_DEG],
-            1 | 3 => [-360.0, 360.0],
-            // Whether it is compared at all is seen to later.
+    /// Polar angles in degrees of a vector of any length.
+    fn angles_of(&self, number: usize, vector: [f64; 3]) -> Result<[f64; 2]> {
+        let angles = angles_deg(vector);
+        if vector[2] > 0.0 && angles[0] <= THETA_MAX_DEG {
+            return Ok(angles);
+        }
+        let what = format!("the vector {vector:?} does not lie within {THETA_MAX_DEG} degrees of the normal");
+        Err(self.error(number, 1, &what))
+    }
+
+    /// An angle, a component of a vector, or a wavelength.
+    fn place(&self, number: usize, cell: Cell, name: &str) -> Result<f64> {
+        let value = self.number(number, cell, name)?;
+        let [low, high] = match name {
+            "theta_i_deg" | "theta_r_deg" => [-THETA_MAX_DEG, THETA_MAX_DEG],
+            "phi_i_deg" | "phi_r_deg" => [-360.0, 360.0],
+            // Whether a wavelength is compared at all is seen to later, as are vectors as a whole.
             _ => [f64::MIN, f64::MAX],
         };
         if !(low..=high).contains(&value) {
-            let what = format!("`{}` must lie between {low} and {high}; found {value}", PLACE[index]);
+            let what = format!("`{name}` must lie between {low} and {high}; found {value}");
             return Err(self.error(number, cell.0, &what));
         }
         // Adding zero makes -0 and 0 the same geometry.

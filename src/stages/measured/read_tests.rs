@@ -42,6 +42,25 @@ fn dialects_mean_the_same() {
 }
 
 #[test]
+fn vectors_mean_their_angles() {
+    let head = "wi_x,wi_y,wi_z,wo_x,wo_y,wo_z,wavelength_nm,brdf_per_sr";
+    let found = parse(&format!("{head}\n0,2,2,0,0,5,500,0.25\n0,2,2,-1,0,1,510,0.5\n"));
+    for (angles, expected) in found.angles_deg.iter().zip([[45.0, 90.0, 0.0, 0.0], [45.0, 90.0, 45.0, 180.0]]) {
+        assert!(angles.iter().zip(expected).all(|(angle, wanted)| (angle - wanted).abs() < 1e-12), "{angles:?}");
+    }
+    for (row, expected) in [
+        ("0,0,1,1,0,0,500,1", "within 89.9 degrees"),
+        ("0,0,0,0,0,1,500,1", "within 89.9 degrees"),
+        ("0,0,x,1,0,0,500,1", "`wi_z`"),
+    ] {
+        let message = parse_with(&format!("{head}\n{row}\n"), 1.0).unwrap_err().to_string();
+        assert!(message.contains(":2:") && message.contains(expected), "{message}");
+    }
+    let message = parse_with("wi_x,wi_y,wi_z,wo_x,wo_y,wavelength_nm,brdf_per_sr\n", 1.0).unwrap_err().to_string();
+    assert!(message.contains("`wo_z` is missing"), "{message}");
+}
+
+#[test]
 fn several_columns_labels_per_cent_and_gaps() {
     let file = parse(&format!(
         "{HEAD},brdf_per_sr:first,brdf_per_sr:second,reflectance_factor_percent,operator\n\

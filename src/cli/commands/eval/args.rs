@@ -17,14 +17,14 @@ use diffraction_brdf::spectrum::Illuminant;
   diffraction-atlas eval --directions d.csv --atlas out/atlas/squamates --specimen elaphe_guttata --wavelengths-nm 450,550,650
   diffraction-atlas eval --directions d.csv --atlas out/atlas/squamates --specimen elaphe_guttata --illuminant F11
 
-The CSV has the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, thetas below 90 either way, between commas,
-semicolons or tabs; lines that start with # are comments. X, Y, Z in 1/sr are added to them, X, Y, Z under
+The CSV has the columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg, thetas below 90 either way, or wi_x, wi_y, wi_z, wo_x, wo_y,
+wo_z, vectors of any length, between commas, semicolons or tabs; lines that start with # are comments. X, Y, Z in 1/sr are added to them, X, Y, Z under
 another light, or one column for each of the wavelengths asked for; with --polarised X_ss, X_sp, X_ps, X_pp, Y_ss and so on.
 With --colour follow the colour beside a matt white in the same light: sRGB_R, sRGB_G, sRGB_B (encoded, 0 to 1), x, y, and
 dominant_nm, negative for the complement of a purple, nan for white and for what is dark. With --long each wavelength has a row of
 its own, wavelength_nm and brdf_per_sr, the form that `measured` in a manifest reads.")]
 pub(crate) struct EvalArgs {
-    /// Directions to the light and to the viewer, in degrees; `-` reads standard input
+    /// Directions to the light and to the viewer, in degrees or as vectors; `-` reads standard input
     #[arg(long, value_name = "CSV")]
     pub directions: PathBuf,
     /// What is evaluated

@@ -33,11 +33,12 @@ pub(crate) fn run(args: &EvalArgs, global: &Global) -> Result<Outcome> {
     if let Some(out) = &args.out {
         destination::check_file(out, &args.inputs(), args.force)?;
     }
-    let directions::Directions { rows, ignored } = directions::read(&args.directions)?;
-    if !ignored.is_empty() && !global.quiet {
-        terminal::say(&format!("note: {}: not used: {}\n", args.directions.display(), ignored.join(", ")));
+    let directions = directions::read(&args.directions)?;
+    if !directions.ignored.is_empty() && !global.quiet {
+        let ignored = directions.ignored.join(", ");
+        terminal::say(&format!("note: {}: not used: {ignored}\n", args.directions.display()));
     }
-    let pairs: Vec<(Vec3, Vec3)> = rows.iter().map(directions::Row::pair).collect();
+    let pairs: Vec<(Vec3, Vec3)> = directions.rows.iter().map(directions::Row::pair).collect();
     let Evaluated { table, white } = match source {
         EvalSource::Tables(atlas) => from_tables(atlas, args, &pairs)?,
         EvalSource::Reference(path) => from_scan(path, args, global, &pairs)?,
@@ -46,7 +47,7 @@ pub(crate) fn run(args: &EvalArgs, global: &Global) -> Result<Outcome> {
         Some(white) => with_colour(table, white),
         None => table,
     };
-    let whole = whole(&rows, table, if args.long { &args.wavelengths_nm } else { &[] });
+    let whole = whole(&directions, table, if args.long { &args.wavelengths_nm } else { &[] });
     let bytes = if args.npy {
         to_npy(&whole)
     } else if args.json {

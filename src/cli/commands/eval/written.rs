@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::{Map, Value};
 
 use super::values::Table;
-use crate::cli::directions::{COLUMNS, Row};
+use crate::cli::directions::{Directions, Row};
 
 /// A whole table: the directions' columns first, word for word as they were read.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,10 +17,11 @@ pub(super) struct Whole<'a> {
 }
 
 /// Directions with their values; with wavelengths, a row for each of them in place of a column.
-pub(super) fn whole<'a>(rows: &'a [Row], table: Table, wavelengths_nm: &[f64]) -> Whole<'a> {
-    let angles = COLUMNS.iter().map(ToString::to_string);
+pub(super) fn whole<'a>(directions: &'a Directions, table: Table, wavelengths_nm: &[f64]) -> Whole<'a> {
+    let Directions { columns, rows, .. } = directions;
+    let given = columns.iter().map(ToString::to_string);
     if wavelengths_nm.is_empty() {
-        return Whole { columns: angles.chain(table.columns).collect(), rows: rows.iter().zip(table.values).collect() };
+        return Whole { columns: given.chain(table.columns).collect(), rows: rows.iter().zip(table.values).collect() };
     }
     // The names that `measured` reads.
     let names = ["wavelength_nm", "brdf_per_sr"].map(String::from);
@@ -28,7 +29,7 @@ pub(super) fn whole<'a>(rows: &'a [Row], table: Table, wavelengths_nm: &[f64]) -
         let pairs: Vec<_> = wavelengths_nm.iter().zip(values).map(|(&nm, value)| (row, vec![nm, value])).collect();
         pairs
     };
-    Whole { columns: angles.chain(names).collect(), rows: rows.iter().zip(table.values).flat_map(of_pair).collect() }
+    Whole { columns: given.chain(names).collect(), rows: rows.iter().zip(table.values).flat_map(of_pair).collect() }
 }
 
 impl Whole<'_> {
@@ -37,7 +38,7 @@ impl Whole<'_> {
         let mut text = self.columns.join(",") + "\n";
         for (row, values) in &self.rows {
             text.push_str(&row.cells.join(","));
-            for (value, column) in values.iter().zip(&self.columns[COLUMNS.len()..]) {
+            for (value, column) in values.iter().zip(&self.columns[row.cells.len()..]) {
                 // Writing to a string cannot fail.
                 let _ = match column.as_str() {
                     "wavelength_nm" => write!(text, ",{value}"),
@@ -53,7 +54,7 @@ impl Whole<'_> {
     /// An object per row: angles and values as numbers under the names of the columns, `null` for what is none.
     pub(super) fn to_json(&self) -> Value {
         let object = |(row, values): &(&Row, Vec<f64>)| {
-            let numbers = row.angles_deg.iter().chain(values).map(|&value| Value::from(value));
+            let numbers = row.numbers.iter().chain(values).map(|&value| Value::from(value));
             Value::Object(self.columns.iter().cloned().zip(numbers).collect::<Map<_, _>>())
         };
         self.rows.iter().map(object).collect()
@@ -74,7 +75,7 @@ pub(super) fn to_npy(whole: &Whole) -> Vec<u8> {
     bytes.resize(10 + padded - 1, b' ');
     bytes.push(b'\n');
     for (row, values) in &whole.rows {
-        row.angles_deg.iter().chain(values).for_each(|value| bytes.extend(value.to_le_bytes()));
+        row.numbers.iter().chain(values).for_each(|value| bytes.extend(value.to_le_bytes()));
     }
     bytes
 }
@@ -83,16 +84,17 @@ pub(super) fn to_npy(whole: &Whole) -> Vec<u8> {
 mod tests {
     use super::*;
 
-    fn rows() -> Vec<Row> {
-        let cells = ["10", "20.0", "-30", "0"].map(String::from);
-        vec![Row { cells, angles_deg: [10.0, 20.0, -30.0, 0.0] }]
+    fn directions() -> Directions {
+        let cells = ["10", "20.0", "-30", "0"].map(String::from).to_vec();
+        let rows = vec![Row { cells, numbers: vec![10.0, 20.0, -30.0, 0.0] }];
+        Directions { columns: &["theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg"], rows, ignored: Vec::new() }
     }
 
     #[test]
     fn angles_come_back_word_for_word_and_values_with_ten_digits() {
-        let rows = rows();
+        let directions = directions();
         let table = Table { columns: vec!["X".into(), "x".into()], values: vec![vec![0.25, f64::NAN]] };
-        let whole = whole(&rows, table, &[]);
+        let whole = whole(&directions, table, &[]);
         let names = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg";
         assert_eq!(whole.to_csv(), format!("{names},X,x\n10,20.0,-30,0,2.500000000e-1,nan\n"));
         assert!(whole.to_json()[0]["x"].is_null() && whole.to_json()[0]["X"] == 0.25);
@@ -104,9 +106,9 @@ mod tests {
 
     #[test]
     fn the_long_form_has_the_columns_of_measured_files() {
-        let rows = rows();
+        let directions = directions();
         let table = Table { columns: vec!["f_450_nm".into(), "f_550.5_nm".into()], values: vec![vec![1.0, 2.0]] };
-        let text = whole(&rows, table, &[450.0, 550.5]).to_csv();
+        let text = whole(&directions, table, &[450.0, 550.5]).to_csv();
         assert!(text.starts_with("theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,wavelength_nm,brdf_per_sr\n"), "{text}");
         assert!(text.ends_with("10,20.0,-30,0,450,1.000000000e0\n10,20.0,-30,0,550.5,2.000000000e0\n"), "{text}");
     }
