@@ -2,7 +2,7 @@
 #include "libraries/pbrlib/genglsl/lib/mx_closure_type.glsl"
 #include "../include/tables_filtered.es300.glsl"
 
-void mx_PREFIXbsdf(ClosureData closureData, float weight, float turn, float light_diameter, vec3 N, vec3 X, inout BSDF bsdf)
+void mx_PREFIXbsdf(ClosureData closureData, float weight, float turn, float light_diameter, vec3 N, vec3 X, vec3 Y, inout BSDF bsdf)
 {
     bsdf.throughput = vec3(0.0);
     if (closureData.closureType != CLOSURE_TYPE_REFLECTION)
@@ -12,6 +12,7 @@ void mx_PREFIXbsdf(ClosureData closureData, float weight, float turn, float ligh
     // The columns of the scan: the tangent, square to the normal, turned about it.
     vec3 along = normalize(X - dot(X, N) * N);
     vec3 across = cross(N, along);
+    across = dot(across, Y) < 0.0 ? -across : across;
     vec2 angle = vec2(cos(radians(turn)), sin(radians(turn)));
     vec3 columns = angle.x * along + angle.y * across;
     vec3 rows = angle.x * across - angle.y * along;
