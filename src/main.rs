@@ -8,7 +8,7 @@ use std::process::ExitCode;
 static HEAP: peak_alloc::PeakAlloc = peak_alloc::PeakAlloc;
 
 fn main() -> ExitCode {
-    diffraction_atlas::cli::surroundings::ensure_runtime_folder();
+    diffraction_atlas::cli::surroundings::ensure_surroundings();
     #[cfg(feature = "count-memory")]
     diffraction_atlas::stages::usage::lend_heap_counter(diffraction_atlas::stages::usage::HeapCounter {
         live_bytes: || HEAP.current_usage(),

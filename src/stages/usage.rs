@@ -53,9 +53,17 @@ pub(crate) fn share_processor(shared: bool) {
 /// Share of the free memory that a run takes where nobody says otherwise.
 const FREE_SHARE: f64 = 0.75;
 
-/// Bytes of memory that a run may take: a share of what is free, of the machine or of the group of processes that it is held to.
-/// Where the system does not tell, as much as there may be.
+/// Bytes of memory that a run may take: a share of what is free. Where the system does not tell, as much as there may be.
 pub(crate) fn memory_to_take() -> u64 {
+    match memory_free() {
+        u64::MAX => u64::MAX,
+        bytes => (bytes as f64 * FREE_SHARE) as u64,
+    }
+}
+
+/// Bytes of memory that are free, of the machine or of the group of processes that it is held to. Where the system does not tell, as many
+/// as there may be.
+pub(crate) fn memory_free() -> u64 {
     let number = |path: &str| std::fs::read_to_string(path).ok()?.trim().parse::<u64>().ok();
     let field = |path: &str, name: &str| {
         let text = std::fs::read_to_string(path).ok()?;
@@ -67,8 +75,7 @@ pub(crate) fn memory_to_take() -> u64 {
     let of_files = field("/sys/fs/cgroup/memory.stat", "inactive_file ").unwrap_or(0);
     let of_group = group.map(|(most, now)| most.saturating_sub(now.saturating_sub(of_files)));
     let of_machine = field("/proc/meminfo", "MemAvailable:").map(|kib| kib << 10);
-    let free = of_group.into_iter().chain(of_machine).min();
-    free.map_or(u64::MAX, |bytes| (bytes as f64 * FREE_SHARE) as u64)
+    of_group.into_iter().chain(of_machine).min().unwrap_or(u64::MAX)
 }
 
 /// Seconds that all threads of the process have run, in the kernel and outside; `None` but on Linux.

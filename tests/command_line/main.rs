@@ -28,6 +28,7 @@ mod manifest_errors;
 mod manifest_values;
 mod materials;
 mod measured;
+mod memory_account;
 mod meshes;
 mod messages;
 mod moving;

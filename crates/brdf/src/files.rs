@@ -41,20 +41,25 @@ pub fn read_text(path: &Path) -> Result<String> {
 /// Replaces a file as a whole: written beside, then renamed, so that nobody ever sees half of it.
 /// Its bytes may still be lost if the power fails; see [`replace_durably`].
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
-    replace_with(path, bytes, false)
+    replace_with(path, &mut |file| file.write_all(bytes), false)
+}
+
+/// As [`replace`], of bytes that `write` writes one after another.
+pub fn replace_by(path: &Path, mut write: impl FnMut(&mut dyn Write) -> std::io::Result<()>) -> Result<()> {
+    replace_with(path, &mut |file| write(file), false)
 }
 
 /// As [`replace`], and on the disk when it returns.
 pub fn replace_durably(path: &Path, bytes: &[u8]) -> Result<()> {
-    replace_with(path, bytes, true)?;
+    replace_with(path, &mut |file| file.write_all(bytes), true)?;
     sync_folder(parent(path))
 }
 
-fn replace_with(path: &Path, bytes: &[u8], durable: bool) -> Result<()> {
+fn replace_with(path: &Path, write: &mut dyn FnMut(&mut File) -> std::io::Result<()>, durable: bool) -> Result<()> {
     let beside = part_path(path);
     let written = (|| {
         let mut file = OpenOptions::new().write(true).create_new(true).open(&beside)?;
-        file.write_all(bytes)?;
+        write(&mut file)?;
         if durable {
             file.sync_all()?;
         }

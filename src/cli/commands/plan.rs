@@ -14,6 +14,7 @@ use crate::stages::coverage::{asked, savings};
 use crate::stages::ingest::ingest;
 use crate::stages::measured;
 use crate::stages::pictures::scenes::reference_samples;
+use crate::stages::run::account::{ToHold, account, at_once_bytes, mib, program_bytes, spectral_forecast};
 use crate::stages::run::outlook::outlook;
 use crate::stages::run::reference_forecast::{ReferenceForecast, reference_forecast};
 use crate::stages::run::warnings::{scan_warnings, sigma_taken};
@@ -27,7 +28,6 @@ use diffraction_build::tables::input::BuildInput;
 use diffraction_build::tables::look_ups::{LookUp, LookUpForecast, tried_first};
 use diffraction_build::tables::model::{Storage, TablesConfig};
 use diffraction_build::tables::plan::{self, automatic_size};
-use diffraction_build::tables::spectral::SpectralInput;
 use diffraction_render::scene::model::Scene;
 use diffraction_render::scene::samples::ShadingSamples;
 
@@ -41,6 +41,9 @@ pub(crate) struct PlanArgs {
     /// Print the plan as JSON
     #[arg(long)]
     pub json: bool,
+    /// MiB of memory that the run may take, as `run --memory`: what does not fit is told
+    #[arg(long, value_name = "MIB")]
+    pub memory: Option<u64>,
 }
 
 /// The plan of a run.
@@ -56,6 +59,8 @@ struct Plan {
     seconds_range: [f64; 2],
     /// What they are spent on, the longest first.
     parts: Vec<Part>,
+    /// Predicted memory of the process in MiB, with as many specimens made at once as there are threads and as the run may hold.
+    memory_mib: u64,
     /// Specimens that are there already: they take next to nothing.
     unchanged: Vec<String>,
     /// Entries and bytes of the cache, which may save more.
@@ -100,12 +105,14 @@ struct SpecimenPlan {
 struct UnitPlan {
     /// Predicted seconds with all threads.
     seconds: f64,
-    /// Predicted memory of the process in MiB.
+    /// Predicted memory of a process that makes it alone, in MiB: most where the texels tried first do not suffice.
     memory_mib: u64,
+    /// What of it is the specimen's own, in bytes.
+    #[serde(skip)]
+    own_bytes: u64,
+    /// The step that takes it.
+    memory_step: &'static str,
 }
-
-/// What the program holds besides: itself, pictures, the tables that were read back.
-const PROGRAM_MIB: u64 = 200;
 
 /// Reads the scans, plans, and prints; no table is computed.
 ///
@@ -113,7 +120,8 @@ const PROGRAM_MIB: u64 = 200;
 /// A wrong manifest. A specimen that would fail is part of the plan, and of the exit status.
 pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     let (manifest, text) = manifest::load(&args.manifest)?;
-    let config = run_config(manifest, text);
+    let mut config = run_config(manifest, text);
+    config.memory_bytes = args.memory.map(|mib| mib << 20);
     let threads = rayon::current_num_threads();
     let slowdown = slowdown();
     let asked_for = config.specimens.iter().filter(|specimen| asked::is_asked_for(&config, &specimen.name));
@@ -143,6 +151,7 @@ pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
     let [fewest, most] = [0, 1]
         .map(|which| summed(made().flat_map(|specimen| specimen.parts[which].clone()).chain(shared.iter().copied())));
     let parts = mean_of(&fewest, &most);
+    let own = made().filter_map(|specimen| specimen.unit.as_ref()).map(|unit| unit.own_bytes).collect();
     let (entries, bytes) = store::size(&config.cache.folder)?;
     let plan = Plan {
         atlas: config.atlas_name.clone(),
@@ -151,6 +160,7 @@ pub(crate) fn run(args: &PlanArgs, _global: &Global) -> Result<Outcome> {
         seconds: seconds_of(&parts),
         seconds_range: [seconds_of(&fewest), seconds_of(&most)],
         parts,
+        memory_mib: mib(at_once_bytes(&config, own, threads)),
         unchanged,
         cache: [entries as u64, bytes],
         tolerance: config.tables.tolerance,
@@ -202,24 +212,17 @@ fn plan_specimen(
         }
     };
     let obstacle = asked::spectral_obstacle(config, &ingested.optics)?;
-    let of_spectral = match config.hold.spectral && obstacle.is_none() {
-        false => None,
-        true => {
-            let whole = SpectralInput::new(&ingested.optics, &asked);
-            let spectral = whole.on_fewer_texels(&asked).unwrap_or(whole);
-            let input = spectral.of(&input);
-            Some(forecast_of(&input, &plan::plan(&input)?, threads))
-        }
-    };
-    let (forecast, spectral) = match (config.hold.xyz, of_spectral) {
-        (false, Some(spectral)) => (spectral, None),
-        (_, spectral) => (forecast_of(&input, &plan, threads), spectral),
-    };
+    let of_spectral = spectral_forecast(config, &input, &asked, threads)?;
+    let of_xyz = forecast_of(&input, &plan, threads);
+    let scenes = asked::pictured_scenes(config, &specimen.name);
+    let to_hold = ToHold { input: &input, tables: &of_xyz, spectral: of_spectral.as_ref(), scenes: &scenes };
+    let held = account(config, &to_hold)?;
+    held.check(config)?;
     let reference = match config.report.reference {
         false => None,
         true => {
-            let samples = pictures.of(asked::pictured_scenes(config, &specimen.name))?;
-            Some(reference_forecast(&input, &plan, forecast.tables, &samples, threads))
+            let tables = of_spectral.as_ref().filter(|_| !config.hold.xyz).unwrap_or(&of_xyz).tables;
+            Some(reference_forecast(&input, &plan, tables, &pictures.of(&scenes)?, threads))
         }
     };
     let of_first = ingested.statistics.iter().take(1).flat_map(|statistics| statistics.warnings.clone());
@@ -234,8 +237,14 @@ fn plan_specimen(
             Some(forecast_of(&input, &plan::plan(&input)?, threads))
         }
     };
-    let held_bytes = (samples * size_of::<f64>()) as u64 + at_most.as_ref().unwrap_or(&forecast).memory_bytes;
-    let scenes = asked::pictured_scenes(config, &specimen.name);
+    let (step, own_bytes) = match &at_most {
+        None => held.most(),
+        Some(tables) => account(config, &ToHold { tables, ..to_hold })?.most(),
+    };
+    let (forecast, spectral) = match (config.hold.xyz, of_spectral) {
+        (false, Some(spectral)) => (spectral, None),
+        (_, spectral) => (of_xyz, spectral),
+    };
     let may_exceed = ingested.optics.material == Material::Ideal || ingested.optics.factor == Factor::Scalar;
     let spectral = spectral.as_ref();
     let fewest = Known { samples, tables: &forecast, tried: None, may_exceed, spectral, reference, scenes: &scenes };
@@ -243,7 +252,9 @@ fn plan_specimen(
     let parts = [fewest, most].map(|known| specimen_parts(config, &known, threads, slowdown));
     let unit = UnitPlan {
         seconds: seconds_of(&mean_of(&parts[0], &parts[1])),
-        memory_mib: held_bytes.div_ceil(1 << 20) + PROGRAM_MIB,
+        memory_mib: mib(program_bytes(config) + own_bytes),
+        own_bytes,
+        memory_step: step,
     };
     Ok(SpecimenPlan {
         name: specimen.name.clone(),
@@ -278,14 +289,13 @@ fn in_seconds(seconds: f64) -> String {
 struct Pictures(Vec<(Scene, ShadingSamples)>);
 
 impl Pictures {
-    fn of(&mut self, scenes: Vec<Scene>) -> Result<Vec<&ShadingSamples>> {
+    fn of(&mut self, scenes: &[Scene]) -> Result<Vec<&ShadingSamples>> {
         let mut places = Vec::new();
         for scene in scenes {
-            let known = self.0.iter().position(|(known, _)| *known == scene);
+            let known = self.0.iter().position(|(known, _)| known == scene);
             places.push(known.unwrap_or(self.0.len()));
             if known.is_none() {
-                let samples = reference_samples(&scene)?;
-                self.0.push((scene, samples));
+                self.0.push((scene.clone(), reference_samples(scene)?));
             }
         }
         Ok(places.into_iter().map(|place| &self.0[place].1).collect())

@@ -9,8 +9,9 @@ use std::collections::{HashMap, HashSet};
 use ndarray::Array3;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
 
-use super::store::{Cache, CacheUse};
+use super::store::{Cache, CacheUse, Take};
 use crate::stages::built::Built;
 use diffraction_brdf::direction::{Vec3, Xyz, wave_vector_change};
 use diffraction_brdf::error::Result;
@@ -83,7 +84,7 @@ impl<'a> Known<'a> {
             return Ok(found);
         }
         let built = Built::measured(input, plan, advance)?;
-        self.cache.store(&key, &encode_tables(&built));
+        self.cache.store_parts(&key, &mut |take| encode_tables(&built, take));
         self.count(|used| used.tables_built += 1);
         Ok(built)
     }
@@ -211,13 +212,17 @@ fn behind_front(optics: &OpticsConfig) -> OpticsConfig {
 
 /// Digest of heights and spacings.
 fn digest_of(fields: &[HeightField]) -> String {
-    let mut bytes = Vec::new();
+    let mut digest = Sha256::new();
     for field in fields {
         let (rows, columns) = field.heights_nm.dim();
-        [rows, columns].iter().for_each(|count| bytes.extend((*count as u64).to_le_bytes()));
-        field.pitch_nm.iter().chain(&field.heights_nm).for_each(|number| bytes.extend(number.to_le_bytes()));
+        [rows, columns].iter().for_each(|count| digest.update((*count as u64).to_le_bytes()));
+        field.pitch_nm.iter().for_each(|number| digest.update(number.to_le_bytes()));
+        for row in field.heights_nm.outer_iter() {
+            let bytes: Vec<u8> = row.iter().flat_map(|number| number.to_le_bytes()).collect();
+            digest.update(bytes);
+        }
     }
-    files::sha256_hex(&bytes)
+    digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// Everything that a value of the transforms depends on besides heights and optics. Frequencies are not among it: which of
@@ -323,8 +328,8 @@ fn shape(table: &Array3<f32>) -> [usize; 3] {
     table.dim().into()
 }
 
-/// A line of JSON, then the numbers of all arrays in order.
-fn encode_tables(built: &Built) -> Vec<u8> {
+/// A line of JSON, then the numbers of all arrays in order, row by row: all at once they would stand in memory a second time.
+fn encode_tables(built: &Built, take: Take) {
     let Built { set, record, seconds, processor_s, memory_bytes } = built;
     let lobe = set.lobe.as_ref();
     let cross = lobe.map_or(&[][..], |lobe| &lobe.cross);
@@ -340,11 +345,12 @@ fn encode_tables(built: &Built) -> Vec<u8> {
         "prefilter_width": set.prefilter_width,
         "usable_radius": set.usable_radius,
     });
-    let mut bytes = format!("{header}\n").into_bytes();
+    take(format!("{header}\n").as_bytes());
     for array in set.tables.iter().chain(lobe.map(|lobe| &lobe.coherent)).chain(cross) {
-        bytes.extend(array.iter().flat_map(|number| number.to_le_bytes()));
+        for row in array.outer_iter() {
+            take(&row.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<u8>>());
+        }
     }
-    bytes
 }
 
 fn decode_tables(bytes: &[u8], input: &BuildInput, plan: &BuildPlan) -> Option<Built> {

@@ -4,6 +4,7 @@
 //! one that cannot be read; a result that cannot be kept is computed again next time. So a cache can cost time, never
 //! a run, and never a value. The key names the program by its digest: another build's results are not this one's.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::SystemTime;
@@ -149,21 +150,34 @@ impl Cache {
 
     /// Keeps bytes under a key, and drops what was used longest ago where the limit is passed.
     pub(crate) fn store(&self, key: &str, value: &[u8]) {
+        self.store_parts(key, &mut |take| take(value));
+    }
+
+    /// The same of a value that comes part by part, each time it is asked for the same: first for its length, then for its bytes.
+    pub(crate) fn store_parts(&self, key: &str, parts: Parts) {
         let Some(path) = self.path(key) else { return };
-        let length = MAGIC.len() + key.len() + value.len() + DIGEST;
+        let mut length = MAGIC.len() + key.len() + DIGEST;
+        parts(&mut |part| length += part.len());
         if length as u64 > self.limit_bytes || self.gone.load(Ordering::Relaxed) {
             return;
         }
-        let mut bytes = Vec::with_capacity(length);
-        bytes.extend_from_slice(MAGIC);
-        bytes.extend_from_slice(key.as_bytes());
-        bytes.extend_from_slice(value);
-        let digest = Sha256::digest(&bytes);
-        bytes.extend_from_slice(&digest);
+        let write = |file: &mut dyn Write| {
+            let (mut digest, mut written) = (Sha256::new(), Ok(()));
+            let mut take = |part: &[u8]| {
+                if written.is_ok() {
+                    digest.update(part);
+                    written = file.write_all(part);
+                }
+            };
+            take(MAGIC);
+            take(key.as_bytes());
+            parts(&mut take);
+            written.and_then(|()| file.write_all(&digest.finalize()))
+        };
         let folder = path.parent().unwrap_or(Path::new("."));
         // A full disk or a folder that may not be written to: the result is computed again next time.
-        if files::create_folder(folder).and_then(|()| files::replace(&path, &bytes)).is_ok() {
-            self.written.fetch_add(bytes.len() as u64, Ordering::Relaxed);
+        if files::create_folder(folder).and_then(|()| files::replace_by(&path, write)).is_ok() {
+            self.written.fetch_add(length as u64, Ordering::Relaxed);
             trim(folder, self.limit_bytes);
         }
     }
@@ -172,6 +186,12 @@ impl Cache {
         Some(self.folder.as_ref()?.join(format!("{key}{SUFFIX}")))
     }
 }
+
+/// Hands a value over, part by part.
+pub(crate) type Parts<'a> = &'a mut dyn FnMut(Take);
+
+/// Takes a part of a value.
+pub(crate) type Take<'a> = &'a mut dyn FnMut(&[u8]);
 
 /// One entry on the disk.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]

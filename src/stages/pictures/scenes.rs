@@ -30,7 +30,7 @@ use diffraction_render::scene::samples::{ShadingSamples, samples_of, samples_per
 use diffraction_render::scene::turn::Axis;
 
 /// Most pairs of directions that one scene may ask of the reference: sets the lattice of its picture.
-const REFERENCE_SAMPLES_MAX: usize = 40_000;
+pub(crate) const REFERENCE_SAMPLES_MAX: usize = 40_000;
 
 /// Most samples of a light in a pixel of a reference picture: so few that nearly every second pixel of a picture has one. The
 /// tables' picture that it is compared with has the same.

@@ -153,11 +153,9 @@ pub(super) fn store(job: &Job, planned: &Planned, built: Built, clock: &mut Cloc
     let chosen = clock.stage(Stage::Round, || {
         Ok(rounding::choose(&built.set, tables.storage, tables.tolerance, lobe_radius(optics)))
     })?;
-    let stored = clock.stage(Stage::StoreTables, || chosen.write(&job.folder))?;
-    let (set, pigment, stored_bytes) = clock.stage(Stage::ReadBack, || {
-        let pigment = job.specimen.albedo.map(|albedo| pigment(albedo, optics)).transpose()?;
-        let set = read_tables(&job.folder, &stored, optics.front_factor())?;
-        Ok((set, pigment, files::bytes_of(&job.folder, "exr")?))
+    let (stored, stored_bytes) = clock.stage(Stage::StoreTables, || {
+        let stored = chosen.write(&job.folder)?;
+        Ok((stored, files::bytes_of(&job.folder, "exr")?))
     })?;
     let took = Took {
         cost: savings::cost_of(&built, stored_bytes as f64),
@@ -165,6 +163,12 @@ pub(super) fn store(job: &Job, planned: &Planned, built: Built, clock: &mut Cloc
         memory_bytes: built.memory_bytes,
         stored_bytes,
     };
+    // What nobody asks for again leaves its room to what is read back.
+    drop(chosen);
     let exact = job.config.report.reference.then_some(built.set);
+    let (set, pigment) = clock.stage(Stage::ReadBack, || {
+        let pigment = job.specimen.albedo.map(|albedo| pigment(albedo, optics)).transpose()?;
+        Ok((read_tables(&job.folder, &stored, optics.front_factor())?, pigment))
+    })?;
     Ok(Stored { set, exact, files: stored, pigment, record: built.record, took })
 }

@@ -2,6 +2,9 @@
 
 use std::sync::{Condvar, Mutex, PoisonError};
 
+use crate::stages::config::RunConfig;
+use crate::stages::usage;
+
 /// What may be held, and what is.
 pub(crate) struct Memory {
     allowed_bytes: u64,
@@ -16,6 +19,16 @@ pub(super) struct Held<'a> {
 }
 
 impl Memory {
+    /// Bytes that a run may take in all: what it was told, else a share of what is free.
+    pub(super) fn allowed_bytes(config: &RunConfig) -> u64 {
+        config.memory_bytes.unwrap_or_else(usage::memory_to_take)
+    }
+
+    /// Bytes beyond which a specimen is refused: what the run was told, else all that is free.
+    pub(super) fn refused_from_bytes(config: &RunConfig) -> u64 {
+        config.memory_bytes.unwrap_or_else(usage::memory_free)
+    }
+
     /// So much of it.
     pub(super) fn new(allowed_bytes: u64) -> Self {
         Self { allowed_bytes, held_bytes: Mutex::new(0), freed: Condvar::new() }

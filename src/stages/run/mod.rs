@@ -5,6 +5,7 @@
 //! what is known to what is known next: ingested, planned, built, stored (`build`), measured (`measure`), with spectral tables (`spectral`), described
 //! (`describe`).
 
+pub(crate) mod account;
 mod build;
 mod check_values;
 mod choose;

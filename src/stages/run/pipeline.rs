@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use serde_json::Value;
 
+use super::account::program_bytes;
 use super::choose::{Choice, Found, choose};
 use super::clock::Failed;
 pub use super::job::Heights;
@@ -176,7 +177,7 @@ impl Run<'_> {
             config: self.config,
             illustrate: self.helpers.illustrate,
             cache: &self.cache,
-            memory: &Memory::new(self.config.memory_bytes.unwrap_or_else(usage::memory_to_take)),
+            memory: &Memory::new(Memory::allowed_bytes(self.config).saturating_sub(program_bytes(self.config))),
             folder: work_folder,
             progress: if at_once > 1 { &remarks } else { self.helpers.progress },
         };

@@ -1,13 +1,14 @@
 //! One specimen from its scans to its finished folder.
 
+use super::account::account_of;
 use super::build::{Ingested, Planned, build, ingest, more_texels, on_fewer_texels, plan, store};
-use super::clock::{Clock, Step};
+use super::clock::{Clock, Failed, Step};
 use super::describe::{Described, describe};
 use super::job::Job;
 use super::measure::measure;
+use super::memory::Held;
 use super::spectral::{derived, spectral};
-use diffraction_build::tables::forecast::forecast_of;
-use diffraction_build::tables::model::Basis;
+use crate::stages::stage::Stage;
 
 /// Ingested, planned, built (on fewer texels first, where these may suffice), stored, with spectral tables, measured, described: each step takes what the one before found out.
 /// Where spectral tables alone are stored, those of X, Y, Z come from them.
@@ -18,7 +19,7 @@ pub(super) fn run_specimen(job: &Job, clock: &mut Clock) -> Step<Described> {
     let (mut tried, mut held) = (None, None);
     if let Some(fewer) = &fewer {
         let planned = plan(job, &ingested, fewer, clock)?;
-        held = Some(job.memory.hold(held_bytes(&ingested, &planned)));
+        held = Some(hold(job, &ingested, &planned)?);
         let built = build(&planned, clock)?;
         tables.size = more_texels(&built, &planned, clock)?;
         tried = Some((planned, built)).filter(|_| tables.size == fewer.size);
@@ -32,7 +33,7 @@ pub(super) fn run_specimen(job: &Job, clock: &mut Clock) -> Step<Described> {
             let planned = plan(job, &ingested, &tables, clock)?;
             // Given back before more is asked for: else two could wait for each other.
             drop(held.take());
-            held = Some(job.memory.hold(held_bytes(&ingested, &planned)));
+            held = Some(hold(job, &ingested, &planned)?);
             let stored = match job.config.hold.xyz {
                 false => None,
                 true => {
@@ -56,14 +57,13 @@ pub(super) fn run_specimen(job: &Job, clock: &mut Clock) -> Step<Described> {
     described
 }
 
-/// Bytes that making the specimen holds at most: its scans, and what building takes besides.
-fn held_bytes(ingested: &Ingested, planned: &Planned) -> u64 {
-    let samples: usize = ingested.scans.fields.iter().map(|field| field.heights_nm.len()).sum();
-    let Planned { input, plan, .. } = planned;
-    let building = match input.tables.basis {
-        Basis::Chebyshev => forecast_of(input, plan, rayon::current_num_threads()).memory_bytes,
-        // Which no forecast knows: as much as it may take.
-        Basis::Taylor => (input.tables.memory_mib as u64) << 20,
-    };
-    (samples * size_of::<f64>()) as u64 + building
+/// Waits until there is room for the specimen.
+///
+/// # Errors
+/// One that there will never be room for.
+fn hold<'a>(job: &Job<'a>, ingested: &Ingested, planned: &Planned) -> Step<Held<'a>> {
+    let account = account_of(job.config, &planned.input, &planned.plan, planned.asked, &ingested.scenes);
+    let fits = account.and_then(|account| account.check(job.config).map(|()| account));
+    let account = fits.map_err(|error| Failed { stage: Stage::Plan, error })?;
+    Ok(job.memory.hold(account.most().1))
 }

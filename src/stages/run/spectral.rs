@@ -35,7 +35,7 @@ const CHECKED_WAVELENGTHS: usize = 5;
 pub(super) struct Spectral {
     /// As read back.
     pub(super) tables: SpectralTables,
-    /// Before rounding, where errors are going to be told by cause.
+    /// Before rounding, where tables of X, Y, Z are derived whose errors are going to be told by cause.
     pub(super) exact: Option<SpectralTables>,
     /// What was chosen while building.
     pub(super) record: BuildRecord,
@@ -103,7 +103,7 @@ pub(super) fn spectral(job: &Job, planned: &Planned, clock: &mut Clock) -> Step<
         errors,
     };
     let files = StoredSpectral { check_values: check_values(&tables), ..stored };
-    let exact = job.config.report.reference.then_some(built.tables);
+    let exact = (job.config.report.reference && !job.config.hold.xyz).then_some(built.tables);
     Ok(Some(Spectral { tables, exact, record: built.record, files, result }))
 }
 

@@ -1,5 +1,6 @@
 //! Optics floor: a pigment below, the light's coherence and its windows, the transforms of `exp(i s h)`, the reference.
 
+mod axis_lines;
 pub mod coherence;
 pub mod config;
 pub mod dispersive;

@@ -43,6 +43,10 @@ pub struct Forecast {
     pub seconds: f64,
     /// Predicted peak memory in bytes.
     pub memory_bytes: u64,
+    /// Bytes while a window is transformed alone, as for the reference.
+    pub transforms_bytes: u64,
+    /// Bytes of a table in memory.
+    pub table_bytes: u64,
     /// Predicted bytes of the table files before compression.
     pub stored_bytes: u64,
     /// Number format, where not asked for the likely one: what the tables lose decides once they are built.
@@ -112,6 +116,8 @@ pub fn forecast_of(input: &BuildInput, plan: &BuildPlan, threads: usize) -> Fore
         node_samples: samples.iter().zip(&nodes).map(|(samples, &nodes)| samples * in_groups(nodes)).sum(),
         seconds: 1e-9 * (FIXED_NS + work_ns / threads as f64),
         memory_bytes: memory_bytes(plan, &windows, &nodes, tables) as u64,
+        transforms_bytes: windows.iter().map(transforming_bytes).fold(0.0, f64::max) as u64,
+        table_bytes: (plan.texels.window_texels() * plan.channels * size_of::<f32>()) as u64,
         stored_bytes: (counted * plan.channels as f64 * value_bytes * tables as f64 + range_bytes) as u64,
         storage,
         storage_asked: input.tables.storage.is_some(),
@@ -154,17 +160,25 @@ fn memory_bytes(plan: &BuildPlan, windows: &[WindowWork], nodes: &[usize], table
     // Sums and tables stand side by side, the transforms are gone.
     let mut most = sums + numbers * tables as f64;
     for (index, window) in windows.iter().enumerate() {
-        let WindowWork { samples, lines, transforms, .. } = window;
-        let cells = lines[0] * lines[1];
-        let transforms = 8.0 * cells * transforms;
-        // Heights and phasors of the samples; lines between the two passes, and after them.
-        let passes = (8.0 + 16.0) * samples[0] * samples[1] + 16.0 * (samples[1] * lines[0] + cells);
         let sums_before = if index == 0 { 0.0 } else { sums };
         let of_ring = |(ring, &nodes): (&Ring, &usize)| scratch_bytes(plan, window, ring, nodes);
         let scratch = plan.rings.iter().zip(nodes).map(of_ring).fold(0.0, f64::max);
-        most = most.max(transforms + passes + sums_before).max(transforms + sums + scratch);
+        most = most.max(transforming_bytes(window) + sums_before).max(transforms_bytes(window) + sums + scratch);
     }
     most
+}
+
+/// The transforms of a window.
+fn transforms_bytes(WindowWork { lines, transforms, .. }: &WindowWork) -> f64 {
+    8.0 * lines[0] * lines[1] * transforms
+}
+
+/// The same while they come about: heights and phasors of the samples; lines between the two passes, and after them.
+fn transforming_bytes(window: &WindowWork) -> f64 {
+    let WindowWork { samples, lines, .. } = window;
+    transforms_bytes(window)
+        + (8.0 + 16.0) * samples[0] * samples[1]
+        + 16.0 * (samples[1] * lines[0] + lines[0] * lines[1])
 }
 
 /// What summing a ring holds besides: for a few wavelengths at once, every line that its texels read, interpolated to its
@@ -177,7 +191,7 @@ fn scratch_bytes(plan: &BuildPlan, window: &WindowWork, ring: &Ring, nodes: usiz
     let columns = extent(plan.texels.columns.len()) / texel * box_samples;
     let lanes = (nodes.div_ceil(SIMD_WIDTH) as f64).min(LANES_PER_PASS as f64) * parts;
     // It is allocated with up to an eighth to spare.
-    17.0 / 16.0 * WAVELENGTHS_PER_PASS as f64 * lines * columns * lanes * 16.0
+    17.0 / 16.0 * WAVELENGTHS_PER_PASS.min(ring.wavelengths()) as f64 * lines * columns * lanes * 16.0
 }
 
 /// Rms heights of a ring's texels, of that of all: few of them lie where the relief is deepest.
@@ -214,11 +228,17 @@ fn order_ns(plan: &BuildPlan, window: &WindowWork) -> f64 {
     order::TEXELS as f64 * each * products * transforms * NS_PER_COMPLEX_PRODUCT
 }
 
+/// Tables that dim directions ask for besides, in which a relative error is small by nothing: at one wavelength, and under a light of many.
+const MORE_AT_ONE: usize = 3;
+const MORE_UNDER_MANY: usize = 1;
+
 /// Tables that the order estimator will likely choose.
 fn expected_tables(input: &BuildInput, plan: &BuildPlan) -> usize {
     let (rms_nm, tolerance) = (input.rms_nm, input.tables.tolerance);
     let Some(coverage) = &plan.coverage else {
-        return expected_nodes(plan, rms_nm, [0.0, max_abs_w(0.0)], tolerance).max(2);
+        // At one wavelength no sum averages errors out.
+        let more = if plan.rings.iter().all(|ring| ring.wavelengths() == 1) { MORE_AT_ONE } else { MORE_UNDER_MANY };
+        return (expected_nodes(plan, rms_nm, [0.0, max_abs_w(0.0)], tolerance) + more).min(plan.nodes_bound).max(2);
     };
     // As many as the widest ranges but one in twenty need.
     let ranges = coverage.iter().map(|(row, column, t)| coverage.abs_w_at(row, column, t));
