@@ -15,6 +15,7 @@ use crate::stages::ingest::ingest;
 use crate::stages::measured;
 use crate::stages::pictures::scenes::reference_samples;
 use crate::stages::run::account::{ToHold, account, at_once_bytes, mib, program_bytes, spectral_forecast};
+use crate::stages::run::memory::Memory;
 use crate::stages::run::outlook::outlook;
 use crate::stages::run::reference_forecast::{ReferenceForecast, reference_forecast};
 use crate::stages::run::warnings::{scan_warnings, sigma_taken};
@@ -217,7 +218,7 @@ fn plan_specimen(
     let scenes = asked::pictured_scenes(config, &specimen.name);
     let to_hold = ToHold { input: &input, tables: &of_xyz, spectral: of_spectral.as_ref(), scenes: &scenes };
     let held = account(config, &to_hold)?;
-    held.check(config)?;
+    held.check(config, Memory::refused_from_bytes(config))?;
     let reference = match config.report.reference {
         false => None,
         true => {

@@ -206,11 +206,12 @@ impl Account {
         most.map_or(("nothing", 0), |(what, bytes)| (what, bytes as u64))
     }
 
-    /// Refuses what does not fit, before any of it is computed: building into `tables.memory_mib`, and the whole into what the run is allowed.
+    /// Refuses what does not fit, before any of it is computed: building into `tables.memory_mib`, and the whole, the program with it, into
+    /// `allowed` bytes.
     ///
     /// # Errors
     /// `Error::Limit` with the step, what it takes, what is allowed, and what to change.
-    pub(crate) fn check(&self, config: &RunConfig) -> Result<()> {
+    pub(crate) fn check(&self, config: &RunConfig, allowed: u64) -> Result<()> {
         let allowed_mib = config.tables.memory_mib as u64;
         if mib(self.building_bytes) > allowed_mib {
             return Err(Error::limit(
@@ -219,7 +220,7 @@ impl Account {
             ));
         }
         let (step, bytes) = self.most();
-        let (whole, allowed) = (program_bytes(config) + bytes, Memory::refused_from_bytes(config));
+        let whole = program_bytes(config) + bytes;
         if whole <= allowed {
             return Ok(());
         }

@@ -8,6 +8,9 @@ use crate::stages::usage;
 /// What may be held, and what is.
 pub(crate) struct Memory {
     allowed_bytes: u64,
+    /// Bytes that a single specimen may need, the program with it: what the run was told, else all that was free before it began. Once others
+    /// hold some of it, less is free, and that is no reason to refuse one that may wait.
+    refused_from_bytes: u64,
     held_bytes: Mutex<u64>,
     freed: Condvar,
 }
@@ -24,14 +27,25 @@ impl Memory {
         config.memory_bytes.unwrap_or_else(usage::memory_to_take)
     }
 
-    /// Bytes beyond which a specimen is refused: what the run was told, else all that is free.
-    pub(super) fn refused_from_bytes(config: &RunConfig) -> u64 {
+    /// Bytes beyond which a specimen is refused: what the run was told, else all that is free now.
+    pub(crate) fn refused_from_bytes(config: &RunConfig) -> u64 {
         config.memory_bytes.unwrap_or_else(usage::memory_free)
     }
 
+    /// For specimens side by side, besides what the program itself holds, as things stand now.
+    pub(super) fn of_run(config: &RunConfig, program_bytes: u64) -> Self {
+        let allowed_bytes = Self::allowed_bytes(config).saturating_sub(program_bytes);
+        Self { refused_from_bytes: Self::refused_from_bytes(config), ..Self::new(allowed_bytes) }
+    }
+
     /// So much of it.
-    pub(super) fn new(allowed_bytes: u64) -> Self {
-        Self { allowed_bytes, held_bytes: Mutex::new(0), freed: Condvar::new() }
+    fn new(allowed_bytes: u64) -> Self {
+        Self { allowed_bytes, refused_from_bytes: u64::MAX, held_bytes: Mutex::new(0), freed: Condvar::new() }
+    }
+
+    /// Bytes beyond which a specimen of this run is refused.
+    pub(super) fn most_bytes(&self) -> u64 {
+        self.refused_from_bytes
     }
 
     /// Waits until so much is free, or nobody else holds any: what is larger than all of it runs alone, for whether a specimen

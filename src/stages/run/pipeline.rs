@@ -177,7 +177,7 @@ impl Run<'_> {
             config: self.config,
             illustrate: self.helpers.illustrate,
             cache: &self.cache,
-            memory: &Memory::new(Memory::allowed_bytes(self.config).saturating_sub(program_bytes(self.config))),
+            memory: &Memory::of_run(self.config, program_bytes(self.config)),
             folder: work_folder,
             progress: if at_once > 1 { &remarks } else { self.helpers.progress },
         };

@@ -63,7 +63,7 @@ pub(super) fn run_specimen(job: &Job, clock: &mut Clock) -> Step<Described> {
 /// One that there will never be room for.
 fn hold<'a>(job: &Job<'a>, ingested: &Ingested, planned: &Planned) -> Step<Held<'a>> {
     let account = account_of(job.config, &planned.input, &planned.plan, planned.asked, &ingested.scenes);
-    let fits = account.and_then(|account| account.check(job.config).map(|()| account));
+    let fits = account.and_then(|account| account.check(job.config, job.memory.most_bytes()).map(|()| account));
     let account = fits.map_err(|error| Failed { stage: Stage::Plan, error })?;
     Ok(job.memory.hold(account.most().1))
 }
