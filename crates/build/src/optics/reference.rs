@@ -496,6 +496,11 @@ mod tests {
         };
         // Samples and lines both grow with the side, and so do the lines along the other axis, of which each two have a sum.
         assert!((bytes(1024) / bytes(256)).abs_diff(16) < 4, "{} {}", bytes(1024), bytes(256));
-        assert!((4 << 20..16 << 20).contains(&bytes(1024)) && bytes(8192) < 1 << 30, "{} {}", bytes(1024), bytes(8192));
+        // By hand: over 61 µm some 30 lines at a wavelength, 80 at all of them, of 1024 complex numbers each along x and 30 along y; and 30² sums at
+        // some 60 wavelengths. Eight times the side has eight times the lines, of eight times the samples.
+        let by_hand = |times: usize| (16 * times * times * (1024 * (80 + 30) + 30 * 30 * 60)) as f64;
+        for (side, times) in [(1024, 1), (8192, 8)] {
+            assert!((bytes(side) as f64 / by_hand(times) - 1.0).abs() < 0.1, "{} for {}", bytes(side), by_hand(times));
+        }
     }
 }
