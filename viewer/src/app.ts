@@ -189,7 +189,7 @@ export class App {
     const name = engine.loaded?.specimen.name ?? '';
     if (this.offeredFor !== name) {
       this.offeredFor = name;
-      page.spectrum.offer(await measuredSpectra(engine, name));
+      page.spectrum.offer(measuredSpectra((await engine.viewerFile())?.measured?.[name] ?? []));
     }
   }
 

@@ -1,7 +1,5 @@
 // Measured spectra that lie beside the model's in the atlas's report.
 
-import type { Engine } from '../engine';
-
 /** A spectrum measured at one pair of directions. */
 export interface MeasuredSpectrum {
   /** theta and phi of the light, theta and phi of the viewer. */
@@ -25,9 +23,8 @@ export interface MeasuredColumn {
   curves: Curve[];
 }
 
-/** Every measured BRDF spectrum of a specimen; none where nothing was measured. */
-export async function measuredSpectra(engine: Engine, name: string): Promise<MeasuredSpectrum[]> {
-  const columns = (await engine.viewerFile())?.measured?.[name] ?? [];
+/** Every BRDF spectrum among what was measured of a specimen. */
+export function measuredSpectra(columns: MeasuredColumn[]): MeasuredSpectrum[] {
   return columns
     .filter(({ kind }) => kind === 'brdf')
     .flatMap(({ curves, scale }) => curves.map((curve) => ({ curve, scale })))
